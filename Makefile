@@ -37,11 +37,18 @@ $(VENV)/development.stamp: requirements-dev.txt | $(VENV)/generator.stamp
 	@$(RUN) -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-dev.txt
 	@touch $@
 
+# For all Pythons alike: what the oldest one needs is in the lock too. Folders of this machine have no place in it.
+PIP_COMPILE := env -u PIP_FIND_LINKS -u PIP_INDEX_URL $(BUILD)/lock/bin/pip-compile --quiet --upgrade --generate-hashes \
+  --strip-extras --allow-unsafe --no-emit-index-url --no-emit-find-links --no-emit-trusted-host --no-header
+OLDEST ?= python3.10
+
 .PHONY: lock
-lock: $(VENV)/development.stamp ## pin the newest versions of the Python tools (run it with the oldest Python)
-	@for f in requirements requirements-dev; do \
-	  $(VENV)/bin/pip-compile --quiet --upgrade --generate-hashes --strip-extras --allow-unsafe --no-emit-index-url --no-header -o $$f.txt $$f.in; \
-	done
+lock: ## pin the newest versions of the Python tools
+	@$(OLDEST) -c 'import sys; sys.exit(sys.version_info[:2] != (3, 10))' || { echo "make: the lock is made with Python 3.10, the oldest that is supported: make lock OLDEST=..." >&2; exit 1; }
+	@$(OLDEST) -m venv --clear $(BUILD)/lock
+	@$(BUILD)/lock/bin/python -m pip install --quiet pip-tools
+	@$(PIP_COMPILE) -o requirements.txt pyproject.toml
+	@$(PIP_COMPILE) -o requirements-dev.txt requirements-dev.in
 
 # ----------------------------------------------------------------- what it is for
 
@@ -58,33 +65,41 @@ golden: $(VENV)/generator.stamp ## write the snapshot of the invented specificat
 	@$(MIPGEN) generate --spec tests/invented/spec --out tests/invented/golden
 
 .PHONY: audit
-audit: $(VENV)/generator.stamp ## compare the specification with the manuals: make audit MANUALS="ID=FILE ID=FILE"
-	@$(MIPGEN) audit --spec $(SPEC) $(addprefix --manual ,$(MANUALS))
+audit: $(VENV)/generator.stamp ## compare the specification with its sources: make audit MANUALS="ID=FILE ID=FILE" SDK=FOLDER
+	@$(MIPGEN) audit --spec $(SPEC) $(addprefix --manual ,$(MANUALS)) $(addprefix --sdk ,$(SDK))
+
+# Each ends with a line that says what was run and what was left out; nothing is skipped in between.
+PYTEST = $(RUN) -m pytest -n $(JOBS) --dist loadgroup
 
 .PHONY: test
-test: tools $(VENV)/development.stamp ## run all tests, in every language
-	@$(RUN) -m pytest -n $(JOBS) $(TESTS)
+test: tools $(VENV)/development.stamp ## run the tests of all languages that need a C compiler and cargo only
+	@$(PYTEST) -m "not heavy" $(TESTS)
+
+.PHONY: test-all
+test-all: tools-all test ## these, and those that need other compilers, machines and Pythons
+	@$(PYTEST) -m heavy $(TESTS)
 
 .PHONY: quick
-quick: $(VENV)/development.stamp ## run the tests of the generator alone
-	@$(RUN) -m pytest -n $(JOBS) tests/generator tests/bad_specs
+quick: $(VENV)/development.stamp ## run the tests of the generator alone, in less than a minute
+	@$(PYTEST) -m "not heavy" tests/generator
 
 .PHONY: mutate
 mutate: $(VENV)/development.stamp ## change the project at random and report what no test sees: make mutate COUNT=5 PART=c SEED=2
 	@$(RUN) tests/mutate.py $(addprefix --count ,$(COUNT)) $(addprefix --part ,$(PART)) $(addprefix --seed ,$(SEED)) $(addprefix --path ,$(FILE))
 
 .PHONY: check
-check: tools $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
+check: tools-check $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
 	@$(MIPGEN) check --spec $(SPEC) --out $(OUT)
 	@$(MIPGEN) check --spec tests/invented/spec --out tests/invented/golden
-	@$(VENV)/bin/ruff check .
-	@$(VENV)/bin/ruff format --check .
+	@$(MIPGEN) diff --release --spec $(SPEC)
+	@$(VENV)/bin/ruff check --quiet .
+	@$(VENV)/bin/ruff format --quiet --check .
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/ruff check --quiet . && $(abspath $(VENV))/bin/ruff format --quiet --check .
-	@$(VENV)/bin/mypy
-	@cd $(OUT)/python && $(abspath $(VENV))/bin/mypy mip_protocol
-	@find $(OUT)/c tests/c \( -name '*.c' -o -name '*.h' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
+	@$(VENV)/bin/mypy --no-error-summary
+	@cd $(OUT)/python && $(abspath $(VENV))/bin/mypy --no-error-summary mip_protocol
+	@find $(OUT)/c templates/c tests/c \( -name '*.c' -o -name '*.h' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
 	@find $(OUT)/rust/src tests/rust -name '*.rs' -not -path '*/target/*' -print0 | xargs -0 rustfmt --check --edition 2021 --config-path $(OUT)/rust
-	@echo "all in order"
+	@echo "checked: specification, generated files, ruff, mypy, clang-format, rustfmt; nothing was left out"
 
 .PHONY: docs
 docs: $(VENV)/development.stamp ## build the reference as a searchable site in build/site
@@ -103,19 +118,15 @@ conformance-driver: $(VENV)/generator.stamp ## build a driver and print its comm
 
 # ----------------------------------------------------------------- tools and dirt
 
-.PHONY: tools
+.PHONY: tools tools-check tools-all
 tools:
-	@missing=0; need() { command -v "$$1" >/dev/null 2>&1 || { echo "make: $$1 is missing; $$2" >&2; missing=1; }; }; \
-	need gcc "install it (Debian: apt-get install gcc)"; \
-	need g++ "install it (Debian: apt-get install g++)"; \
-	need clang "install it (Debian: apt-get install clang)"; \
-	need cmake "install it (Debian: apt-get install cmake)"; \
-	need pkg-config "install it (Debian: apt-get install pkg-config)"; \
-	need cargo "install Rust by rustup, see https://rustup.rs"; \
-	need rustup "install Rust by rustup: a test builds for a bare-metal target"; \
-	need rustfmt "rustup component add rustfmt"; \
-	need cargo-clippy "rustup component add clippy"; \
-	exit $$missing
+	@tests/tools.sh test
+
+tools-check:
+	@tests/tools.sh check
+
+tools-all:
+	@tests/tools.sh all
 
 .PHONY: clean
 clean: ## remove what was built; generated/ stays

@@ -3,6 +3,8 @@ uses itself, arrays that serde and Default do not know, and names of every lengt
 
 from __future__ import annotations
 
+from terse import filled
+
 HEAD = """# yaml-language-server: $schema=../../../../../spec/schema/set.schema.json
 """
 
@@ -33,7 +35,7 @@ fields:
     name: field
     title: Field
     description: "Everything that generated code calls something: `a`, <b>, [c]."
-    sources: [{manual: guide, section: "[1] <x>"}]
+    sources: [{manual: leaflet, section: "[1] <x>"}]
     functions: WRSLDA
     parameters:
       - {name: reader, type: u8, for: WRSLD}
@@ -55,7 +57,7 @@ fields:
     name: command
     title: Command
     description: Two arrays that belong together.
-    sources: [{manual: guide, section: S}]
+    sources: [{manual: leaflet, section: S}]
     parameters:
       - {name: count, type: u16, description: Of items.}
       - {name: crate, type: u8, const: 7}
@@ -67,7 +69,7 @@ fields:
     name: string
     title: String
     description: Counters around each other, all optional.
-    sources: [{manual: guide, section: S}]
+    sources: [{manual: leaflet, section: S}]
     functions: WR
     parameters:
       - {name: a, type: u8, for: W}
@@ -90,7 +92,7 @@ fields:
     name: long
     title: Long
     description: Long arrays of all kinds.
-    sources: [{manual: guide, section: S}]
+    sources: [{manual: leaflet, section: S}]
     parameters:
       - {name: bytes, type: u8, count: 40}
       - {name: reserved, type: u8, count: 33, reserved: 3}
@@ -121,7 +123,7 @@ def lengths(longest: int = 33) -> str:
     name: f{w}
     title: T
     description: D.
-    sources: [{{manual: guide, section: S}}]
+    sources: [{{manual: leaflet, section: S}}]
     functions: WRSLDA
     parameters:
       - {{name: p_{w}, type: u8, for: WRSLD}}
@@ -134,7 +136,7 @@ def lengths(longest: int = 33) -> str:
       - response: {0x80 + number}
         parameters:
           - {{name: r_{w}, type: u16, reserved: 3}}
-          - {{name: x, type: u8, read_as: {{by: device, types: {{model-a: e{w}}}}}}}
+          - {{name: x, type: u8}}
           - {{name: s, type: s{w}}}"""
         )
     return (
@@ -143,4 +145,7 @@ def lengths(longest: int = 33) -> str:
     )
 
 
-FILES = {"awkward.yaml": HEAD + COMMANDS, "long.yaml": HEAD + DATA, "lengths.yaml": HEAD + lengths()}
+FILES = {
+    name: HEAD + filled(text)
+    for name, text in {"awkward.yaml": COMMANDS, "long.yaml": DATA, "lengths.yaml": lengths()}.items()
+}

@@ -102,7 +102,7 @@ def field_values(draw: Any, field: m.Field) -> Values:
     if field.selector:
         known = [f.value for f in field.functions]
         values["function"] = draw(st.one_of(st.sampled_from(known), st.integers(0, 255)))
-    required = dict(field.required).get(values.get("function", -1), 0) if field.selector else field.required_count
+    required = field.required(values.get("function"))
     groups = [op for op in field.operations if isinstance(op, m.GroupOp)]
     keep = draw(st.integers(0, len(groups)))
     for i, group in enumerate(groups):

@@ -1,8 +1,8 @@
 """Reads the text of a manual and lists what the specification does not account for.
 
-The manuals are no part of the project; whoever has them can check the specification against them.
+The manuals are not part of the project; whoever has them can check the specification against them.
 Three kinds of things are looked for: headings of descriptors, printed packets, and references to
-descriptors such as (0x0C,0x28).
+descriptors such as (0x0C,0x28). The other way round, each section that may be cited must be in the manual.
 """
 
 from __future__ import annotations
@@ -36,8 +36,31 @@ class Finding:
 
 def audit(model: m.Model, manual: str, path: Path) -> list[Finding]:
     lines = path.read_text("utf-8", errors="replace").splitlines()
-    found = [*_headings(model, manual, lines), *_references(model, manual, lines), *_packets(model, manual, lines)]
+    found = [
+        *_sections(model, manual, lines),
+        *_headings(model, manual, lines),
+        *_references(model, manual, lines),
+        *_packets(model, manual, lines),
+    ]
     return sorted(Finding(path.name, line, message) for line, message in set(found))
+
+
+# --------------------------------------------------------------------------- sections
+
+
+def _sections(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[int, str]]:
+    """Each section of the list is a line of the manual; "Page > Heading" is a line and, below it, another."""
+    places: dict[str, list[int]] = {}
+    for number, line in enumerate(lines, 1):
+        places.setdefault(_plain(line), []).append(number)
+    for section in next(x.sections for x in model.protocol.manuals if x.id == manual):
+        at = 0
+        for part in section.split(" > "):
+            below = [number for number in places.get(_plain(part), ()) if number > at]
+            if not below:
+                yield at or 1, f"the manual has no section '{section}'"
+                break
+            at = below[0]
 
 
 # --------------------------------------------------------------------------- descriptors
@@ -56,7 +79,7 @@ def _headings(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[i
 
 def _plain(heading: str) -> str:
     """A heading without numbering, marks and spaces: converters and authors differ in these."""
-    return re.sub(r"^\d+(\.\d+)*|[\W_]", "", heading).lower()
+    return re.sub(r"^[\W_]*(\d+(\.\d+)*\.? )?|[\W_]", "", heading).lower()
 
 
 def _references(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[int, str]]:

@@ -1,4 +1,4 @@
-"""Judges a resolved model. Every check is one function that reports all it finds."""
+"""Checks a resolved model. Each check is one function, which reports all that it finds."""
 
 from __future__ import annotations
 
@@ -16,12 +16,13 @@ SHARED_DESCRIPTORS = range(0xD0, 0x100)
 
 
 def check_definitions(model: m.Model, problems: Problems) -> None:
-    for check in (set_numbers, descriptors, names, enumerations, bitfields, replies):
+    for check in (set_numbers, descriptors, named, names, words, enumerations, bitfields, replies):
         check(model, problems)
 
 
 def check_evidence(model: m.Model, problems: Problems) -> None:
-    for check in (printed_lengths, printed_bytes, references):
+    """Checks that make sense only once the definitions are right."""
+    for check in (descriptions, units, printed_lengths, printed_bytes, references):
         check(model, problems)
 
 
@@ -33,7 +34,8 @@ def set_numbers(model: m.Model, problems: Problems) -> None:
     for s in model.sets:
         if s.number in seen:
             problems.add(
-                s.position, f"0x{s.number:02X} is the set '{seen[s.number].name}' already; give '{s.name}' its own"
+                s.position,
+                f"0x{s.number:02X} is already the set '{seen[s.number].name}'; give '{s.name}' another number",
             )
         seen[s.number] = s
 
@@ -45,14 +47,14 @@ def descriptors(model: m.Model, problems: Problems) -> None:
             _descriptor_range(s, f, problems)
             other = seen.setdefault(f.descriptor, f)
             if other is not f and not _told_apart(other, f):
+                apart = ", or a const that tells the two layouts apart" if f.role == m.RESPONSE else ""
                 problems.add(
                     f.position,
-                    f"duplicate descriptor 0x{f.descriptor:02X}: '{other.name}' and '{f.name}' of the set '{s.name}'; "
-                    "two layouts of one descriptor need a const that differs at the same place",
+                    f"'{f.name}' has the descriptor 0x{f.descriptor:02X} of '{other.name}'; give it another{apart}",
                 )
 
 
-def _descriptor_range(s: m.Set, f: m.Field, problems: Problems) -> None:
+def _descriptor_range(s: m.Set, f: m.Field | m.Named, problems: Problems) -> None:
     allowed = (
         RESPONSE_DESCRIPTORS if f.role == m.RESPONSE
         else COMMAND_DESCRIPTORS if f.role == m.COMMAND
@@ -62,7 +64,7 @@ def _descriptor_range(s: m.Set, f: m.Field, problems: Problems) -> None:
     if f.descriptor not in allowed:
         what = "shared data" if s.kind == "shared" else f.role
         span = f"0x{allowed.start:02X} to 0x{allowed.stop - 1:02X}"
-        problems.add(f.position, f"'{f.name}': 0x{f.descriptor:02X} is no {what} descriptor; those are {span}")
+        problems.add(f.position, f"'{f.name}': 0x{f.descriptor:02X} is not a {what} descriptor; use {span}")
 
 
 def _told_apart(a: m.Field, b: m.Field) -> bool:
@@ -72,15 +74,68 @@ def _told_apart(a: m.Field, b: m.Field) -> bool:
     return any(mine.get((at, op.size), op.value) != op.value for at, op in b.constants)
 
 
-def names(model: m.Model, problems: Problems) -> None:
+def named(model: m.Model, problems: Problems) -> None:
+    """A descriptor is either defined or only named."""
     for s in model.sets:
-        seen: set[str] = set()
-        for name, place in [(t.name, getattr(t, "position", s.position)) for t in s.types] + [
-            (f.name, f.position) for f in s.fields
-        ]:
-            if name in seen:
-                problems.add(place, f"the name '{name}' stands twice in the set '{s.name}'; rename one")
-            seen.add(name)
+        seen = {f.descriptor: f.name for f in s.fields}
+        for x in s.named:
+            _descriptor_range(s, x, problems)
+            if x.descriptor in seen:
+                problems.add(
+                    x.position,
+                    f"'{x.name}' has the descriptor 0x{x.descriptor:02X} of '{seen[x.descriptor]}'; "
+                    "remove it from the named ones",
+                )
+            seen.setdefault(x.descriptor, x.name)
+
+
+def names(model: m.Model, problems: Problems) -> None:
+    """A type and a field of a set do not share a name; nor do two fields, by whatever name they go."""
+    for s in model.sets:
+        fields = [(f.name, f.position) for f in s.fields]
+        others = [(x.name, x.position) for x in s.named] + [(name, f.position) for f in s.fields for name in f.also]
+        for entries in ([(t.name, getattr(t, "position", s.position)) for t in s.types] + fields, fields + others):
+            used: set[str] = set()
+            for name, place in entries:
+                if name in used:
+                    problems.add(place, f"the name '{name}' is used twice in the set '{s.name}'; rename one")
+                used.add(name)
+
+
+def words(model: m.Model, problems: Problems) -> None:
+    """Names say the same thing by the same word, that of the vocabulary."""
+    usual = {other: usage.word for usage in model.protocol.vocabulary for other in usage.instead_of}
+    if not usual:
+        return
+    unusual = re.compile(rf"(?<![^_])({'|'.join(map(re.escape, usual))})(?![^_])")
+    for name, place in _all_names(model):
+        for found in unusual.finditer(name):
+            right = usual[found[1]]
+            problems.add(place, f"the name '{name}': the vocabulary has '{right}' for '{found[1]}'; write '{right}'")
+
+
+def _all_names(model: m.Model) -> Iterator[tuple[str, m.Position | None]]:
+    """Every name that an author has chosen."""
+    for t in _all_types(model):
+        yield t.name, getattr(t, "position", None)
+        match t:
+            case m.Enum():
+                yield from ((v.name, v.position) for v in t.values)
+            case m.Bitfield():
+                yield from ((b.name, b.position) for b in t.bits)
+            case m.Struct():
+                yield from _names_of(t.parameters)
+    for s in model.sets:
+        yield s.name, s.position
+        for f in s.own_fields:
+            yield f.name, f.position
+            yield from _names_of(f.parameters)
+
+
+def _names_of(parameters: tuple[m.Parameter, ...]) -> Iterator[tuple[str, m.Position | None]]:
+    for p in parameters:
+        yield p.name, p.position
+        yield from _names_of(tuple(c.parameter for c in p.cases if c.parameter is not None))
 
 
 # --------------------------------------------------------------------------- types
@@ -99,9 +154,9 @@ def enumerations(model: m.Model, problems: Problems) -> None:
         seen: dict[int, str] = {}
         for v in t.values:
             if v.value >> (8 * t.scalar.size):
-                problems.add(v.position, f"'{t.name}': {v.name} = {v.value} does not fit into {t.scalar.name}")
+                problems.add(v.position, f"'{t.name}': {v.name} = {v.value} does not fit in {t.scalar.name}")
             if v.value in seen:
-                problems.add(v.position, f"'{t.name}': {seen[v.value]} and {v.name} are both {v.value}; drop one")
+                problems.add(v.position, f"'{t.name}': {seen[v.value]} and {v.name} are both {v.value}; remove one")
             seen.setdefault(v.value, v.name)
 
 
@@ -114,7 +169,7 @@ def bitfields(model: m.Model, problems: Problems) -> None:
             other = next((o for o in used if o.mask & b.mask), None)
             if other is not None and not b.alias:
                 problems.add(
-                    b.position, f"'{t.name}': {b.name} overlaps {other.name}; if that is meant, add alias: true"
+                    b.position, f"'{t.name}': {b.name} overlaps {other.name}; add alias: true if it is meant to"
                 )
             if not b.alias:
                 used.append(b)
@@ -123,7 +178,7 @@ def bitfields(model: m.Model, problems: Problems) -> None:
                     problems.add(
                         b.position,
                         f"'{t.name}': {v.name} = {v.value} of '{b.enum.name if b.enum else ''}' "
-                        f"does not fit into {b.name}, which holds 0 to {b.mask >> b.first}",
+                        f"does not fit in {b.name}, which holds 0 to {b.mask >> b.first}",
                     )
                     break
 
@@ -138,9 +193,42 @@ def replies(model: m.Model, problems: Problems) -> None:
             continue
         reads = any(x.responds for x in f.functions)
         if reads and not f.responses:
-            problems.add(f.position, f"'{f.name}' can be read, but has no response; add one, or drop R from functions")
+            problems.add(
+                f.position, f"'{f.name}' can be read, but has no response; add one, or remove R from functions"
+            )
         if f.responses and not reads:
             problems.add(f.position, f"'{f.name}' has a response, but no function asks for it; add R to functions")
+
+
+def _parameters(model: m.Model) -> Iterator[m.Parameter]:
+    """The parameters of all fields and structures, except the reserved ones."""
+    for parameters in (
+        model.protocol.acknowledge.parameters,
+        *(f.parameters for f in model.fields),
+        *(t.parameters for t in _all_types(model) if isinstance(t, m.Struct)),
+    ):
+        yield from (p for p in parameters if p.reserved is None)
+
+
+def descriptions(model: m.Model, problems: Problems) -> None:
+    for p in _parameters(model):
+        if not p.description:
+            problems.add(p.position, f"'{p.name}' has no description; say what it is")
+        for case in p.cases:
+            # The type of a case describes it; a plain number or a text has no type of its own.
+            if case.parameter and isinstance(case.parameter.element, m.Scalar) and not case.parameter.description:
+                problems.add(case.parameter.position, f"the case '{case.tag.name}' has no description; say what it is")
+
+
+def units(model: m.Model, problems: Problems) -> None:
+    """A float needs a unit, even if it is "1": a forgotten one would look like none."""
+    for parameter in _parameters(model):
+        for p in (parameter, *(case.parameter for case in parameter.cases if case.parameter)):
+            scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
+            varies = p.variants and all(v.units for v in p.variants)
+            if isinstance(scalar, m.Scalar) and scalar.kind == "float" and not (p.units or p.any_unit or varies):
+                remedy = 'give it one ("1" for a plain number, ~ if another value decides it or nobody knows)'
+                problems.add(p.position, f"'{p.name}' has no unit; {remedy}")
 
 
 # --------------------------------------------------------------------------- evidence
@@ -154,6 +242,9 @@ def printed_lengths(model: m.Model, problems: Problems) -> None:
     for f in (*model.fields, model.protocol.acknowledge):
         for source in f.sources:
             if source.length is None or source.length == "unavailable":
+                continue
+            if rules.get(source.manual) == "none":
+                problems.add(source.position, f"{source.manual} prints no lengths; remove that of '{f.full_name}'")
                 continue
             expected = computed_length(f, rules.get(source.manual, "wire"))
             if _same_length(source.length, expected):
@@ -175,7 +266,7 @@ def printed_lengths(model: m.Model, problems: Problems) -> None:
             elif (e.manual, c.subject) not in differing:
                 problems.add(
                     c.position,
-                    f"the length that {e.manual} prints for '{c.subject}' is right (or not given); drop the claim",
+                    f"the length that {e.manual} prints for '{c.subject}' is right (or not given); remove the claim",
                 )
 
 
@@ -232,7 +323,7 @@ def printed_bytes(model: m.Model, problems: Problems) -> None:
             if c.subject not in by_id:
                 problems.add(c.position, f"unknown example '{c.subject}'{nearest(c.subject, by_id)}")
             elif c.subject not in differing:
-                problems.add(c.position, f"the prints of '{c.subject}' are right; drop the claim")
+                problems.add(c.position, f"the prints of '{c.subject}' are right; remove the claim")
 
 
 def differences(e: m.Example) -> list[str]:
@@ -266,4 +357,4 @@ def references(model: m.Model, problems: Problems) -> None:
             if c.kind == "reference":
                 number, descriptor = (int(x, 16) for x in c.subject.split(","))
                 if model.candidates(number, descriptor):
-                    problems.add(c.position, f"({c.subject}) is defined; drop the claim")
+                    problems.add(c.position, f"({c.subject}) is defined; remove the claim")

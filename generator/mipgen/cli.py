@@ -1,123 +1,189 @@
-"""The command line: validate, generate, check."""
+"""The command line. What a command does is in `commands`; what it needs is loaded when it runs."""
 
 from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Generator
 from pathlib import Path
+from typing import Any
 
-from . import __version__, audit, naming, render
-from .model import RESPONSE, Model
-from .problems import Problems, SpecError, nearest
-from .resolve import load_model
+from . import __version__
+from .errors import Failure
 
-ROOT = Path(__file__).parents[2]
+EXAMPLES = """\
+examples:
+  mipgen new spec                           write a small specification to start from
+  mipgen validate                           check it
+  mipgen generate                           ./spec -> ./generated, all targets
+  mipgen generate --target c --target rust  these two only
+  mipgen generate --device 3dm-gx5-15       what one device supports
+  mipgen generate --spec spec --spec mine   with fields of your own laid over it
+  mipgen check                              is ./generated what ./spec gives?
+
+'mipgen COMMAND --help' says more about a command. What is costly to make is kept in ~/.cache/mipgen;
+MIPGEN_CACHE names another folder, and turns that off if it is empty.
+"""
+DIFF = """\
+verdicts:
+  same        nothing that a program could notice                             exit status 0
+  compatible  added, or another description, range or default                 3
+  source      renamed or removed: programs must be changed to build again     4
+  wire        the same bytes mean something else, or other bytes are sent     5
+"""
+COMPLETION = """\
+  bash:  mipgen completion bash > ~/.local/share/bash-completion/completions/mipgen
+  zsh:   mipgen completion zsh > a folder of $fpath, as _mipgen
+  fish:  mipgen completion fish > ~/.config/fish/completions/mipgen.fish
+"""
 
 
 def main(arguments: list[str] | None = None) -> int:
-    options = _parser().parse_args(arguments)
+    known = parser()
+    options = known.parse_args(arguments)
+    if options.run is None:
+        known.print_help()
+        return 0
+    from . import commands
+
     try:
-        return int(options.run(options))
-    except SpecError as error:
-        print(error, file=sys.stderr)
-        count = len(error.problems)
-        print(f"mipgen: {count} problem{'s' if count > 1 else ''}; nothing was written", file=sys.stderr)
+        return int(getattr(commands, options.run)(options))
+    except Failure as failure:
+        print(failure, file=sys.stderr)
+        count = len(getattr(failure, "problems", ()))
+        if count:
+            print(f"mipgen: {count} problem{'s' if count > 1 else ''}; nothing was written", file=sys.stderr)
+        return 1
+    except BrokenPipeError:  # who reads has enough, as `head` does
+        sys.stderr.close()
         return 1
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="mipgen", description="Bindings and a reference manual from one specification of the MIP protocol."
+class _Layout(argparse.RawDescriptionHelpFormatter):
+    """Keeps the lines of examples; the commands are in one column, without a line before them."""
+
+    def _iter_indented_subactions(self, action: argparse.Action) -> Generator[argparse.Action, None, None]:
+        yield from getattr(action, "_get_subactions", list)()
+
+    def _format_action(self, action: argparse.Action) -> str:
+        text = super()._format_action(action)
+        return text.partition("\n")[2] if action.nargs == argparse.PARSER else text
+
+
+def parser() -> argparse.ArgumentParser:
+    made = argparse.ArgumentParser(
+        prog="mipgen",
+        description="Bindings in several languages and a reference manual from one specification of the MIP protocol.",
+        epilog=EXAMPLES,
+        formatter_class=_Layout,
     )
-    parser.add_argument("--version", action="version", version=f"mipgen {__version__}")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for run, text in (
-        (validate, "check a specification and write nothing"),
-        (generate, "write the files of all targets, or of those named"),
-        (check, "fail if generated files differ from what the specification gives"),
+    made.add_argument("--version", action="version", version=f"mipgen {__version__}")
+    made.set_defaults(run=None)
+    commands = made.add_subparsers(metavar="COMMAND", title="commands")
+
+    def command(name: str, run: str, text: str, epilog: str = "") -> argparse.ArgumentParser:
+        added = commands.add_parser(
+            name,
+            help=text,
+            description=f"{text[0].upper()}{text[1:]}.",
+            epilog=epilog,
+            formatter_class=_Layout,
+        )
+        added.set_defaults(run=run)
+        return added
+
+    new = command("new", "new", "write a small specification to start from")
+    new.add_argument("folder", type=Path, metavar="FOLDER", help="new, or empty")
+
+    validate = command("validate", "validate", "check a specification and write nothing")
+    _spec(validate)
+    _targets(validate)
+
+    generate = command("generate", "generate", "check a specification and write the files of all targets")
+    _spec(generate)
+    _part(generate)
+    _out(generate)
+    _targets(generate)
+
+    diff = command("diff", "diff", "say what changed between two specifications, and whom it breaks", DIFF)
+    diff.add_argument("old", metavar="OLD", nargs="?", help="a folder, or a revision of the repository")
+    diff.add_argument("new", metavar="NEW", nargs="?", help="the same (default: the folder of --spec)")
+    diff.add_argument("--json", action="store_true", help="print the report as JSON")
+    diff.add_argument(
+        "--release",
+        action="store_true",
+        help="compare with the last release, and fail if the version number says less than what changed",
+    )
+    _spec(diff)
+
+    check = command("check", "check", "fail if generated files differ from what the specification gives")
+    _spec(check)
+    _part(check)
+    _out(check)
+    _targets(check)
+
+    audit = command("audit", "audit", "list where the specification differs from manuals and other sources")
+    _spec(audit)
+    audit.add_argument(
+        "--manual", action="append", default=[], metavar="ID=FILE", help="a manual as plain text; may be repeated"
+    )
+    audit.add_argument(
+        "--sdk", type=Path, metavar="FOLDER", help="facts about the vendor's SDK: layouts.yaml and names.yaml"
+    )
+
+    targets = command("targets", "targets", "list the targets")
+    targets.add_argument("--names", action="store_true", help="print nothing but their names")
+    _target_path(targets)
+
+    completion = command("completion", "completion", "print a script that completes commands in a shell", COMPLETION)
+    completion.add_argument("shell", choices=("bash", "zsh", "fish"), help="the shell that reads the script")
+    return made
+
+
+def _spec(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--spec",
+        type=Path,
+        action="append",
+        metavar="FOLDER",
+        help="of the specification (default: ./spec); those that follow are laid over the first",
+    )
+
+
+def _part(command: argparse.ArgumentParser) -> None:
+    group = command.add_argument_group("a part of the specification, with all that it needs")
+    for name, metavar, text in (
+        ("device", "ID", "what this device supports"),
+        ("set", "NAME", "this descriptor set, such as sensor"),
+        ("field", "NAME", "this field, such as 3dm.message_format"),
     ):
-        command = commands.add_parser(run.__name__, help=text, description=text)
-        command.add_argument("--spec", type=Path, default=ROOT / "spec", help="folder of the specification")
-        command.set_defaults(run=run)
-        if run is not validate:
-            command.add_argument("--out", type=Path, default=ROOT / "generated", help="folder of the output")
-            command.add_argument(
-                "--target", action="append", choices=render.names(), dest="targets", help="may be given more than once"
-            )
-    compare = commands.add_parser("audit", help="list what manuals contain and the specification does not")
-    compare.add_argument("--spec", type=Path, default=ROOT / "spec", help="folder of the specification")
-    compare.add_argument(
-        "--manual", action="append", required=True, metavar="ID=FILE", help="a manual as plain text; may be repeated"
+        group.add_argument(f"--{name}", action="append", dest=f"{name}s", default=[], metavar=metavar, help=text)
+
+
+def _out(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--out", type=Path, default=Path("generated"), metavar="FOLDER", help="of the output (default: ./generated)"
     )
-    compare.set_defaults(run=audit_manuals)
-    return parser
 
 
-def audit_manuals(options: argparse.Namespace) -> int:
-    model = load_model(options.spec)
-    known = [x.id for x in model.protocol.manuals]
-    findings = []
-    for argument in options.manual:
-        manual, _, file = argument.partition("=")
-        if manual not in known:
-            print(f"mipgen: unknown manual '{manual}'{nearest(manual, known)}", file=sys.stderr)
-            return 2
-        if not Path(file).is_file():
-            print(f"mipgen: '{argument}': no such file; write --manual {manual}=FILE", file=sys.stderr)
-            return 2
-        findings += audit.audit(model, manual, Path(file))
-    print("".join(f"{f}\n" for f in findings), end="")
-    print(f"{len(findings)} findings")
-    return 1 if findings else 0
+def _targets(command: argparse.ArgumentParser) -> None:
+    group = command.add_argument_group("targets")
+    group.add_argument(
+        "--target",
+        action="append",
+        dest="targets",
+        metavar="NAME",
+        help="this one only; may be repeated ('mipgen targets' lists them)",
+    )
+    _target_path(group)
 
 
-def validate(options: argparse.Namespace) -> int:
-    model = load_model(options.spec)
-    _check_names(model, render.names())
-    print(summary(model))
-    return 0
-
-
-def generate(options: argparse.Namespace) -> int:
-    made = _make(options)
-    for name, files in made.items():
-        done = render.write(files, options.out / name)
-        print(f"{name:10} {len(files):4} files, {len(done)} changed  ({render.target(name).TITLE})")
-    return 0
-
-
-def check(options: argparse.Namespace) -> int:
-    found = 0
-    for name, files in _make(options).items():
-        for difference in render.compare(files, options.out / name):
-            print(
-                f"{options.out / name / difference.path}: error: {difference.what}; run 'make generate golden'",
-                file=sys.stderr,
-            )
-            found += 1
-    if not found:
-        print(f"{options.out} is what the specification gives")
-    return 1 if found else 0
-
-
-def _make(options: argparse.Namespace) -> dict[str, dict[str, bytes]]:
-    targets = options.targets or render.names()
-    model = load_model(options.spec)
-    _check_names(model, targets)
-    print(summary(model))
-    return {name: render.render(name, model) for name in targets}
-
-
-def _check_names(model: Model, targets: list[str]) -> None:
-    problems = Problems()
-    for name in targets:
-        naming.collisions(name, render.target(name).identifiers(model), problems)
-    problems.raise_if_any()
-
-
-def summary(model: Model) -> str:
-    responses = sum(f.role == RESPONSE for f in model.fields)
-    return (
-        f"{len(model.sets)} sets: {len(model.fields) - responses} commands and data fields, {responses} responses; "
-        f"{len(model.devices)} devices, {len(model.examples)} examples, {len(model.errata)} errata"
+def _target_path(group: Any) -> None:
+    group.add_argument(
+        "--target-path",
+        action="append",
+        type=Path,
+        default=[],
+        metavar="FOLDER",
+        help="of targets of your own, or of templates that replace ours; may be repeated",
     )

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from . import model as m
+from .problems import nearest
 
 Values = dict[str, Any]
 
@@ -21,8 +22,8 @@ _FORMATS = {"u8": "B", "u16": "H", "u32": "I", "u64": "Q", "s8": "b", "s16": "h"
 class CodecError(Exception):
     """`kind` is the word that the conformance protocol uses."""
 
-    def __init__(self, kind: str, detail: str = "") -> None:
-        super().__init__(f"{kind}: {detail}" if detail else kind)
+    def __init__(self, kind: str, message: str) -> None:
+        super().__init__(message)
         self.kind = kind
 
 
@@ -43,7 +44,7 @@ def checksum(data: bytes) -> bytes:
 
 def build(model: m.Model, set_number: int, fields: list[tuple[int, bytes]]) -> bytes:
     if any(len(data) > m.MAX_FIELD_DATA for _, data in fields):
-        raise CodecError("length", f"a field holds {m.MAX_FIELD_DATA} bytes of data")
+        raise CodecError("length", f"a field holds at most {m.MAX_FIELD_DATA} bytes of data")
     payload = b"".join(bytes((len(data) + 2, descriptor)) + data for descriptor, data in fields)
     if len(payload) > model.protocol.max_payload:
         raise CodecError("length", "the payload is longer than a packet holds")
@@ -54,11 +55,13 @@ def build(model: m.Model, set_number: int, fields: list[tuple[int, bytes]]) -> b
 def split(model: m.Model, packet: bytes) -> list[tuple[int, bytes]]:
     """The fields of a packet: (descriptor, data). Raises on anything that is not one whole packet."""
     if packet[:2] != bytes(model.protocol.sync):
-        raise CodecError("sync", f"begins with {packet[:2].hex()}")
+        begin, sync = (x.hex().upper() for x in (packet[:2], bytes(model.protocol.sync)))
+        raise CodecError("sync", f"it begins with {begin}, not {sync}")
     if len(packet) < 6 or len(packet) != packet[3] + 6 or packet[2] == 0:
-        raise CodecError("length", f"{len(packet)} bytes do not make a packet")
+        raise CodecError("length", f"its {len(packet)} bytes are not a whole packet")
     if checksum(packet[:-2]) != packet[-2:]:
-        raise CodecError("checksum", f"{packet[-2:].hex()} should be {checksum(packet[:-2]).hex()}")
+        printed, right = (x.hex().upper() for x in (packet[-2:], checksum(packet[:-2])))
+        raise CodecError("checksum", f"its checksum is {printed}, but should be {right}")
     payload, fields = packet[4:-2], []
     while payload:
         length = payload[0]
@@ -89,7 +92,8 @@ class _Reader:
 
     def take(self, size: int) -> bytes:
         if size > len(self.data) - self.at:
-            raise CodecError("truncated", f"{size} bytes wanted, {len(self.data) - self.at} left")
+            short = size - (len(self.data) - self.at)
+            raise CodecError("truncated", f"the data are {short} byte{'s' if short > 1 else ''} short")
         self.at += size
         return self.data[self.at - size : self.at]
 
@@ -97,11 +101,11 @@ class _Reader:
 def decode(f: m.Field, data: bytes) -> tuple[Values, int]:
     """The values of a field, and how many bytes are left over."""
     reader, values = _Reader(data), Values()
-    required = f.required_count
+    required = f.required()
     for op in f.operations:
         if isinstance(op, m.GroupOp):
             if op.first == 1 and f.selector:
-                required = dict(f.required).get(values["function"], 0)
+                required = f.required(values["function"])
             if not _read_group(op, required, reader, values):
                 break
         else:
@@ -140,7 +144,7 @@ def _read(op: m.Operation, reader: _Reader, values: Values) -> None:
                 _read(case_.operation, reader, inner)
             values[op.member] = inner
         case m.GroupOp():
-            raise AssertionError("groups stand in fields only")
+            raise AssertionError("groups are in fields only")
         case _:
             values[op.member] = _item(op, reader, values)
 
@@ -205,7 +209,7 @@ def _number(scalar: m.Scalar, raw: bytes) -> int | str:
 def encode(f: m.Field, values: Values) -> bytes:
     """The shortest form that holds the given values."""
     out = bytearray()
-    required = f.required_count
+    required = f.required()
     known = {p.name for p in f.parameters if p.constant is None}
     for name in values:
         if name not in known:
@@ -214,22 +218,22 @@ def encode(f: m.Field, values: Values) -> bytes:
     for op in f.operations:
         if isinstance(op, m.GroupOp):
             if op.first == 1 and f.selector:
-                required = dict(f.required).get(values["function"], 0)
+                required = f.required(values["function"])
             absent = [i.member for i in op.body if not isinstance(i, m.ConstantOp) and i.member not in values]  # type: ignore[union-attr]
             if absent and op.last <= required:
-                raise CodecError("missing", absent[0])
+                raise CodecError("missing", f"{absent[0]} is missing")
             if absent:
                 ended = ended or absent[0]
             if ended is not None:
                 if any(not isinstance(i, m.GroupOp) and i.member in values for i in op.body):
-                    raise CodecError("missing", ended)
+                    raise CodecError("missing", f"{ended} is missing")
                 continue
             for inner in op.body:
                 _write(inner, values, out)
         else:
             _write(op, values, out)
     if len(out) > m.MAX_FIELD_DATA:
-        raise CodecError("length", f"{len(out)} bytes do not fit into a field")
+        raise CodecError("length", f"{len(out)} bytes do not fit in a field")
     return bytes(out)
 
 
@@ -238,10 +242,10 @@ def _write(op: m.Operation, values: Values, out: bytearray) -> None:
         case m.ConstantOp():
             out += op.value.to_bytes(op.size, "big")
         case m.GroupOp():
-            raise AssertionError("groups stand in fields only")
+            raise AssertionError("groups are in fields only")
         case _:
             if op.member not in values:
-                raise CodecError("missing", op.member)
+                raise CodecError("missing", f"{op.member} is missing")
             _put(op, values[op.member], values, out)
 
 
@@ -264,7 +268,7 @@ def _put(op: m.Operation, value: Any, values: Values, out: bytearray) -> None:
             try:
                 out += value.encode("latin-1")
             except UnicodeEncodeError as error:
-                raise CodecError("range", op.member) from error
+                raise CodecError("range", f"{op.member} is out of range") from error
         case m.ArrayOp():
             _check_count(op, value)
             for item in value:
@@ -295,12 +299,12 @@ def _bytes(scalar: m.Scalar, value: Any) -> bytes:
     if scalar.kind == "float":
         raw = bytes.fromhex(value[2:]) if isinstance(value, str) else b""
         if len(raw) != scalar.size:
-            raise CodecError("range", f"{value!r} is no {scalar.name}")
+            raise CodecError("range", f"{value!r} is not a {scalar.name}")
         return raw
     try:
         return int(value).to_bytes(scalar.size, "big", signed=scalar.kind == "signed")
     except OverflowError as error:
-        raise CodecError("range", f"{value} does not fit into {scalar.name}") from error
+        raise CodecError("range", f"{value} does not fit in {scalar.name}") from error
 
 
 # --------------------------------------------------------------------------- values written by people
@@ -341,7 +345,7 @@ def canonical_record(operations: tuple[m.Operation, ...], values: Any, where: st
             flat[inner.member] = inner
     for name in values:
         if name not in flat:
-            raise ValueError(f"{where} has no parameter '{name}'; known: {', '.join(flat) or 'none'}")
+            raise ValueError(f"{where} has no parameter '{name}'{nearest(name, flat)}")
     return {name: canonical(flat[name], v, f"{where}.{name}") for name, v in values.items()}
 
 
@@ -360,25 +364,29 @@ def _canonical_number(op: m.ScalarOp, value: Any, where: str) -> int | str:
         if isinstance(value, str) and re.fullmatch(f"0x[0-9A-Fa-f]{{{2 * op.size}}}", value):
             return value.lower()
         if isinstance(value, (str, bool)) or value is None:
-            raise ValueError(f"{where}: {value!r} is no number, nor the {2 * op.size} hexadecimal digits of its bits")
+            raise ValueError(
+                f"{where}: {value!r} is neither a number nor the {2 * op.size} hexadecimal digits of its bits"
+            )
         try:
             return "0x" + struct.pack(">f" if op.size == 4 else ">d", value).hex()
         except (OverflowError, struct.error) as error:
-            raise ValueError(f"{where}: {value!r} does not fit into a {op.scalar.name}") from error
+            raise ValueError(f"{where}: {value!r} does not fit in a {op.scalar.name}") from error
     if isinstance(value, str) and isinstance(op.type, m.Enum):
         known = op.type.by_name(value)
         if known is None:
-            raise ValueError(f"{where}: '{op.type.name}' has no value '{value}'")
+            near = nearest(value, [v.name for v in op.type.values])
+            raise ValueError(f"{where}: '{op.type.name}' has no value '{value}'{near}")
         return known.value
     if isinstance(value, list) and isinstance(op.type, m.Bitfield):
         bits = {b.name: b for b in op.type.bits}
         unknown = [n for n in value if not isinstance(n, str) or n not in bits]
         if unknown:
-            raise ValueError(f"{where}: '{op.type.name}' has no bit '{unknown[0]}'")
+            near = nearest(str(unknown[0]), bits)
+            raise ValueError(f"{where}: '{op.type.name}' has no bit '{unknown[0]}'{near}")
         mask = 0
         for n in value:
             mask |= bits[n].mask
         return mask
     if isinstance(value, (bool, int)):
         return int(value)
-    raise ValueError(f"{where}: {value!r} is no whole number")
+    raise ValueError(f"{where}: {value!r} is not a whole number")

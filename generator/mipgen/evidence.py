@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from . import codec
+from . import codec, meaning
 from . import model as m
 from .nodes import Node
 from .problems import Problems, nearest
@@ -23,16 +23,16 @@ def examples(roots: Iterable[Node], model: m.Model, problems: Problems) -> tuple
         for node in root["examples"]:
             name = node["id"].value
             if name in found:
-                problems.add(node["id"].position, f"the example '{name}' stands twice; choose another id")
+                problems.add(node["id"].position, f"two examples are called '{name}'; rename one")
                 continue
             example = _Example(node, model, problems).resolve()
             if example is not None:
                 found[name] = example
-    return tuple(sorted(found.values(), key=lambda e: e.id))
+    return tuple(found.values())
 
 
 class _Wrong(Exception):
-    """What keeps an example from being read, and where it stands."""
+    """Why an example cannot be read, and where."""
 
     def __init__(self, place: m.Position, message: str) -> None:
         super().__init__(message)
@@ -47,11 +47,8 @@ class _Example:
 
     def resolve(self) -> m.Example | None:
         node = self.node
-        manuals = [x.id for x in self.model.protocol.manuals]
-        manual = node["manual"].value
-        if manual not in manuals:
-            place = node["manual"].position
-            self.problems.add(place, f"unknown manual '{manual}'{nearest(manual, manuals)}")
+        manuals = {x.id: x for x in self.model.protocol.manuals}
+        manual, section = meaning.citation(node, manuals, self.problems.add)
         printed = node.scalar("string")
         try:
             table = self.octets("table")
@@ -63,7 +60,7 @@ class _Example:
         return m.Example(
             id=node["id"].value,
             manual=manual,
-            section=node["section"].value,
+            section=section,
             title=node["title"].value,
             role=node["role"].value,
             string=printed,
@@ -71,14 +68,27 @@ class _Example:
             packet=packet,
             fields=fields,
             note=node.scalar("note", ""),
+            device=self.device(manual),
             synthetic=printed is None and table is None,
             position=node["id"].position,
         )
 
+    def device(self, manual: str) -> m.Device | None:
+        """The device that it names, else the only one of its manual."""
+        named = self.node.get("device")
+        if named is None:
+            found = [d for d in self.model.devices if d.manual == manual]
+            return found[0] if len(found) == 1 else None
+        device = self.model.device(named.value)
+        if device is None:
+            near = nearest(named.value, [d.id for d in self.model.devices])
+            self.problems.add(named.position, f"unknown device '{named.value}'{near}")
+        return device
+
     # ----------------------------------------------------------------------- bytes
 
     def octets(self, key: str) -> Octets | None:
-        """The bytes that stand at a key; None for one that is left open."""
+        """The bytes given at a key; None for one that is left open."""
         text = self.node.scalar(key)
         if text is None:
             return None
@@ -108,7 +118,7 @@ class _Example:
         else:
             packet = _known(given, place)
         if "set" in self.node and packet[2:3] != bytes([self.node["set"].value]):
-            raise _Wrong(self.node["set"].position, f"the packet belongs to the set 0x{packet[2:3].hex().upper()}")
+            raise _Wrong(self.node["set"].position, f"the packet is of the set 0x{packet[2:3].hex().upper()}")
         return packet
 
     def number(self, what: str) -> int:
@@ -141,16 +151,18 @@ class _Example:
         try:
             return codec.build(self.model, number, parts)
         except codec.CodecError as error:
-            raise _Wrong(place, f"the fields make no packet: {error}") from error
+            raise _Wrong(place, f"the fields do not make a packet: {error}") from error
 
     # ----------------------------------------------------------------------- fields
 
     def entry(self, node: Node) -> tuple[str | None, Node]:
-        """The name of a field of the example and its stated values; name None: raw bytes."""
+        """The name of a field of the example and its stated values; the name is None for raw bytes."""
         if isinstance(node.value, str):
             return node.value, Node({}, node.position)
         if not node.value:
-            raise _Wrong(node.position, "a field is missing: give its name, its name and values, or raw bytes")
+            raise _Wrong(
+                node.position, "this entry is empty; write a field's name, its name and values, or raw and its bytes"
+            )
         name, values = next(node.items())
         if name == "raw":
             return None, values
@@ -171,10 +183,10 @@ class _Example:
         return _as_field(data, node.position)
 
     def canonical(self, field: m.Field, node: Node) -> codec.Values:
-        """The stated values in the form that the conformance protocol has."""
+        """The stated values in the form of the conformance protocol."""
         values = node.plain()
         if isinstance(values, dict):
-            # Constants may be stated, to read well; they are no values.
+            # Constants may be stated, which reads well; they are not values.
             for p in field.parameters:
                 if p.constant is not None and values.pop(p.name, p.constant) != p.constant:
                     raise _Wrong(node.value_at([p.name]), f"{field.full_name}.{p.name} is always {p.constant}")
@@ -189,7 +201,8 @@ class _Example:
         try:
             split = codec.split(self.model, packet)
         except codec.CodecError as error:
-            raise _Wrong(place, f"this is no packet: {error}") from error
+            printed = "" if "packet" in self.node else "; if it is printed so, give the right bytes in 'packet'"
+            raise _Wrong(place, f"this is not a packet: {error}{printed}") from error
         stated = list(self.node.get("fields") or ())
         if stated and len(stated) != len(split):
             there, listed = (f"{n} field{'s' if n != 1 else ''}" for n in (len(split), len(stated)))
@@ -221,7 +234,7 @@ class _Example:
     def check_role(self, field: m.Field, place: m.Position) -> None:
         role = self.node["role"].value
         if role != "field" and role != ROLES[field.role]:
-            message = f"the role is {role}, but '{field.full_name}' belongs to a packet of the role {ROLES[field.role]}"
+            message = f"the role is {role}, but '{field.full_name}' comes in packets of the role {ROLES[field.role]}"
             raise _Wrong(place, message)
 
     def stated(self, node: Node, field: m.Field | None, descriptor: int, data: bytes) -> codec.Values | None:
@@ -251,13 +264,13 @@ def _digits(text: str) -> int:
 def _known(octets: Octets, place: m.Position) -> bytes:
     """The bytes, if none is open."""
     if None in octets:
-        raise _Wrong(place, "the right bytes are open; give 'packet' with all bytes but the checksum")
+        raise _Wrong(place, "bytes are open in the print; give 'packet' with all of them but the checksum")
     return bytes(x or 0 for x in octets)
 
 
 def _as_field(data: bytes, place: m.Position) -> tuple[int, bytes]:
     if len(data) < 2 or data[0] != len(data):
-        raise _Wrong(place, f"{data.hex(' ')} is no field: its first byte must be its length, {len(data)}")
+        raise _Wrong(place, f"{data.hex(' ')} is not a field: its first byte must be its length, {len(data)}")
     return data[1], data[2:]
 
 
@@ -274,19 +287,18 @@ def _with_counters(operations: tuple[m.Operation, ...], values: codec.Values) ->
 # --------------------------------------------------------------------------- errata
 
 
-def errata(roots: Iterable[Node], manuals: set[str], problems: Problems) -> tuple[m.Erratum, ...]:
+def errata(roots: Iterable[Node], manuals: Mapping[str, m.Manual], problems: Problems) -> tuple[m.Erratum, ...]:
     found: dict[str, m.Erratum] = {}
     for root in roots:
         for node in root["errata"]:
-            name, manual = node["id"].value, node["manual"].value
-            if manual not in manuals:
-                problems.add(node["manual"].position, f"unknown manual '{manual}'{nearest(manual, manuals)}")
+            name = node["id"].value
+            manual, section = meaning.citation(node, manuals, problems.add)
             if name in found:
-                problems.add(node["id"].position, f"the erratum '{name}' stands twice; choose another id")
+                problems.add(node["id"].position, f"two errata are called '{name}'; rename one")
             found[name] = m.Erratum(
                 id=name,
                 manual=manual,
-                section=node["section"].value,
+                section=section,
                 severity=node["severity"].value,
                 printed=node["printed"].value,
                 right=node["right"].value,

@@ -8,14 +8,17 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 
-from . import meaning
+from . import meaning, variation
 from . import model as m
 from .nodes import Node
 from .operations import REST, open_ended, operation, size, with_capacity
 from .problems import Problems, nearest
+from .variation import Scope
+from .vocabulary import Vocabulary, sentences, sources
 
-#: How deep structures may stand in structures: far beyond need, and short of Python's own limit.
+#: How deep structures may be nested: far beyond need, and short of Python's own limit.
 MAX_NESTING = 16
 
 
@@ -27,23 +30,6 @@ class Record:
     operations: tuple[m.Operation, ...]
     min_size: int
     max_size: int
-    required: tuple[tuple[int, int], ...] = ()
-    required_count: int = 0
-
-
-@dataclass
-class Vocabulary:
-    """What names may refer to: units, frames, manuals, devices and function selectors."""
-
-    units: set[str]
-    frames: set[str]
-    manuals: set[str]
-    devices: set[str]
-    functions: tuple[m.Function, ...]
-    selector: m.Enum
-
-    def letters(self, text: str) -> tuple[m.Function, ...]:
-        return tuple(f for f in self.functions if f.letter in text)
 
 
 @dataclass
@@ -64,18 +50,22 @@ class Types:
             place = types.keys[name] if types else node.position
             taken = (*m.SCALARS, self.vocabulary.selector.name)
             if name in known or name in self.shared or name in taken:
-                self.problems.add(place, f"the type '{name}' is defined already; choose another name")
+                self.problems.add(place, f"the type '{name}' is already defined; choose another name")
             else:
                 known[name] = Node(node.value, place, node.keys)
+
+    def scope(self, owner: str | None) -> Scope:
+        """What a parameter of that owner may refer to."""
+        return Scope(self.vocabulary, partial(self.find, owner=owner), self.problems.add)
 
     def of(self, owner: str | None) -> tuple[m.Type, ...]:
         """All types of one owner, each after those that it uses."""
         known = self.shared if owner is None else self.local.get(owner, {})
         for name in known:
-            self.find(name, owner, None)
+            self.find(name, None, owner)
         return tuple(t for (o, _), t in self._done.items() if o == owner and t is not None)
 
-    def find(self, name: str, owner: str | None, position: m.Position | None) -> m.Type | None:
+    def find(self, name: str, position: m.Position | None, owner: str | None) -> m.Type | None:
         local = self.local.get(owner or "", {})
         where = owner if name in local else None
         node = local.get(name) or self.shared.get(name)
@@ -86,10 +76,10 @@ class Types:
         if (where, name) not in self._done:
             if name in self._open:
                 loop = " -> ".join([*self._open[self._open.index(name) :], name])
-                self.problems.add(position, f"the type contains itself: {loop}; a structure needs an end")
+                self.problems.add(position, f"the type contains itself: {loop}; break the loop")
                 return None
             if len(self._open) == MAX_NESTING:
-                self.problems.add(position, f"'{name}' is nested more than {MAX_NESTING} deep; make it flatter")
+                self.problems.add(position, f"'{name}' is nested more than {MAX_NESTING} deep; flatten it")
                 return None
             self._open.append(name)
             found = self._resolve(name, where, node)
@@ -107,7 +97,7 @@ class Types:
         part = parts.get(kinds[0])
         for other in ("values", "bits", "elements"):
             if (other in node) != (other == part):
-                fault = "is missing in" if other == part else "does not belong into"
+                fault = "is missing in" if other == part else "does not belong in"
                 place = node.keys.get(other, node.position)
                 self.problems.add(place, f"'{other}' {fault} the {kinds[0]} '{name}'")
                 return None
@@ -118,10 +108,10 @@ class Types:
             for i, entry in enumerate(node["elements"]):
                 if entry.value in elements[:i]:
                     self.problems.add(
-                        entry.position, f"'{entry.value}' stands twice in the vector '{name}'; rename one"
+                        entry.position, f"'{entry.value}' is used twice in the vector '{name}'; rename one"
                     )
-            return m.Vector(name, scalar, tuple(elements), description)
-        origin = (description, owner, sources(node, self.vocabulary, self.problems))
+            return m.Vector(name, scalar, tuple(elements), description, sentences(node, "uncertain"))
+        origin = (description, owner, sources(node, self.vocabulary, self.problems), sentences(node, "uncertain"))
         if kinds[0] == "enum":
             return m.Enum(name, m.SCALARS[node["enum"].value], self._values(node), *origin, position=node.position)
         if kinds[0] == "struct":
@@ -144,7 +134,8 @@ class Types:
                 v["value"].value,
                 v.scalar("description", ""),
                 v.scalar("deprecated", False),
-                position=places[name],
+                sentences(v, "uncertain"),
+                places[name],
             )
             for name, v in node["values"].items()
         )
@@ -153,23 +144,22 @@ class Types:
         found = []
         for name, entry in node["bits"].items():
             if isinstance(entry.value, dict) and ("bit" in entry) == ("bits" in entry):
-                self.problems.add(entry.position, f"'{name}' needs either bit: 3 or bits: 3-5")
+                self.problems.add(entry.position, f"'{name}' needs one bit, bit: 3, or a range of them, bits: 3-5")
                 continue
             span = entry.get("bits") or entry.get("bit") or entry
             parts = re.fullmatch(r"([0-9]{1,4})(?:-([0-9]{1,4}))?", str(span.value))
             if parts is None:
-                self.problems.add(span.position, f"'{name}': '{span.value}' is no bit; write 3 or 3-5")
+                self.problems.add(span.position, f"'{name}': '{span.value}' is not a bit; write 3, or 3-5 for a range")
                 continue
             low, high = int(parts[1]), int(parts[2] or parts[1])
             if high < low or high >= width:
-                wanted = "write the lower bit first" if high < low else f"they must lie in 0-{width - 1}"
-                self.problems.add(span.position, f"'{name}': bits {span.value}; {wanted}")
+                wrong = f"write {high}-{low}, the lower bit first" if high < low else f"there are only 0 to {width - 1}"
+                self.problems.add(span.position, f"'{name}' is at bit {span.value}; {wrong}")
                 continue
             place = node["bits"].keys[name]
             enum = self._enum_of(entry, owner)
-            found.append(
-                m.Bits(name, low, high, entry.scalar("description", ""), entry.scalar("alias", False), enum, place)
-            )
+            description, alias = entry.scalar("description", ""), entry.scalar("alias", False)
+            found.append(m.Bits(name, low, high, description, alias, enum, sentences(entry, "uncertain"), place))
         return tuple(found)
 
     def _enum_of(self, bits: Node, owner: str | None) -> m.Enum | None:
@@ -177,11 +167,11 @@ class Types:
         entry = bits.get("enum")
         if entry is None:
             return None
-        found = self.find(entry.value, owner, entry.position)
+        found = self.find(entry.value, entry.position, owner)
         if isinstance(found, m.Enum):
             return found
         if found is not None:
-            self.problems.add(entry.position, f"'{found.name}' is no enumeration")
+            self.problems.add(entry.position, f"'{found.name}' is not an enumeration")
         return None
 
     # ----------------------------------------------------------------------- records
@@ -231,11 +221,11 @@ class _Build:
     def add(self, node: Node) -> None:
         name = node["name"].value
         if self.earlier(name) or (self.functions and name == "function"):
-            self.problem(node["name"].position, f"the parameter '{name}' stands twice; rename one")
+            self.problem(node["name"].position, f"the parameter '{name}' is defined twice; rename one")
             return
         if self.done and open_ended(self.done[-1].operation):
             last = self.done[-1].name
-            self.problem(node.position, f"'{name}' cannot follow '{last}', which reaches to the end of the field")
+            self.problem(node.position, f"'{name}' cannot follow '{last}', which takes the rest of the field")
             return
         parameter = self.union(node) if "switch" in node or "cases" in node else self.value(node)
         if parameter is not None:
@@ -254,7 +244,7 @@ class _Build:
             self.problem(node["switch"].position, f"no parameter '{tag_name}' comes before '{name}'{near}")
             return None
         if not isinstance(tag.element, m.Enum) or tag.length is not None:
-            self.problem(node["switch"].position, f"'{tag_name}' is no enumeration, so it cannot select a case")
+            self.problem(node["switch"].position, f"'{tag_name}' is not an enumeration, so it cannot select a case")
             return None
         cases: list[m.Case] = []
         for label, case in node["cases"].items():
@@ -305,20 +295,17 @@ class _Build:
         type_name = node["type"].value
         element: m.Scalar | m.Type | None = m.SCALARS.get(type_name)
         if element is None:
-            element = self.types.find(type_name, self.owner, node["type"].position)
+            element = self.types.find(type_name, node["type"].position, self.owner)
         if element is None:
             return None
         if "const" in node:
             return self.constant(node, name, element)
         length = node.scalar("count")
-        if isinstance(length, int) and length < 1:
-            self.problem(node["count"].position, f"the count of '{name}' must be at least 1, not {length}")
-            return None
         if length is not None and isinstance(element, m.Struct) and not element.fixed:
             self.problem(node["count"].position, f"the size of '{type_name}' varies, so there can be no array of it")
             return None
         if length is not None and isinstance(element, m.Bitfield) and element.scalar is None:
-            self.problem(node["count"].position, f"'{type_name}' is an array of bytes, so there can be no array of it")
+            self.problem(node["count"].position, f"'{type_name}' is a wide bitfield, so there can be no array of it")
             return None
         if isinstance(length, str) and length != REST and not self.counter(node, name, length):
             return None
@@ -330,7 +317,7 @@ class _Build:
             self.problem(node.keys["const"], f"the constant '{name}' must be one unsigned number")
             return None
         if value >> (8 * element.size):
-            self.problem(node["const"].position, f"{value} does not fit into {element.name}")
+            self.problem(node["const"].position, f"{value} does not fit in {element.name}")
         op = m.ConstantOp(name, element, value, element.size)
         return m.Parameter(name, element, None, op, constant=value, position=node.position)
 
@@ -344,7 +331,7 @@ class _Build:
                     self.problem(place, f"'{counter}' cannot count '{name}': it is not one unsigned number")
                     return False
                 if p.counts:
-                    self.problem(place, f"'{counter}' counts '{p.counts}' already; give '{name}' its own counter")
+                    self.problem(place, f"'{counter}' already counts '{p.counts}'; give '{name}' its own counter")
                     return False
                 assert isinstance(p.element, m.Scalar)
                 op = m.CounterOp(counter, p.element, name, p.element.size)
@@ -358,79 +345,57 @@ class _Build:
         """Adds what the value means to how it is laid out."""
         words = self.types.vocabulary
         low, high = meaning.limits(node, p, self.problem)
-        p = replace(p, minimum=low, maximum=high, reserved=meaning.reserved(node, p, self.problem))
+        above, below = meaning.open_limits(node, p, low, high, self.problem)
+        p = replace(p, minimum=low, maximum=high, above=above, below=below)
+        p = replace(p, reserved=meaning.reserved(node, p, self.problem))
         return replace(
             p,
             description=node.scalar("description", ""),
             units=meaning.units(node, p, words.units, self.problem),
+            any_unit="unit" in node and node["unit"].value is None,
             frame=meaning.frame(node, words.frames, self.problem),
             default=meaning.default(node, p, self.problem),
-            valid=meaning.valid(node),  # judged in `finish`, because the flags usually stand last
-            reading=self.reading(node, p),
-            functions=self.presence(node, p),
+            valid=meaning.valid(node),  # judged in `finish`, because the flags usually come last
+            required_for=self.presence(node, p),
             optional=self.may_be_absent(node, p),
+            by_device=variation.differs_by_device(node, p, self.problem),
             deprecated=node.scalar("deprecated", False),
-            notes=tuple(node["notes"].plain()) if "notes" in node else (),
+            notes=sentences(node, "notes"),
+            uncertain=sentences(node, "uncertain"),
         )
 
-    def reading(self, node: Node, p: m.Parameter) -> m.Reading | None:
-        if "read_as" not in node:
-            return None
-        spec = node["read_as"]
-        by = spec["by"].value
-        if not isinstance(p.element, m.Scalar) or p.element.kind != "unsigned":
-            self.problem(
-                node.keys["read_as"], f"'{p.name}' is no unsigned number, so it cannot be read as another type"
-            )
-            return None
-        choices = meaning.keys(spec["by"], self.done, self.types.vocabulary.devices, f"before '{p.name}'", self.problem)
-        if choices is None:
-            return None
-        found = []
-        for key, entry in spec["types"].items():
-            if key not in choices:
-                self.problem(spec["types"].keys[key], f"'{key}' is not known to '{by}'{nearest(key, choices)}")
-            t = self.types.find(entry.value, self.owner, entry.position)
-            if t is None:
-                continue
-            if not isinstance(t, (m.Enum, m.Bitfield)):
-                self.problem(entry.position, f"'{t.name}' is neither an enumeration nor a bitfield")
-            elif (own := size(p.operation)[1]) != (width := t.scalar.size if isinstance(t, m.Enum) else t.size):
-                self.problem(entry.position, f"'{t.name}' is {8 * width} bits wide, but '{p.name}' is {8 * own}")
-            else:
-                found.append((key, t))
-        return m.Reading(by, tuple(found))
-
-    def presence(self, node: Node, p: m.Parameter) -> str | None:
+    def presence(self, node: Node, p: m.Parameter) -> tuple[m.Function, ...]:
+        """The functions that require a parameter: those that it names, and those that are like them."""
         if self.plain:
-            return None
+            return ()
         letters, optional = node.scalar("for"), node.scalar("optional", False)
         if not self.functions:
             if letters is not None:
                 self.problem(
-                    node.keys["for"], f"'{p.name}' has 'for', but no function selector comes before it; remove it"
+                    node.keys["for"], f"'{p.name}' has 'for', but the field has no function selector; remove it"
                 )
-            return None
+            return ()
         if (letters is None) == (not optional):
             known = "".join(self.functions)
             place = node.keys.get("for", node.position)
             self.problem(
                 place, f"'{p.name}' must say for which functions it is required: for: {known}, or optional: true"
             )
-            return ""
+            return ()
         extra = [c for c in letters or "" if c not in self.functions]
         if extra:
             self.problem(
                 node["for"].position,
-                f"'{p.name}' is required for {''.join(extra)}, but the command takes {self.functions} only",
+                f"'{p.name}' is required for {''.join(extra)}, but the command takes only {self.functions}",
             )
-        letters = letters or ""
-        return letters + "A" if "W" in letters and "A" in self.functions and "A" not in letters else letters
+        functions = self.types.vocabulary.letters(self.functions)
+        named = {f.name for f in functions if f.letter in (letters or "")}
+        return tuple(f for f in functions if f.name in named or f.like in named)
 
     def may_be_absent(self, node: Node, p: m.Parameter) -> bool:
         if self.inside and "optional" in node:
             self.problem(
-                node.keys["optional"], f"'{p.name}' stands in a structure, where nothing is optional; remove it"
+                node.keys["optional"], f"'{p.name}' is in a structure, where nothing is optional; remove 'optional'"
             )
         return "optional" in node and not self.plain and not self.inside
 
@@ -440,9 +405,9 @@ class _Build:
         for node, p in zip(self.nodes, self.done, strict=True):
             if p.valid:
                 meaning.valid_bits(node, p, self.done, self.problem)
-        words = self.types.vocabulary
+        scope = self.types.scope(self.owner)
         self.done = [
-            replace(p, variants=meaning.variants(node, p, self.done, words, self.problem))
+            replace(p, variants=variation.by_sibling(node, p, self.done, scope))
             for node, p in zip(self.nodes, self.done, strict=True)
         ]
         self.check_size()
@@ -457,7 +422,7 @@ class _Build:
         for p in parameters[:first]:
             if p.counts in [q.name for q in parameters[first:]]:
                 self.problem(
-                    p.position, f"'{p.name}' is required, but the array that it counts is optional; make both so"
+                    p.position, f"'{p.name}' is required, but the array that it counts is optional; make both optional"
                 )
         always = tuple(p.operation for p in parameters[:first])
         groups = self.groups(parameters[first:], first)
@@ -466,8 +431,6 @@ class _Build:
             always + groups,
             sum(size(o)[0] for o in always),
             min(m.MAX_FIELD_DATA, sum(size(p.operation)[1] for p in parameters)),
-            (),
-            first,
         )
 
     def with_selector(self, parameters: tuple[m.Parameter, ...]) -> Record:
@@ -475,20 +438,17 @@ class _Build:
         u8 = m.SCALARS["u8"]
         op = m.ScalarOp("function", u8, words.selector, 1)
         selector = m.Parameter("function", words.selector, None, op, "What to do with the setting.", selector=True)
-        required = []
         for function in words.letters(self.functions):
-            needs = [function.letter in (p.functions or "") for p in parameters]
-            count = sum(needs)
-            if not all(needs[:count]):
+            needs = [function in p.required_for for p in parameters]
+            if not all(needs[: sum(needs)]):
                 late = parameters[len(needs) - 1 - needs[::-1].index(True)]
                 self.problem(
                     late.position,
                     f"'{late.name}' is required for {function.name}, but a parameter before it is not; "
                     "what a function requires must come first",
                 )
-            required.append((function.value, count))
         whole = min(m.MAX_FIELD_DATA, 1 + sum(size(p.operation)[1] for p in parameters))
-        return Record((selector, *parameters), (op, *self.groups(parameters, 0)), 1, whole, tuple(required), 0)
+        return Record((selector, *parameters), (op, *self.groups(parameters, 0)), 1, whole)
 
     def groups(self, parameters: Sequence[m.Parameter], before: int) -> tuple[m.Operation, ...]:
         """Parameters that come and go together: one each, but a counter keeps up to its array."""
@@ -507,13 +467,13 @@ class _Build:
             if all(p.constant is not None for p in members):
                 self.problem(
                     members[0].position,
-                    f"the constant '{members[0].name}' may be absent, so nothing tells whether it is there; "
-                    "it must come before every parameter that may be absent",
+                    f"the constant '{members[0].name}' may be absent, and nothing would tell; "
+                    "put it before every parameter that may be absent",
                 )
             for p in members:
-                if p.functions != members[0].functions or p.optional != members[0].optional:
-                    what = f"'{members[0].name}' up to '{members[-1].name}'"
-                    self.problem(p.position, f"a counter and its array come together: give {what} the same 'for'")
+                if p.required_for != members[0].required_for or p.optional != members[0].optional:
+                    what = f"all from '{members[0].name}' to '{members[-1].name}'"
+                    self.problem(p.position, f"a counter and its array come together; give {what} the same 'for'")
                     break
             found.append(m.GroupOp(before + i + 1, before + end + 1, tuple(p.operation for p in members)))
             i = end + 1
@@ -528,7 +488,7 @@ class _Build:
                 return  # said of the structure
             if used > m.MAX_FIELD_DATA:
                 self.problem(
-                    p.position, f"up to '{p.name}' it is {used} bytes; a field has room for {m.MAX_FIELD_DATA}"
+                    p.position, f"with '{p.name}' the field has {used} bytes of data; the most is {m.MAX_FIELD_DATA}"
                 )
                 return
 
@@ -548,16 +508,3 @@ class _Build:
                     most = min(most, (1 << (8 * counter.element.size)) - 1)
                 found[p.name] = most
         return found
-
-
-def sources(node: Node, vocabulary: Vocabulary, problems: Problems) -> tuple[m.Source, ...]:
-    """The `sources` of a node, with unknown manuals reported."""
-    found = []
-    for entry in node.get("sources") or ():
-        manual = entry["manual"].value
-        if manual not in vocabulary.manuals:
-            problems.add(entry["manual"].position, f"unknown manual '{manual}'{nearest(manual, vocabulary.manuals)}")
-        length = entry.get("length")
-        printed, place = (str(length.value), length.position) if length else (None, entry.position)
-        found.append(m.Source(manual, entry["section"].value, printed, place))
-    return tuple(found)

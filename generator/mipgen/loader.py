@@ -1,26 +1,28 @@
-"""Reads the files of a specification and judges each by the JSON Schema that belongs to it."""
+"""Reads the files of a specification and checks each against its JSON Schema."""
 
 from __future__ import annotations
 
 import functools
 import json
-from collections.abc import Iterator
-from dataclasses import dataclass
+import re
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-import jsonschema
-import referencing
-
+from . import cache, overlay, resources, stamp
+from .documents import Document
 from .model import Position
 from .nodes import Node, read
-from .problems import Problems, nearest
+from .problems import Problems, close, nearest
+from .spelling import strange
 
-SCHEMA_DIR = "schema"
+#: What other readers of YAML take for true and false.
+BOOLEANS = {**dict.fromkeys(("true", "yes", "on", "y"), "true"), **dict.fromkeys(("false", "no", "off", "n"), "false")}
 
 #: Which files a specification has: kind of schema -> pattern below its folder.
 LAYOUT = {
     "protocol": "protocol.yaml",
+    "manual": "manuals/*.yaml",
     "types": "types/*.yaml",
     "set": "sets/*.yaml",
     "device": "devices/*.yaml",
@@ -28,72 +30,101 @@ LAYOUT = {
     "errata": "errata/*.yaml",
 }
 
-
-@dataclass(frozen=True, slots=True)
-class Document:
-    kind: str
-    path: str
-    root: Node
+#: The files of an overlay: the same, but what it adds to the protocol has a file of its own.
+OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.items() if kind != "protocol"}}
 
 
-def load(spec: Path, problems: Problems) -> list[Document]:
-    """Reads all files of a specification; what is wrong with them goes to `problems`."""
+def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Document]:
+    """Reads all files of a specification and its overlays; `problems` takes what is wrong with them."""
     if not (spec / "protocol.yaml").is_file():
-        problems.add(Position(shown(spec), 1, 1), "this is no specification: protocol.yaml is missing")
+        problems.add(Position(shown(spec), 1, 1), "this is not a specification: it has no protocol.yaml")
         return []
-    validators = _validators(_schema_dir(spec))
-    documents = []
-    for kind, pattern in LAYOUT.items():
-        for path in sorted(spec.glob(pattern)):
-            name = path.relative_to(spec).as_posix()
+    documents = _documents(spec, LAYOUT, False, problems)
+    for folder in overlays:
+        more = _documents(folder, OVERLAY, True, problems)
+        if not more and not problems:
+            files = ", ".join(OVERLAY.values())
+            problems.add(Position(shown(folder), 1, 1), f"nothing to lay over the specification: no {files}")
+        documents = overlay.lay(documents, more, problems)
+    return documents
+
+
+def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Problems) -> list[Document]:
+    """The files of one folder, be it an overlay. What was judged before, and found good, is not judged again."""
+    documents, judged = [], {}
+    for kind, pattern in layout.items():
+        for path in sorted(folder.glob(pattern)):
+            name = path.relative_to(folder).as_posix()
             root = read(path, shown(path), problems)
-            if root is not None and _valid(validators[kind], root, "the file", problems):
-                documents.append(Document(kind, name, root))
-    _strays(spec, problems)
+            if root is None:
+                continue
+            of = (
+                f"{kind}_extension" if over and "extend" in root and f"{kind}_extension" in overlay.EXTENSIONS else kind
+            )
+            seen = cache.key(stamp.program(), of, str(over), path.read_bytes())
+            if cache.get("valid", seen) is None:
+                if not _valid(_validators(over)[of], root, "the file", problems):
+                    continue
+                judged[seen] = b""
+            documents.append(Document(of, name, root))
+    cache.put("valid", judged)
+    _strays(folder, layout, problems)
     return documents
 
 
 def shown(path: Path) -> str:
-    """A path as a person at the command line would write it."""
+    """A path as a user would write it on the command line."""
     here = Path.cwd()
     absolute = path.absolute()
     return absolute.relative_to(here).as_posix() if absolute.is_relative_to(here) else str(path)
 
 
-def _strays(spec: Path, problems: Problems) -> None:
-    """A misplaced file would be missing without a word."""
-    known = {path for pattern in LAYOUT.values() for path in spec.glob(pattern)}
-    read_ones = ", ".join(LAYOUT.values())
+def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
+    """A file in the wrong place would be ignored in silence."""
+    known = {path for pattern in layout.values() for path in spec.glob(pattern)}
+    read_ones = ", ".join(layout.values())
     for path in sorted({*spec.rglob("*.yaml"), *spec.rglob("*.yml")} - known):
-        problems.add(Position(shown(path), 1, 1), f"this file is never read; those that are: {read_ones}")
-
-
-def _schema_dir(spec: Path) -> Path:
-    """A specification may bring its own schemas; else those of the main specification serve."""
-    own = spec / SCHEMA_DIR
-    return own if own.is_dir() else Path(__file__).parents[2] / "spec" / SCHEMA_DIR
+        problems.add(Position(shown(path), 1, 1), f"this file is not read; only these are: {read_ones}")
 
 
 def _is_integer(_: Any, value: Any) -> bool:
-    """JSON Schema takes 1.0 for an integer; an author who writes it means something else."""
+    """JSON Schema takes 1.0 for an integer; an author who writes 1.0 means a float."""
     return isinstance(value, int) and not isinstance(value, bool)
 
 
-_TYPES = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", _is_integer)
-_extend: Any = jsonschema.validators.extend
-_Validator = _extend(jsonschema.Draft7Validator, type_checker=_TYPES)
-
-
 @functools.cache
-def _validators(folder: Path) -> dict[str, Any]:
-    files = {p.name: json.loads(p.read_text("utf-8")) for p in sorted(folder.glob("*.schema.json"))}
+def _validators(over: bool) -> dict[str, Any]:
+    """The judge of each kind of file. Its library takes long to load, and is not needed for what was judged before.
+
+    An overlay needs no sources.
+    """
+    import jsonschema
+    import referencing
+
+    types = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", _is_integer)
+    extend: Any = jsonschema.validators.extend
+    validator = extend(jsonschema.Draft7Validator, type_checker=types)
+    folder = resources.root() / "spec/schema"
+    files = {name: json.loads(file.read_text("utf-8")) for name, file in resources.files(folder)}
+    if over:
+        files = {name: _without_sources(schema) for name, schema in files.items()}
     registry: referencing.Registry[Any] = referencing.Registry().with_resources(
         (name, referencing.Resource.from_contents(schema)) for name, schema in files.items()
     )
-    return {kind: _Validator(files[f"{kind}.schema.json"], registry=registry) for kind in LAYOUT}
+    return {name.removesuffix(".schema.json"): validator(schema, registry=registry) for name, schema in files.items()}
 
 
-# --------------------------------------------------------------------------- what a schema says, in words
+def _without_sources(schema: Any) -> Any:
+    """The same schema, in which sources are not required."""
+    if isinstance(schema, dict):
+        return {
+            k: [x for x in v if x != "sources"] if k == "required" and isinstance(v, list) else _without_sources(v)
+            for k, v in schema.items()
+        }
+    return [_without_sources(x) for x in schema] if isinstance(schema, list) else schema
+
+
+# --------------------------------------------------------------------------- schema errors in words
 
 
 def _valid(validator: Any, root: Node, name: str, problems: Problems) -> bool:
@@ -105,33 +136,38 @@ def _valid(validator: Any, root: Node, name: str, problems: Problems) -> bool:
     return not errors
 
 
+_ALONE = "; write the number alone if the name says it all"
+
+
 def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
-    """What is wrong and what would be right, in words; with the key that it is about, if it is one."""
+    """What is wrong and what would be right, in words, each with the key in question, if it is about one."""
     instance, schema, rule = error.instance, error.schema, error.validator_value
     inside = _inside(list(error.absolute_path), root)
     if "propertyNames" in error.absolute_schema_path:
-        yield [instance], f"the name '{instance}' must be {_form(schema, rule)}"
+        yield [instance], f"the name '{instance}' must be {_form(schema) or rule}{strange(instance)}"
         return
     match error.validator:
         case "additionalProperties":
             known = schema.get("properties", {})
             for key in sorted(set(instance) - set(known)):
-                yield [key], f"unknown key '{key}'{nearest(key, known)}"
+                rest = "; if it ends the text before it, put the whole text in quotes"
+                yield [key], f"unknown key '{key}'{rest if instance[key] is None else nearest(key, known)}"
         case "required":
             for key in rule:
                 if key not in instance:
-                    yield [], f"'{key}' is missing in {inside}"
+                    alone = _ALONE if key == "description" and "integer" in schema.get("type", ()) else ""
+                    yield [], f"'{key}' is missing in {inside}{alone}"
         case "type":
             kinds = [rule] if isinstance(rule, str) else rule
-            hint = "; put it in quotes" if "string" in kinds and isinstance(instance, (int, float)) else ""
-            yield [], f"{inside} must be {_kinds(kinds)}, not {_shown(instance)}{hint}"
+            wanted = _form(schema) or _kinds(kinds)
+            yield [], f"{inside} must be {wanted}, not {_shown(instance)}{_instead(instance, kinds)}"
         case "enum":
-            near = nearest(str(instance), map(str, rule))
-            yield [], f"{inside}: {_shown(instance)} is not known here{near}"
+            known = [str(x) for x in rule]
+            yield [], f"{inside} must be {' or '.join(known)}, not {_shown(instance)}{close(str(instance), known)}"
         case "const":
             yield [], f"{inside} must be {_shown(rule)}, or be left out, not {_shown(instance)}"
         case "pattern":
-            yield [], f"{inside} must be {_form(schema, rule)}, not {_shown(instance)}"
+            yield [], f"{inside} must be {_form(schema) or rule}, not {_shown(instance)}{strange(instance)}"
         case "minimum":
             yield [], f"{inside} must be at least {rule}, not {_shown(instance)}"
         case "exclusiveMinimum":
@@ -152,8 +188,34 @@ def _inside(path: list[str | int], root: str) -> str:
     return f"item {path[-1] + 1} of {key}" if path and isinstance(path[-1], int) else key
 
 
-def _form(schema: Any, pattern: Any) -> str:
-    return str(schema.get("description", f"text of the form {pattern}"))
+def _instead(value: Any, kinds: list[str]) -> str:
+    """What to write in place of a value of the wrong kind, where that is plain.
+
+    >>> _instead("yes", ["boolean"]), _instead(7, ["string"]), _instead("8C", ["integer"]), _instead("−3", ["integer"])
+    ('; write true', '; put it in quotes', '; write 0x8C', "; '−' is a minus sign (U+2212), write '-'")
+    >>> _instead({}, ["array"]), _instead([], ["object"]), _instead("fast", ["integer"])
+    ("; begin each item with '- '", "; write 'key: value', without '- '", '')
+    """
+    match value:
+        case bool() | int() | float() if "string" in kinds:
+            return "; put it in quotes"
+        case dict() if "array" in kinds:
+            return "; begin each item with '- '"
+        case list() if "object" in kinds:
+            return "; write 'key: value', without '- '"
+        case str() if "boolean" in kinds and value.casefold() in BOOLEANS:
+            return f"; write {BOOLEANS[value.casefold()]}"
+        case str() if {"integer", "number"}.intersection(kinds):
+            return f"; write 0x{value}" if re.fullmatch("[0-9A-Fa-f]{2}", value) else strange(value)
+        case _:
+            return ""
+
+
+def _form(schema: Any) -> str | None:
+    """The description of a definition says what a value must look like; that of a property, which ends with a full
+    stop, says what it is for."""
+    words = str(schema.get("description", "."))
+    return None if words.endswith(".") else words
 
 
 def _kinds(kinds: list[str]) -> str:

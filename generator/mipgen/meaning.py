@@ -1,37 +1,58 @@
-"""What a value means beside how it is laid out: unit, frame, range, default."""
+"""What a value means, apart from its layout: unit, frame, range, default."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
-from dataclasses import replace
-from typing import Protocol
+from collections.abc import Callable, Collection, Iterable, Mapping
 
 from . import model as m
 from .nodes import Node
-from .problems import nearest
+from .problems import close, nearest
 
 Problem = Callable[[m.Position, str], None]
 Number = int | float
 
 
-class Words(Protocol):
-    """The names that the meaning of a value may refer to."""
+def unknown(what: str, word: str, known: Iterable[str], home: str, guess: bool = True) -> str:
+    """About a word that is not in one of the vocabularies, which grow in the file `home`.
 
-    units: set[str]
-    frames: set[str]
-    devices: set[str]
+    >>> unknown("unit", "sec", ["m", "s"], "protocol.yaml"), unknown("unit", "km/h", ["m", "s"], "protocol.yaml")
+    ("unknown unit 'sec', did you mean 's'?", "unknown unit 'km/h'; known: m, s; add a new one to protocol.yaml")
+    """
+    known = list(known)
+    remedy = close(word, known, guess) or f"{nearest(word, known, guess)}; add a new one to {home}"
+    return f"unknown {what} '{word}'{remedy}"
 
 
-def units(node: Node, p: m.Parameter, known: set[str], problem: Problem) -> tuple[str, ...]:
+def unknown_unit(word: str, known: Iterable[str]) -> str:
+    return unknown("unit", word, known, "protocol.yaml", guess=False)  # units are told apart by one letter
+
+
+def unknown_manual(word: str, known: Iterable[str]) -> str:
+    return unknown("manual", word, known, "manuals/")
+
+
+def citation(node: Node, manuals: Mapping[str, m.Manual], problem: Problem) -> tuple[str, str]:
+    """The manual and the section that a source, an example or an erratum names."""
+    manual, section = node["manual"].value, node["section"].value
+    known = manuals.get(manual)
+    if known is None:
+        problem(node["manual"].position, unknown_manual(manual, manuals))
+    elif known.sections and section not in known.sections:
+        near = close(section, known.sections) or "; add it to the sections of the manual if the manual has it"
+        problem(node["section"].position, f"'{manual}' lists no section '{section}'{near}")
+    return manual, section
+
+
+def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) -> tuple[str, ...]:
     """One unit for all elements, or one for each."""
     given = node.get("unit")
-    if given is None:
+    if given is None or given.value is None:
         return ()
     entries = list(given) if isinstance(given.value, list) else [given]
     for entry in entries:
         if entry.value not in known:
-            problem(entry.position, f"unknown unit '{entry.value}'{nearest(entry.value, known)}")
+            problem(entry.position, unknown_unit(entry.value, known))
     width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
     if isinstance(given.value, list) and len(entries) != width:
         problem(given.position, f"'{p.name}' has {len(entries)} units; give one, or one for each element")
@@ -41,7 +62,7 @@ def units(node: Node, p: m.Parameter, known: set[str], problem: Problem) -> tupl
 def frame(node: Node, known: set[str], problem: Problem) -> str | None:
     found: str | None = node.scalar("frame")
     if found is not None and found not in known:
-        problem(node["frame"].position, f"unknown frame '{found}'{nearest(found, known)}")
+        problem(node["frame"].position, unknown("frame", found, known, "protocol.yaml"))
     return found
 
 
@@ -52,14 +73,37 @@ def limits(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None,
     element, (low, high) = p.element, node["range"].plain()
     scalar = element.scalar if isinstance(element, m.Vector) else element
     if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char"):
-        problem(node["range"].position, f"'{p.name}' is no number, so it has no range; remove it")
+        problem(node["range"].position, f"'{p.name}' is not a number, so it has no range; remove it")
         return None, None
     for entry in node["range"]:
         if entry.value is not None:
-            _fits(entry, scalar, f"'{p.name}': the range", problem)
+            _fits(entry, scalar, f"a bound of the range of '{p.name}'", problem)
     if low is not None and high is not None and low > high:
         problem(node["range"].position, f"the range of '{p.name}' is empty; write the smaller number first")
     return low, high
+
+
+def open_limits(
+    node: Node, p: m.Parameter, low: Number | None, high: Number | None, problem: Problem
+) -> tuple[Number | None, Number | None]:
+    """What the value must be greater than, and less than."""
+    scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
+    found: dict[str, Number] = {}
+    for key, closed in (("above", low), ("below", high)):
+        if key not in node:
+            continue
+        entry = node[key]
+        if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char"):
+            problem(node.keys[key], f"'{p.name}' is not a number, so it has no bounds; remove '{key}'")
+        elif closed is not None:
+            problem(node.keys[key], f"'{p.name}' has this bound twice; write ~ in its place in the range")
+        elif _fits(entry, scalar, f"'{p.name}': {key}", problem):
+            found[key] = entry.value
+    above, below = found.get("above"), found.get("below")
+    least, most = low if above is None else above, high if below is None else below
+    if found and least is not None and most is not None and least >= most:
+        problem(node.keys[min(found)], f"no number lies between the bounds of '{p.name}'; correct them")
+    return above, below
 
 
 def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
@@ -80,16 +124,16 @@ def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
             return 0, (1 << bits) - 1
 
 
-def reserved(node: Node, p: m.Parameter, problem: Problem) -> int | None:
-    """The value to send in place of a reserved parameter."""
+def reserved(node: Node, p: m.Parameter, problem: Problem) -> Number | None:
+    """The value to send for a reserved parameter."""
     found: int | None = node.scalar("reserved")
     if found is None:
         return None
-    if not (isinstance(p.element, m.Scalar) and p.element.kind in ("unsigned", "signed")):
-        problem(node.keys["reserved"], f"the reserved parameter '{p.name}' must be a whole number, or an array of them")
-    else:
-        _fits(node["reserved"], p.element, f"'{p.name}': the reserved value", problem)
-    return found
+    if not (isinstance(p.element, m.Scalar) and p.element.kind in ("unsigned", "signed", "float")):
+        problem(node.keys["reserved"], f"the reserved parameter '{p.name}' must be a number, or an array of them")
+        return None
+    _fits(node["reserved"], p.element, f"the reserved value of '{p.name}'", problem)
+    return float(found) if p.element.kind == "float" else found
 
 
 def default(node: Node, p: m.Parameter, problem: Problem) -> object:
@@ -164,28 +208,30 @@ class _Default:
                 self.wrong(node, "true or false")
         elif not isinstance(value, (int, float)) or isinstance(value, bool):
             self.wrong(node, "a number")
-        elif _fits(node, scalar, f"'{p.name}': the default", self.problem):
-            low = -math.inf if p.minimum is None else p.minimum
-            high = math.inf if p.maximum is None else p.maximum
-            if not low <= value <= high:
-                self.problem(
-                    node.position, f"'{p.name}': the default {value} lies outside of its range {low} to {high}"
-                )
+        elif _fits(node, scalar, f"the default of '{p.name}'", self.problem):
+            low, high = p.minimum, p.maximum
+            if (low is not None and value < low) or (high is not None and value > high):
+                span = f"[{'~' if low is None else low}, {'~' if high is None else high}]"
+                self.problem(node.position, f"the default of '{p.name}' is {value}, outside its range {span}")
+            if p.above is not None and value <= p.above:
+                self.problem(node.position, f"the default of '{p.name}' is {value}, but must be greater than {p.above}")
+            if p.below is not None and value >= p.below:
+                self.problem(node.position, f"the default of '{p.name}' is {value}, but must be less than {p.below}")
 
 
 def _fits(node: Node, scalar: m.Scalar, what: str, problem: Problem) -> bool:
     value, (low, high) = node.value, bounds(scalar)
     if scalar.kind != "float" and isinstance(value, float):
-        problem(node.position, f"{what} {value} must be a whole number, as {scalar.name} is")
+        problem(node.position, f"{what} is {value}, but {scalar.name} holds only whole numbers")
         return False
     if not low <= value <= high:
-        problem(node.position, f"{what} {value} does not fit into {scalar.name}, which holds {low} to {high}")
+        problem(node.position, f"{what} is {value}, but {scalar.name} holds only {low} to {high}")
         return False
     return True
 
 
 def valid_bits(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], problem: Problem) -> None:
-    """`valid: flags.bit` names a bit of a parameter of the same record; a list names one for each element."""
+    """`valid: flags.bit` names a bit of a parameter of the same record, `valid: flag` a bool; a list, one for each."""
     given = node["valid"]
     entries = list(given) if isinstance(given.value, list) else [given]
     width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
@@ -197,15 +243,22 @@ def valid_bits(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], proble
 
 
 def _valid_bit(node: Node, p: m.Parameter, names: dict[str, m.Parameter], problem: Problem) -> None:
-    flags, _, bit = node.value.partition(".")
+    flags, dot, bit = node.value.partition(".")
     other = names.get(flags)
     if other is None:
         problem(node.position, f"there is no parameter '{flags}' beside '{p.name}'{nearest(flags, names)}")
         return
-    readable = [other.element, *(t for _, t in (other.reading.types if other.reading else ()))]
+    if not dot:
+        if other.element is not m.SCALARS["bool"] or other.length is not None:
+            problem(
+                node.position,
+                f"'{flags}' is not a bool, so it cannot say whether '{p.name}' is valid; name a bool, or a bit: a.b",
+            )
+        return
+    readable = [other.element, *(v.type for v in other.readings)]
     known = {b.name for t in readable if isinstance(t, m.Bitfield) for b in t.bits}
     if not known:
-        problem(node.position, f"'{flags}' has no bits, so it cannot vouch for '{p.name}'; name a bitfield")
+        problem(node.position, f"'{flags}' is not a bitfield, so it cannot say whether '{p.name}' is valid")
     elif bit not in known:
         problem(node.position, f"'{flags}' has no bit '{bit}'{nearest(bit, known)}")
 
@@ -215,49 +268,3 @@ def valid(node: Node) -> tuple[str, ...]:
     if given is None:
         return ()
     return tuple(given.plain()) if isinstance(given.value, list) else (given.value,)
-
-
-def keys(
-    by: Node, among: Iterable[m.Parameter], devices: Iterable[str], where: str, problem: Problem
-) -> list[str] | None:
-    """What may stand for `by`: device ids, or the value names of an enumeration among these."""
-    if by.value == "device":
-        return sorted(devices)
-    siblings = {q.name: q for q in among}
-    sibling = siblings.get(by.value)
-    if sibling is None or not isinstance(sibling.element, m.Enum):
-        near = nearest(by.value, ["device", *siblings])
-        problem(by.position, f"'{by.value}' is neither 'device' nor an enumeration {where}{near}")
-        return None
-    return [v.name for v in sibling.element.values]
-
-
-def variants(
-    node: Node, p: m.Parameter, beside: Iterable[m.Parameter], words: Words, problem: Problem
-) -> tuple[m.Variant, ...]:
-    """`varies`: what differs by device, or by the value of an enumeration in the same record."""
-    spec = node.get("varies")
-    if spec is None:
-        return ()
-    by = spec["by"]
-    known = keys(by, beside, words.devices, f"beside '{p.name}'", problem)
-    found = []
-    for key, case in spec["cases"].items() if known is not None else ():
-        assert known is not None
-        if key not in known:
-            problem(spec["cases"].keys[key], f"'{key}' is not known to '{by.value}'{nearest(key, known)}")
-        low, high = limits(case, p, problem)
-        ranged = replace(p, minimum=low, maximum=high)
-        found.append(
-            m.Variant(
-                by.value,
-                key,
-                units(case, p, words.units, problem),
-                frame(case, words.frames, problem),
-                low,
-                high,
-                default(case, ranged, problem),
-                case.scalar("description", ""),
-            )
-        )
-    return tuple(found)

@@ -10,13 +10,24 @@ branch per `Operation.kind` and computes nothing.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Final, Literal
+from functools import cached_property
+from typing import Final, Literal, TypeVar
 
 COMMAND: Final = "command"
 RESPONSE: Final = "response"
 DATA: Final = "data"
 Role = Literal["command", "response", "data"]
+
+Key = TypeVar("Key")
+Item = TypeVar("Item")
+
+#: The set whose fields are valid in every data set.
+SHARED_SET: Final = 0xFF
+
+#: What a variant depends on if not on a sibling.
+DEVICE: Final = "device"
 
 #: A field is at most 255 bytes long and spends two of them on its length and its descriptor.
 MAX_FIELD_DATA = 253
@@ -75,6 +86,7 @@ class EnumValue:
     value: int
     description: str
     deprecated: bool = False
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
 
@@ -86,8 +98,9 @@ class Enum:
     scalar: Scalar
     values: tuple[EnumValue, ...]
     description: str
-    owner: str | None  # the set that defines it, None when it stands in spec/types
+    owner: str | None  # the set that defines it, None if it is defined in spec/types
     sources: tuple[Source, ...] = ()
+    uncertain: tuple[str, ...] = ()
     kind: Literal["enum"] = "enum"
     position: Position | None = field(default=None, compare=False)
 
@@ -105,6 +118,7 @@ class Bits:
     description: str
     alias: bool  # overlaps other bits on purpose
     enum: Enum | None = None
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
     @property
@@ -127,6 +141,7 @@ class Bitfield:
     description: str
     owner: str | None
     sources: tuple[Source, ...] = ()
+    uncertain: tuple[str, ...] = ()
     kind: Literal["bitfield"] = "bitfield"
     position: Position | None = field(default=None, compare=False)
 
@@ -146,12 +161,13 @@ class Vector:
     scalar: Scalar
     elements: tuple[str, ...]
     description: str
+    uncertain: tuple[str, ...] = ()
     kind: Literal["vector"] = "vector"
 
 
 @dataclass(frozen=True, slots=True)
 class Struct:
-    """A named group of parameters that stands inside fields."""
+    """A named group of parameters, used inside fields."""
 
     name: str
     parameters: tuple[Parameter, ...]
@@ -161,6 +177,7 @@ class Struct:
     description: str
     owner: str | None
     sources: tuple[Source, ...] = ()
+    uncertain: tuple[str, ...] = ()
     kind: Literal["struct"] = "struct"
     position: Position | None = field(default=None, compare=False)
 
@@ -170,6 +187,25 @@ class Struct:
 
 
 Type = Enum | Bitfield | Vector | Struct
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """A function selector: what a settings command is asked to do."""
+
+    name: str
+    letter: str
+    value: int
+    reply: bool  # False: the device sends no acknowledge
+    responds: bool  # True: a response with the current setting follows the acknowledge
+    sets: bool  # True: it gives new values, so it may carry optional parameters
+    like: str | None  # the function whose parameters it requires
+    description: str
+
+
+def letters(functions: Iterable[Function]) -> str:
+    """Functions as the specification writes them: "WRSLD"."""
+    return "".join(f.letter for f in functions)
 
 
 # --------------------------------------------------------------------------- parameters
@@ -185,19 +221,13 @@ class Case:
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
-    """The type that gives a raw value its meaning, by device or by a sibling's value."""
-
-    by: str  # "device", or the name of a parameter before this one
-    types: tuple[tuple[str, Enum | Bitfield], ...]  # key: a device id, or a value name of the sibling's enum
-
-
-@dataclass(frozen=True, slots=True)
 class Variant:
-    """What a value means on one device, or beside one value of another parameter."""
+    """What a value is on one device, or with one value of a sibling. What it does not give is unchanged."""
 
-    by: str  # "device", or the name of a parameter
+    by: str  # "device", or the name of a parameter of the same record
     key: str  # a device id, or a value name of that parameter's enumeration
+    value: int | None = None  # the number of that value; None if it is by device
+    type: Enum | Bitfield | None = None  # names the values or bits of a plain number
     units: tuple[str, ...] = ()
     frame: str | None = None
     minimum: float | int | None = None
@@ -206,22 +236,8 @@ class Variant:
     description: str = ""
 
     @property
-    def sentence(self) -> str:
-        facts = []
-        if self.units:
-            facts.append(f"unit {', '.join(self.units)}")
-        if self.frame:
-            facts.append(f"frame {self.frame}")
-        if self.minimum is not None and self.maximum is not None:
-            facts.append(f"range {self.minimum} to {self.maximum}")
-        elif self.minimum is not None or self.maximum is not None:
-            facts.append(f"at least {self.minimum}" if self.maximum is None else f"at most {self.maximum}")
-        if self.default is not None:
-            shown = str(self.default).lower() if isinstance(self.default, bool) else self.default
-            facts.append(f"factory default {shown}")
-        head = f"On {self.key}" if self.by == "device" else f"If {self.by} is {self.key}"
-        said = "; ".join(x for x in (", ".join(facts), self.description.rstrip(".")) if x)
-        return f"{head}: {said}."
+    def by_device(self) -> bool:
+        return self.by == DEVICE
 
 
 @dataclass(frozen=True, slots=True)
@@ -238,37 +254,40 @@ class Parameter:
     operation: Operation = field(compare=False)
     description: str = ""
     units: tuple[str, ...] = ()  # one for all elements, or one for each
+    any_unit: bool = False  # no unit can be named: another value decides it, or it is not known
     frame: str | None = None
     minimum: float | int | None = None
     maximum: float | int | None = None
+    above: float | int | None = None  # open bounds: the value is greater than `above`, less than `below`
+    below: float | int | None = None
     default: object = None
-    valid: tuple[str, ...] = ()  # "valid_flags.tow": the bit that vouches for it, or one for each element
+    valid: tuple[
+        str, ...
+    ] = ()  # what says that it is valid: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
     variants: tuple[Variant, ...] = ()
     constant: int | None = None
-    reserved: int | None = None  # the value to send; any value may come
+    reserved: int | float | None = None  # the value to send; any value may come
     counts: str | None = None  # the array that this parameter counts
     tag: str | None = None  # a union's tag
     cases: tuple[Case, ...] = ()
-    reading: Reading | None = None
-    functions: str | None = None  # letters of the functions that require it; None where there is no selector
+    by_device: bool = False  # every device that supports it has a reading of its own
+    required_for: tuple[Function, ...] = ()  # the functions that require it; none where there is no selector
     optional: bool = False  # no function requires it
     selector: bool = False  # the function selector itself
     deprecated: bool = False
     notes: tuple[str, ...] = ()
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
     @property
-    def unit(self) -> str | None:
-        return ", ".join(self.units) or None
+    def derived(self) -> bool:
+        """Does its value follow from the rest of the record: a constant, or the number of an array's elements?"""
+        return self.constant is not None or self.counts is not None
 
     @property
-    def valid_when(self) -> str | None:
-        return ", ".join(dict.fromkeys(self.valid)) or None
-
-    @property
-    def remarks(self) -> tuple[str, ...]:
-        """What else a reader must know: the notes, and how the meaning varies."""
-        return (*self.notes, *(v.sentence for v in self.variants))
+    def readings(self) -> tuple[Variant, ...]:
+        """The variants that name its values or bits."""
+        return tuple(v for v in self.variants if v.type is not None)
 
 
 # --------------------------------------------------------------------------- operations
@@ -388,34 +407,32 @@ Operation = ScalarOp | ConstantOp | CounterOp | BitsOp | TextOp | ArrayOp | Stru
 
 
 @dataclass(frozen=True, slots=True)
-class Function:
-    """A function selector: what a settings command is asked to do."""
+class Call:
+    """One way to send a field: by one of its functions, or the only way where there is no selector."""
 
-    name: str
-    letter: str
-    value: int
-    reply: bool  # False: the device sends no acknowledge
-    responds: bool  # True: a response with the current setting follows the acknowledge
-    description: str
+    function: Function | None
+    required: tuple[Parameter, ...]  # must be there, in wire order; the selector is not counted
+    optional: tuple[Parameter, ...]  # may follow these: no function requires them
+
+    @property
+    def asked(self) -> tuple[Parameter, ...]:
+        """What a caller must give: neither constants nor reserved values."""
+        return tuple(p for p in self.required if p.constant is None and p.reserved is None)
 
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """A parameter of the command has this value."""
+    """A parameter of the command has this value, or that of another command was last set to it."""
 
     parameter: str
     value: int
     label: str  # the value as the specification writes it
+    command: str | None = None  # "aiding.echo_control": another command, whose setting it is
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Field:
-    """One descriptor of one set in one role: a type in every language.
-
-    `required` gives, per function value, how many parameters (the selector not counted) must be
-    there; a function that it does not list requires none. For fields without a selector,
-    `required` is empty and `required_count` holds. Parameters beyond may be absent.
-    """
+    """One descriptor of one set in one role: a type in every language."""
 
     set: int
     set_name: str
@@ -429,20 +446,21 @@ class Field:
     min_size: int
     max_size: int
     sources: tuple[Source, ...]
-    functions: tuple[Function, ...] = ()
-    required: tuple[tuple[int, int], ...] = ()
-    required_count: int = 0
+    functions: tuple[Function, ...] = ()  # by value; none where there is no selector
     command: str | None = None  # of a response: the (first) command that owns it
     when: tuple[Condition, ...] = ()  # of a response: what in the command selects it
     responses: tuple[str, ...] = ()  # of a command: names of its responses, in the same set
     silent_when: tuple[Condition, ...] = ()  # of a command: it is not acknowledged then
+    sent_by: Literal["host", "device"] = "host"  # of a command: who asks
+    silenced_by: tuple[Condition, ...] = ()  # nor then: settings of other commands
     definition: str | None = None  # "gnss_1.dop": the field of another set that this one repeats
-    devices: tuple[str, ...] = ()  # titles of the devices that support it; of a response: its command
     max_rate: float | None = None
     timeout: float | None = None
     advanced: bool = False
     deprecated: str | None = None
+    also: tuple[str, ...] = ()  # what others call it
     notes: tuple[str, ...] = ()
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
     @property
@@ -454,13 +472,29 @@ class Field:
         """Does it start with a function selector?"""
         return bool(self.functions)
 
+    @cached_property
+    def calls(self) -> tuple[Call, ...]:
+        """The ways to send it: one for each function, or just one."""
+        optional = tuple(p for p in self.counted if p.optional)
+        if not self.functions:
+            return (Call(None, tuple(p for p in self.parameters if not p.optional), optional),)
+        return tuple(
+            Call(f, tuple(p for p in self.counted if f in p.required_for), optional if f.sets else ())
+            for f in self.functions
+        )
+
+    def required(self, function: int | None = None) -> int:
+        """How many parameters (the selector not counted) must be there; an unknown function requires none."""
+        value = function if self.selector else None
+        return next((len(c.required) for c in self.calls if (c.function and c.function.value) == value), 0)
+
     @property
     def optional(self) -> bool:
         """May parameters be absent?"""
         return any(op.kind == "group" for op in self.operations)
 
     @property
-    def counted_parameters(self) -> tuple[Parameter, ...]:
+    def counted(self) -> tuple[Parameter, ...]:
         """The parameters that a count of present ones counts: all but the selector."""
         return tuple(p for p in self.parameters if not p.selector)
 
@@ -478,6 +512,28 @@ class Field:
 
 
 @dataclass(frozen=True, slots=True)
+class Reply:
+    """A response of a command. It is sent if the function is one of `functions`, where the command has a selector,
+    and if all of `when` holds."""
+
+    response: Field
+    functions: tuple[Function, ...]
+    when: tuple[Condition, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """A descriptor that a source names without a layout: nothing can be made of its data."""
+
+    descriptor: int
+    role: Role
+    name: str
+    title: str
+    sources: tuple[Source, ...]
+    position: Position | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
 class Set:
     number: int
     name: str
@@ -487,6 +543,8 @@ class Set:
     types: tuple[Type, ...]
     fields: tuple[Field, ...]  # by descriptor, commands before responses
     sources: tuple[Source, ...] = ()
+    named: tuple[Named, ...] = ()  # by descriptor, commands before responses
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
     @property
@@ -525,6 +583,46 @@ class Note:
 
 
 @dataclass(frozen=True, slots=True)
+class Support:
+    """A command or data field that a device supports, and the functions that it takes there."""
+
+    field: Field
+    functions: tuple[Function, ...]
+
+    @property
+    def differs(self) -> bool:
+        """Does the device take other functions than the definition says?"""
+        return self.functions != self.field.functions
+
+    @property
+    def responds(self) -> bool:
+        """Does the device take a function that is answered by a response, or has the command no functions?"""
+        return not self.field.functions or any(f.responds for f in self.functions)
+
+
+@dataclass(frozen=True, slots=True)
+class Rate:
+    """How often a device samples the fields of a data set."""
+
+    set: Set
+    hertz: float | int  # 0: sent as it comes
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceVariant:
+    """A parameter that means something else on a device."""
+
+    field: Field
+    parameter: Parameter
+    variant: Variant
+
+    @property
+    def path(self) -> str:
+        """As the specification names the parameter: "filter_data.status.filter_state"."""
+        return f"{self.field.full_name}.{self.parameter.name}"
+
+
+@dataclass(frozen=True, slots=True)
 class Device:
     id: str
     name: str
@@ -532,13 +630,12 @@ class Device:
     manual: str
     description: str
     model_number: int | None
-    fields: tuple[str, ...]  # full names of the commands and data fields that it supports
-    functions: tuple[tuple[str, str], ...]  # full name -> letters, where they differ from the definition
-    base_rates: tuple[tuple[str, float], ...]  # set name -> Hz; 0: sent as it comes
+    supports: tuple[Support, ...]  # by set and descriptor
+    base_rates: tuple[Rate, ...]
     ports: tuple[Port, ...]
     limits: tuple[Limit, ...]
     notes: tuple[Note, ...]
-    readings: tuple[tuple[str, Enum | Bitfield], ...]  # "filter_data.status.status_flags" or a type name
+    variants: tuple[DeviceVariant, ...]
     ack_codes: tuple[int, ...]
     position: Position | None = field(default=None, compare=False)
 
@@ -552,7 +649,7 @@ class ExampleField:
     data: bytes
     values: dict[str, object] | None
     trailing: int
-    stated: dict[str, object] | None  # what the manual says beside the bytes
+    stated: dict[str, object] | None  # what the manual says besides the bytes
 
 
 @dataclass(frozen=True, slots=True)
@@ -567,6 +664,7 @@ class Example:
     packet: bytes  # right, always
     fields: tuple[ExampleField, ...]
     note: str
+    device: Device | None = None  # what sends or takes it; None if its manual is for several and it names none
     synthetic: bool = False  # not printed as bytes: given by its parameters only
     position: Position | None = field(default=None, compare=False)
 
@@ -602,7 +700,8 @@ class Manual:
     id: str
     title: str
     document: str
-    lengths: Literal["wire", "scalars"]  # how it counts the field lengths that it prints
+    lengths: Literal["wire", "scalars", "none"]  # how it counts the field lengths that it prints
+    sections: tuple[str, ...] = ()  # its headings that may be cited; none: any
 
 
 @dataclass(frozen=True, slots=True)
@@ -612,6 +711,14 @@ class Word:
     symbol: str
     title: str
     description: str
+
+
+@dataclass(frozen=True, slots=True)
+class Usage:
+    """The word that names use for a thing, and those that they do not use."""
+
+    word: str
+    instead_of: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -627,43 +734,118 @@ class Protocol:
     units: tuple[Word, ...]
     frames: tuple[Word, ...]
     manuals: tuple[Manual, ...]
+    vocabulary: tuple[Usage, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Model:
+    """Everything that a specification says. What refers to what is looked up here, and indexed once."""
+
     protocol: Protocol
     types: tuple[Type, ...]  # of spec/types, in dependency order
     sets: tuple[Set, ...]  # by number
-    devices: tuple[Device, ...]
-    examples: tuple[Example, ...]
-    errata: tuple[Erratum, ...]
+    devices: tuple[Device, ...] = ()
+    examples: tuple[Example, ...] = ()
+    errata: tuple[Erratum, ...] = ()
     tastes: tuple[tuple[str, str], ...] = ()  # programs that show the bindings with fields of this specification
 
     def taste(self, name: str) -> str:
         """The text of one of them; empty if the specification brings none of that name."""
         return dict(self.tastes).get(name, "")
 
-    @property
+    @cached_property
     def fields(self) -> tuple[Field, ...]:
         """Every field of every set, repeated ones included; the acknowledge field is not among them."""
         return tuple(f for s in self.sets for f in s.fields)
 
+    @cached_property
+    def all_types(self) -> tuple[Type, ...]:
+        """Those of spec/types, then those of the sets."""
+        return (*self.types, *(t for s in self.sets for t in s.types))
+
     def set(self, number: int) -> Set | None:
-        return next((s for s in self.sets if s.number == number), None)
+        return self._sets.get(number)
 
     def field(self, full_name: str) -> Field | None:
-        if full_name == self.protocol.acknowledge.full_name:
-            return self.protocol.acknowledge
-        return next((f for f in self.fields if f.full_name == full_name), None)
+        return self._fields.get(full_name)
 
     def candidates(self, set_number: int, descriptor: int) -> tuple[Field, ...]:
         """The layouts that a descriptor may have inside a packet of that set."""
         ack = self.protocol.acknowledge
         if set_number < 0x80 and descriptor == ack.descriptor:
             return (ack,)
-        own = self.set(set_number)
-        found = tuple(f for f in own.fields if f.descriptor == descriptor) if own else ()
+        found = self._descriptors.get((set_number, descriptor), ())
         if not found and set_number >= 0x80:
-            shared = self.set(0xFF)
-            found = tuple(f for f in shared.fields if f.descriptor == descriptor) if shared else ()
+            found = self._descriptors.get((SHARED_SET, descriptor), ())
         return found
+
+    def responses(self, command: Field) -> tuple[Field, ...]:
+        """What a command may be answered with."""
+        return tuple(self._fields[f"{command.set_name}.{name}"] for name in command.responses)
+
+    def replies(self, command: Field) -> tuple[Reply, ...]:
+        """What a command is answered with, and when. Conditions are on the parameters of the command that owns a
+        response; another command that has the same response is answered with it always."""
+        functions = tuple(f for f in command.functions if f.responds)
+        return tuple(Reply(r, functions, r.when if r.command == command.name else ()) for r in self.responses(command))
+
+    def commands(self, response: Field) -> tuple[Field, ...]:
+        """The commands that a response answers."""
+        return self._commands.get(response.full_name, ())
+
+    def original(self, f: Field) -> Field:
+        """The field of another set that this one repeats, or the field itself."""
+        return self._fields[f.definition] if f.definition else f
+
+    def repeats(self, f: Field) -> tuple[Field, ...]:
+        """The fields of other sets that repeat this one."""
+        return self._repeats.get(f.full_name, ())
+
+    def supports(self, f: Field) -> tuple[tuple[Device, Support], ...]:
+        """The devices that support a command or data field."""
+        return self._supports.get(f.full_name, ())
+
+    def devices_of(self, f: Field) -> tuple[Device, ...]:
+        """The devices that support a field; a response where one of its commands asks for it."""
+        if f.role == RESPONSE:
+            found = [(d, s) for c in self.commands(f) for d, s in self.supports(c) if s.responds]
+        else:
+            found = list(self.supports(f))
+        names = {d.id for d, _ in found}
+        return tuple(d for d in self.devices if d.id in names)
+
+    def device(self, id: str) -> Device | None:
+        return next((d for d in self.devices if d.id == id), None)
+
+    # ----------------------------------------------------------------------- indexes
+
+    @cached_property
+    def _sets(self) -> dict[int, Set]:
+        return {s.number: s for s in self.sets}
+
+    @cached_property
+    def _fields(self) -> dict[str, Field]:
+        return {f.full_name: f for f in (*self.fields, self.protocol.acknowledge)}
+
+    @cached_property
+    def _descriptors(self) -> dict[tuple[int, int], tuple[Field, ...]]:
+        return _grouped(((f.set, f.descriptor), f) for f in self.fields)
+
+    @cached_property
+    def _commands(self) -> dict[str, tuple[Field, ...]]:
+        return _grouped((f"{f.set_name}.{name}", f) for f in self.fields for name in f.responses)
+
+    @cached_property
+    def _repeats(self) -> dict[str, tuple[Field, ...]]:
+        return _grouped((f.definition, f) for f in self.fields if f.definition)
+
+    @cached_property
+    def _supports(self) -> dict[str, tuple[tuple[Device, Support], ...]]:
+        return _grouped((s.field.full_name, (d, s)) for d in self.devices for s in d.supports)
+
+
+def _grouped(pairs: Iterable[tuple[Key, Item]]) -> dict[Key, tuple[Item, ...]]:
+    found: dict[Key, tuple[Item, ...]] = {}
+    for key, item in pairs:
+        found[key] = (*found.get(key, ()), item)
+    return found

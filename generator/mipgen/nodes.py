@@ -1,11 +1,12 @@
 """YAML as nodes that know their place. Knows files and lines, and nothing of MIP.
 
-YAML is read by the rules of version 1.2 (only true and false are booleans); duplicate keys,
-anchors, aliases and tags are refused.
+YAML is read by the rules of version 1.2, but numbers are written as in JSON; duplicate keys, anchors, aliases and
+tags are refused.
 """
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -14,25 +15,19 @@ from typing import Any
 
 import yaml
 
+from . import syntax
 from .model import Position
 from .problems import Problems
 
 MAX_DEPTH = 50
+MAX_DIGITS = 40
 
-_DECIMAL = re.compile(r"[-+]?[0-9]{1,40}")
-_HEXADECIMAL = re.compile(r"0x[0-9A-Fa-f]{1,40}")
-_FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
+_DECIMAL = re.compile(r"-?(0|[1-9][0-9]*)")
+_HEXADECIMAL = re.compile(r"0x[0-9A-Fa-f]+")
+_FLOAT = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][-+]?[0-9]+)?")
 
-_Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-
-#: What an author can do about the words of the YAML parser.
-_REMEDIES = {
-    "mapping values are not allowed": "put text that holds ': ' in quotes",
-    "cannot start any token": "indent with spaces only, and put text that begins with a special character in quotes",
-    "did not find expected ',' or": "close the bracket, or put a comma between the items",
-    "unexpected end of stream": "close the quotes",
-    "did not find expected key": "indent the keys of one mapping alike",
-}
+_SEPARATOR = re.compile(r"(?<=[0-9A-Fa-fxX])_(?=[0-9A-Fa-f])")
+_BARE = re.compile(r"(-?)0*((?=\.?[0-9])[0-9]*)(\.[0-9]*)?([eE][-+]?[0-9]+)?")
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +36,7 @@ class Node:
 
     value: Any
     position: Position
-    keys: dict[str, Position] = field(default_factory=dict)  # of a mapping: where each key stands
+    keys: dict[str, Position] = field(default_factory=dict)  # of a mapping: the place of each key
 
     def __contains__(self, key: str) -> bool:
         return isinstance(self.value, dict) and key in self.value
@@ -73,11 +68,11 @@ class Node:
         return self.value
 
     def at(self, path: list[str | int]) -> Position:
-        """The place of what stands at `path` below this node: of its key, if it has one."""
+        """The place of what `path` leads to: of its key, if it has one."""
         return self._follow(path)[0]
 
     def value_at(self, path: list[str | int]) -> Position:
-        """The place of a plain value at `path`; of its key, where it is none."""
+        """The place of the plain value at `path`; of its key, if the value is not plain."""
         position, node = self._follow(path)
         return position if node.value is None or isinstance(node.value, (dict, list)) else node.position
 
@@ -107,8 +102,8 @@ def read(path: Path, name: str, problems: Problems) -> Node | None:
         before = data[: error.start].decode("utf-8")
         problems.add(_place(name, before), f"not UTF-8: {error.reason}; save the file as UTF-8")
     except yaml.MarkedYAMLError as error:
-        mark = error.problem_mark or error.context_mark
-        problems.add(_position(name, mark), f"not YAML: {_reason(error)}")
+        fault = syntax.explain(text, error)
+        problems.add(Position(name, fault.line + 1, fault.column + 1), f"not YAML: {fault.message}")
     except yaml.reader.ReaderError as error:
         problems.add(_place(name, text[: error.position]), f"not YAML: {error.reason}; remove the character")
     return None
@@ -119,15 +114,8 @@ def _position(name: str, mark: Any) -> Position:
 
 
 def _place(name: str, before: str) -> Position:
-    """The place that follows this text."""
+    """The place behind this text."""
     return Position(name, before.count("\n") + 1, len(before) - before.rfind("\n"))
-
-
-def _reason(error: yaml.MarkedYAMLError) -> str:
-    reason = error.problem or error.context or "cannot be parsed"
-    if error.context and error.context_mark:
-        reason += f", {error.context} that begins in line {error.context_mark.line + 1}"
-    return reason + next((f"; {remedy}" for words, remedy in _REMEDIES.items() if words in reason), "")
 
 
 class _TooDeep(Exception):
@@ -135,10 +123,10 @@ class _TooDeep(Exception):
 
 
 class _Reader:
-    """Builds nodes from the events of the YAML parser, which know where anchors and aliases stand."""
+    """Builds nodes from the events of the YAML parser, which give the places of anchors and aliases."""
 
     def __init__(self, text: str, file: str, problems: Problems) -> None:
-        self.events = yaml.parse(text, Loader=_Loader)
+        self.events = yaml.parse(text, Loader=syntax.LOADER)
         self.file = file
         self.problems = problems
         self.anchors: dict[str, Node] = {}
@@ -151,7 +139,7 @@ class _Reader:
     def document(self) -> Node | None:
         self.next()
         if isinstance(self.next(), yaml.StreamEndEvent):
-            self.problem(1, 1, "the file is empty; remove it, or write what belongs into it")
+            self.problem(1, 1, "the file is empty; write its content, or remove it")
             return None
         try:
             root = self.node(self.next(), 0)
@@ -168,37 +156,45 @@ class _Reader:
         self.problems.add(Position(self.file, line, column), message)
 
     def complain(self, message: str) -> None:
-        """About the current event."""
+        """A problem at the current event."""
         self.problems.add(_position(self.file, self.event.start_mark), message)
 
-    def node(self, event: Any, depth: int) -> Node:
+    def node(self, event: Any, depth: int, item: bool = False) -> Node:
         position = _position(self.file, event.start_mark)
         if isinstance(event, yaml.AliasEvent):
-            self.complain(f"aliases (*{event.anchor}) are not used here; write the value out")
+            self.complain(f"aliases (*{event.anchor}) are not supported; write the value out, or put text in quotes")
             return Node(self.anchors[event.anchor].value if event.anchor in self.anchors else None, position)
         if event.anchor is not None:
-            self.complain(f"anchors (&{event.anchor}) are not used here; remove it")
+            self.complain(f"anchors (&{event.anchor}) are not supported; remove it, or put text in quotes")
         if event.tag is not None:
-            self.complain(f"tags (!{event.tag.removeprefix('!')}) are not used here; remove it")
+            self.complain(f"tags (!{event.tag.removeprefix('!')}) are not supported; remove it, or put text in quotes")
         if depth > MAX_DEPTH:
             raise _TooDeep
         if isinstance(event, yaml.ScalarEvent):
-            found = Node(event.value if event.style else _scalar(event.value), position)
+            found = Node(event.value if event.style else self.scalar(event.value), position)
         elif isinstance(event, yaml.SequenceStartEvent):
             found = Node(list(self.sequence(depth)), position)
         else:
-            found = self.mapping(position, depth)
+            found = self.mapping(position, depth, item)
         if event.anchor is not None:
             self.anchors[event.anchor] = found
         return found
 
+    def scalar(self, text: str) -> Any:
+        plain = _rewritten(text)
+        if plain is None:
+            return _scalar(text)
+        self.complain(f"{text} is not a plain number; write {plain}, or put it in quotes if it is text")
+        return _scalar(plain.split()[0])
+
     def sequence(self, depth: int) -> Iterator[Node]:
         while not isinstance(event := self.next(), yaml.SequenceEndEvent):
-            yield self.node(event, depth + 1)
+            yield self.node(event, depth + 1, item=True)
 
-    def mapping(self, position: Position, depth: int) -> Node:
+    def mapping(self, position: Position, depth: int, item: bool) -> Node:
         mapping: dict[str, Node] = {}
         keys: dict[str, Position] = {}
+        merged = False  # with the next item, whose '- ' is missing: its other keys are duplicates, too
         while not isinstance(event := self.next(), yaml.MappingEndEvent):
             place = _position(self.file, event.start_mark)
             if not isinstance(event, yaml.ScalarEvent) or event.anchor is not None or event.tag is not None:
@@ -209,7 +205,11 @@ class _Reader:
             key = event.value
             value = self.node(self.next(), depth + 1)
             if key in mapping:
-                self.problems.add(place, f"duplicate key '{key}', first in line {keys[key].line}; remove one")
+                again = item and key == next(iter(mapping))
+                remedy = "put '- ' before it to begin another item" if again else "remove one"
+                if not merged:
+                    self.problems.add(place, f"duplicate key '{key}', first in line {keys[key].line}; {remedy}")
+                merged = merged or again
                 continue
             keys[key] = place
             mapping[key] = value
@@ -217,19 +217,46 @@ class _Reader:
 
 
 def _scalar(text: str) -> Any:
-    """A plain scalar by the rules of YAML 1.2; numbers of unreasonable length stay text.
+    """A plain scalar: null, true and false as in YAML 1.2, numbers as in JSON or hexadecimal.
 
-    >>> [_scalar(t) for t in ("true", "True", "yes", "~", "null", "", "0x1F", "017", "1_000", "-3", "1e3", ".5")]
-    [True, 'True', 'yes', None, None, None, 31, 17, '1_000', -3, 1000.0, 0.5]
+    >>> [_scalar(t) for t in ("true", "True", "yes", "~", "null", "", "0x1F", "12:30", "-3", "1e3", "0.5")]
+    [True, 'True', 'yes', None, None, None, 31, '12:30', -3, 1000.0, 0.5]
     """
     if text in ("", "~", "null"):
         return None
     if text in ("true", "false"):
         return text == "true"
+    if len(text) > MAX_DIGITS:
+        return text
     if _DECIMAL.fullmatch(text):
         return int(text)
     if _HEXADECIMAL.fullmatch(text):
         return int(text, 16)
-    if _FLOAT.fullmatch(text) and len(text) <= 40:
-        return float(text)
+    if _FLOAT.fullmatch(text) and math.isfinite(number := float(text)):
+        return number
     return text
+
+
+def _rewritten(text: str) -> str | None:
+    """How to write what programs read as different numbers, or not as one; None if there is no doubt.
+
+    >>> [_rewritten(t) for t in ("0211", "0o17", "1_000", ".5", "1.", "+7", "-007.50", "0X1F", "0b11")]
+    ['211 or 0x211', '15', '1000', '0.5', '1', '7', '-7.50', '0x1F', '3']
+    >>> [t for t in ("7", "-0.5e-3", "0x1F", "12:30", "1.2.3", "_1", "0b2", ".", "e5") if _rewritten(t)]
+    []
+    """
+    if text[:1] not in "+-.0123456789" or len(text) > MAX_DIGITS:
+        return None
+    plain = _SEPARATOR.sub("", text).removeprefix("+")
+    if _FLOAT.fullmatch(plain) or _HEXADECIMAL.fullmatch(plain):
+        return plain if plain != text else None
+    if found := re.fullmatch(r"0+([0-9]+)", plain):
+        return f"{found[1]} or 0x{found[1]}"
+    if re.fullmatch(r"0X[0-9A-Fa-f]+", plain):
+        return f"0x{plain[2:]}"
+    if re.fullmatch(r"0[oO][0-7]+|0[bB][01]+", plain):
+        return str(int(plain, 0))
+    if found := _BARE.fullmatch(plain):
+        sign, whole, fraction, exponent = found.groups(default="")
+        return sign + (whole or "0") + fraction.rstrip(".") + exponent
+    return None

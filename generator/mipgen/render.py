@@ -6,22 +6,21 @@ earlier run that are no longer made are removed, so a failing run leaves nothing
 
 from __future__ import annotations
 
-import importlib
-import pkgutil
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
 
-import jinja2
 import yaml
 
-from . import targets as targets_package
+from . import discovery, formatting, resources
+from .discovery import Source
+from .errors import Failure
 from .model import Model
 from .naming import Identifier
 
-ROOT = Path(__file__).parents[2]
 MANIFEST = ".manifest"
+RUNTIME = "runtime"
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +33,7 @@ class File:
 
 
 class Target(Protocol):
-    """What a module of `mipgen.targets` offers."""
+    """What the module of a target offers; FORMATTER, a `formatting.Formatter`, may be left out."""
 
     TITLE: str  # "C99", shown by `mipgen generate`
 
@@ -46,53 +45,51 @@ class Target(Protocol):
 
 
 def names() -> list[str]:
-    """All targets, in order."""
-    return sorted(module.name for module in pkgutil.iter_modules(targets_package.__path__))
+    """All targets that come with the program, in order."""
+    return discovery.names()
 
 
 def target(name: str) -> Target:
-    module: Any = importlib.import_module(f"{targets_package.__name__}.{name}")
-    loaded: Target = module
+    loaded: Target = discovery.sources()[name].load()
     return loaded
 
 
 def language(name: str) -> dict[str, Any]:
     """The facts of a language that are data: templates/<name>/language.yaml."""
-    path = ROOT / "templates" / name / "language.yaml"
-    found: dict[str, Any] = yaml.safe_load(path.read_text("utf-8"))
+    text = (resources.root() / "templates" / name / "language.yaml").read_text("utf-8")
+    found: dict[str, Any] = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
     return found
 
 
-def render(name: str, model: Model) -> dict[str, bytes]:
+def render(source: Source | str, model: Model) -> dict[str, bytes]:
     """All files of a target, by path."""
-    module, folder = target(name), ROOT / "templates" / name
-    environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(folder),
-        undefined=jinja2.StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        autoescape=False,
-        auto_reload=False,
-        extensions=["jinja2.ext.do"],
-    )
-    environment.filters.update(module.filters(model))
-    environment.globals.update(model=model, version=model.protocol.version)
-    made = {path: data for path, data in _runtime(folder / "runtime")}
-    made["LICENSE"] = (ROOT / "LICENSE").read_bytes()
+    if isinstance(source, str):
+        source = discovery.sources()[source]
+    from .templating import Templates  # loads Jinja, which whoever only checks names does not need
+
+    module: Target = source.load()
+    templates = Templates(source, module.filters(model), {"model": model, "version": model.protocol.version})
+    made = _runtime(source)
+    made["LICENSE"] = (resources.root() / "LICENSE").read_bytes()
     for file in module.files(model):
         if file.path in made:
-            raise ValueError(f"{name}: {file.path} is made twice")
-        text = environment.get_template(file.template).render(file.context)
-        made[file.path] = text.encode("utf-8")
+            raise Failure(f"{file.path} is made twice", f"target {source.name}")
+        made[file.path] = templates.render(file.template, file.context, file.path).encode("utf-8")
+    formatter = getattr(module, "FORMATTER", None)
+    if formatter is not None:
+        made = formatting.formatted(formatter, made)
     made[MANIFEST] = "".join(f"{path}\n" for path in sorted(made)).encode("utf-8")
     return made
 
 
-def _runtime(folder: Path) -> Iterator[tuple[str, bytes]]:
-    for path in sorted(folder.rglob("*")) if folder.is_dir() else ():
-        if path.is_file() and "__pycache__" not in path.parts:
-            yield path.relative_to(folder).as_posix(), path.read_bytes()
+def _runtime(source: Source) -> dict[str, bytes]:
+    """The files that are copied as they are."""
+    made: dict[str, bytes] = {}
+    for folder in reversed(source.folders):
+        runtime = folder / RUNTIME
+        if runtime.is_dir():
+            made |= {path: file.read_bytes() for path, file in resources.files(runtime)}
+    return made
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +112,7 @@ def compare(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
 
 
 def write(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
-    """Makes the folder hold these files. What a user put beside them stays."""
+    """Makes the folder hold these files. Files that a user added are kept."""
     done = []
     for d in compare(made, folder):
         path = folder / d.path

@@ -50,7 +50,7 @@ def programs() -> dict[str, list[str]]:
     c, rust = ROOT / "generated/c", ROOT / "generated/rust"
     flags = ["-std=gnu99", "-O2", f"-I{c}/include"]
     sources = [str(p) for p in sorted((c / "src").glob("*.c"))]
-    subprocess.run(["gcc", *flags, str(HERE / "bench.c"), *sources, "-o", str(BUILD / "bench-c")], check=True)
+    subprocess.run(["cc", *flags, str(HERE / "bench.c"), *sources, "-o", str(BUILD / "bench-c")], check=True)
     crate = BUILD / "rust"
     (crate / "src").mkdir(parents=True, exist_ok=True)
     shutil.copy(HERE / "bench.rs", crate / "src/main.rs")

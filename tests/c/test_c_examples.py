@@ -9,7 +9,8 @@ from typing import Any
 
 import pytest
 from mipgen import model as m
-from mipgen.targets import c as target
+from mipgen.targets.c import members as target_members
+from mipgen.targets.c import names
 from support import SPECS, model, need
 
 PRELUDE = """
@@ -52,7 +53,7 @@ def test_examples_built_by_hand(spec: str, tmp_path: Path) -> None:
     out = tmp_path / "examples"
     sources = [str(p) for p in sorted((folder / "src").glob("*.c"))]
     flags = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-fsanitize=address,undefined"]
-    subprocess.run([need("gcc"), *flags, f"-I{folder}/include", str(program), *sources, "-o", str(out)], check=True)
+    subprocess.run([need("cc"), *flags, f"-I{folder}/include", str(program), *sources, "-o", str(out)], check=True)
     done = subprocess.run([str(out)], capture_output=True, text=True)
     assert done.returncode == 0 and done.stdout == f"{len(of.examples)} examples\n", done.stdout + done.stderr
 
@@ -63,15 +64,12 @@ def raw(f: m.ExampleField) -> list[str]:
 
 
 def built(field: m.Field, values: dict[str, Any], of: m.Model) -> list[str]:
-    own = of.field(field.definition) if field.definition else field
-    assert own is not None
-    name = target.record_name(own)
+    own = of.original(field)
+    name = names.record_name(own)
     lines = [f"{{ struct {name} v;", "memset(&v, 0, sizeof(v));"]
     lines += members("v", own.parameters, values)
-    counted = [p.name for p in own.counted_parameters]
-    there = max((i + 1 for i, n in enumerate(counted) if n in values), default=0)
-    required = dict(own.required).get(values.get("function", -1), 0) if own.functions else own.required_count
-    if own.optional and there > required:
+    there = max((i + 1 for i, p in enumerate(own.counted) if p.name in values), default=0)
+    if own.optional and there > own.required(values.get("function")):
         lines.append(f"v.present = {there};")
     return [*lines, f'if ({name}_encode(&v, &b) != MIP_OK) {{ printf("{name}\\n"); return 2; }} }}']
 
@@ -80,7 +78,7 @@ def members(path: str, parameters: tuple[m.Parameter, ...], values: dict[str, An
     lines = []
     for p in parameters:
         if p.name in values and p.constant is None:
-            lines += assign(f"{path}.{target._member(p.name)}", p, values[p.name])
+            lines += assign(f"{path}.{names.member(p.name)}", p, values[p.name])
     return lines
 
 
@@ -90,7 +88,7 @@ def assign(path: str, p: m.Parameter, value: Any) -> list[str]:
         return [
             line
             for k, v in value.items()
-            for line in assign(f"{path}.{target.inside(inner[k])}{target._member(k)}", inner[k], v)
+            for line in assign(f"{path}.{target_members.home(inner[k])}{names.member(k)}", inner[k], v)
         ]
     if p.length == "rest":
         rest = assign(path, replace(p, length=len(value)), value)
@@ -113,7 +111,7 @@ def one(path: str, e: Any, value: Any) -> list[str]:
         return [f"{path}.bytes[{i}] = {b};" for i, b in enumerate(value)]
     if isinstance(e, m.Enum):
         known = next((v for v in e.values if v.value == value), None)
-        return [f"{path} = {target.constant(e, known) if known else value};"]
+        return [f"{path} = {names.constant(e, known) if known else value};"]
     if isinstance(e, m.Scalar) and e.kind == "float":
         return [f"{path} = f{8 * e.size}({value}u{'ll' if e.size == 8 else ''});"]
     return [f"{path} = {value}{'ull' if isinstance(value, int) and value > 0x7FFFFFFF else ''};"]

@@ -58,7 +58,7 @@ def bad_specs() -> list[BadSpec]:
 def read(path: Path) -> BadSpec:
     data = path.read_bytes()
     found: dict[str, list[str]] = {"file": [], "remove": [], "target": [], "error": []}
-    for line in data.decode("latin-1" if b"\xb0" in data else "utf-8").splitlines():
+    for line in data.decode("utf-8", errors="replace").splitlines():
         header = _HEADER.fullmatch(line)
         if header is None:
             break

@@ -10,6 +10,7 @@ from pathlib import Path
 from corpus import BASE
 from mipgen import model as m
 from mipgen.resolve import load_model
+from terse import filled
 
 
 def load(text: str) -> m.Model:
@@ -17,7 +18,7 @@ def load(text: str) -> m.Model:
     with tempfile.TemporaryDirectory() as folder:
         spec = Path(folder) / "spec"
         shutil.copytree(BASE, spec)
-        (spec / "sets/it.yaml").write_text(textwrap.dedent(text), "utf-8")
+        (spec / "sets/it.yaml").write_text(filled(textwrap.dedent(text)), "utf-8")
         return load_model(spec)
 
 

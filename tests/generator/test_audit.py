@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -19,6 +20,8 @@ The reply is 7565 0104 04F1 0200 D56A.
 
 Command: Ping\t0x75\t0x65\t0x01\t0x02\t0x02\t0x01\tN/A\t0xE0\t0xC6
 """
+SECTIONS = next(x.sections for x in model("invented").protocol.manuals if x.id == "guide")
+GOOD += "".join(f"# {1 + i}. **{section}**\n" for i, section in enumerate(SECTIONS))
 
 
 def findings(tmp_path: Path, text: str, manual: str = "guide") -> list[str]:
@@ -49,9 +52,28 @@ def test_what_it_has_not_is_found(tmp_path: Path, line: str, message: str) -> No
     assert f"manual.txt:{len(GOOD.splitlines()) + 1}: {message}" in found
 
 
+def test_sections_are_those_of_the_manual(tmp_path: Path) -> None:
+    without = "".join(line for line in GOOD.splitlines(True) if "Set time" not in line)
+    assert findings(tmp_path, without) == ["manual.txt:1: the manual has no section 'Set time'"]
+    assert findings(tmp_path, without + "set-time\n") == []
+
+
+def test_a_section_of_a_page_comes_after_its_title(tmp_path: Path) -> None:
+    manuals = tuple(replace(x, sections=("Events > Setup",)) for x in model("invented").protocol.manuals)
+    paged = replace(model("invented"), protocol=replace(model("invented").protocol, manuals=manuals))
+
+    def found(text: str) -> list[str]:
+        (tmp_path / "manual.txt").write_text(text, "utf-8")
+        return [f"{f.line}: {f.message}" for f in audit(paged, "leaflet", tmp_path / "manual.txt")]
+
+    assert found("# Setup\n# Events\n## Setup\n") == []
+    assert found("# Setup\n# Events\n") == ["2: the manual has no section 'Events > Setup'"]
+    assert found("## Setup\n") == ["1: the manual has no section 'Events > Setup'"]
+
+
 def test_an_erratum_explains_an_undefined_reference(tmp_path: Path) -> None:
     assert findings(tmp_path, "See (0x01,0x7F).\n", "leaflet") == []
-    assert len(findings(tmp_path, "See (0x01,0x7F).\n", "guide")) == 1
+    assert len(findings(tmp_path, GOOD + "See (0x01,0x7F).\n", "guide")) == 1
 
 
 def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -61,7 +83,7 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     assert capsys.readouterr().out == "0 findings\n"
     path.write_text("(0x01,0x55)\n", "utf-8")
     assert cli.main(["audit", "--spec", spec, "--manual", f"guide={path}"]) == 1
-    assert cli.main(["audit", "--spec", spec, "--manual", f"giude={path}"]) == 2
+    assert cli.main(["audit", "--spec", spec, "--manual", f"giude={path}"]) == 1
     assert "did you mean 'guide'?" in capsys.readouterr().err
-    assert cli.main(["audit", "--spec", spec, "--manual", "guide=/no/such"]) == 2
+    assert cli.main(["audit", "--spec", spec, "--manual", "guide=/no/such"]) == 1
     assert "no such file" in capsys.readouterr().err

@@ -77,25 +77,25 @@ def test_an_open_array_in_a_case_has_the_room_that_is_left() -> None:
 
 def test_required_by_function() -> None:
     f = invented("tools.settings")
-    assert dict(f.required) == {1: 3, 2: 2, 3: 1, 4: 1, 5: 1, 6: 3}
+    assert {n: f.required(n) for n in (1, 2, 3, 4, 5, 6, 9)} == {1: 3, 2: 2, 3: 1, 4: 1, 5: 1, 6: 3, 9: 0}
     assert kinds(f) == ["scalar"] + ["group"] * 5
     assert [(g.first, g.last) for g in f.operations if isinstance(g, m.GroupOp)] == [(i, i) for i in range(1, 6)]
     assert (f.min_size, f.max_size) == (1, 10)
-    assert f.parameters[0].selector and len(f.counted_parameters) == 5
-    assert f.parameters[3].functions == "WA" and f.parameters[4].optional
+    assert f.parameters[0].selector and len(f.counted) == 5
+    assert m.letters(f.parameters[3].required_for) == "WA" and f.parameters[4].optional
 
 
 def test_as_command_drops_selector_and_presence() -> None:
     f = invented("tools.settings_response")
     assert [p.name for p in f.parameters] == ["port", "mode", "baud", "limit", "reserved"]
-    assert "group" not in kinds(f) and not f.optional and f.required_count == 5
+    assert "group" not in kinds(f) and not f.optional and f.required() == 5
 
 
 def test_a_counter_and_its_array_are_one_group() -> None:
     f = invented("tools.list")
     groups = [op for op in f.operations if isinstance(op, m.GroupOp)]
     assert [(g.first, g.last, [op.kind for op in g.body]) for g in groups] == [(1, 2, ["counter", "array"])]
-    assert f.parameters[1].counts == "items" and dict(f.required) == {1: 2, 2: 0, 3: 0}
+    assert f.parameters[1].counts == "items" and [f.required(n) for n in (1, 2, 3)] == [2, 0, 0]
 
 
 def test_groups_keep_what_stands_between_a_counter_and_its_array() -> None:
@@ -109,7 +109,7 @@ def test_groups_keep_what_stands_between_a_counter_and_its_array() -> None:
 
 def test_optional_without_selector() -> None:
     f = invented("measurements.growing")
-    assert kinds(f) == ["scalar", "group", "group"] and f.required == () and f.required_count == 1
+    assert kinds(f) == ["scalar", "group", "group"] and f.required() == 1 and f.functions == ()
     assert [(g.first, g.last) for g in f.operations if isinstance(g, m.GroupOp)] == [(2, 2), (3, 3)]
 
 
@@ -164,25 +164,107 @@ def test_what_a_parameter_means() -> None:
         role="data",
     )
     a, flags = f.parameters
-    assert (a.units, a.unit, a.frame, a.minimum, a.maximum) == (("m", "m", "s"), "m, m, s", "sensor", None, 5)
-    assert (a.default, a.valid_when, a.notes, flags.default) == ([0, 1.5, 2], "flags.ready", ("One.",), ["ready"])
+    assert (a.units, a.frame, a.minimum, a.maximum) == (("m", "m", "s"), "sensor", None, 5)
+    assert (a.default, a.valid, a.notes, flags.default) == ([0, 1.5, 2], ("flags.ready",), ("One.",), ["ready"])
 
 
-def test_readings() -> None:
-    by_device = invented("tools.status_short").parameters[2].reading
-    assert by_device is not None and [key for key, _ in by_device.types] == ["model-a", "model-b"]
-    by_sibling = invented("tools.pin").parameters[2].reading
-    assert by_sibling is not None and by_sibling.by == "drive"
-    device = next(d for d in INVENTED.devices if d.id == "model-b")
-    assert [key for key, _ in device.readings] == ["tools.status_short.flags", "tools.status_long.flags", "ack_code"]
+def test_calls() -> None:
+    write, read, *_, apply = invented("tools.settings").calls
+    assert [p.name for p in write.required] == ["port", "mode", "baud"] == [p.name for p in apply.required]
+    assert [p.name for p in write.optional] == ["limit", "reserved"] == [p.name for p in apply.optional]
+    assert [p.name for p in read.required] == ["port", "mode"] and read.optional == ()
+    (only,) = invented("tools.status").calls
+    assert [p.name for p in only.required] == ["model", "selector"] and [p.name for p in only.asked] == ["selector"]
+    (growing,) = invented("measurements.growing").calls
+    assert len(growing.required) == 1 and len(growing.optional) == 2
+
+
+def test_variants() -> None:
+    flags = invented("tools.status_short").parameters[2]
+    assert flags.by_device and [(v.by, v.key, v.type and v.type.name) for v in flags.readings] == [
+        ("device", "model-a", "model_a_faults"), ("device", "model-b", "model_b_faults")
+    ]  # fmt: skip
+    use = invented("tools.pin").parameters[2]
+    assert [(v.by, v.key, v.value) for v in use.readings] == [("drive", "pulse", 1), ("drive", "serial", 2)]
+    accel = invented("measurements.accel").parameters[0]
+    assert [(v.key, v.units, v.frame, v.type) for v in accel.variants] == [("model-b", ("m", "m", "s"), "ned", None)]
+    device = INVENTED.device("model-b")
+    assert device is not None and [v.path for v in device.variants] == [
+        "protocol.acknowledge.code", "tools.status_short.flags", "tools.status_long.flags",
+        "measurements.accel.scaled_accel",
+    ]  # fmt: skip
+
+
+def test_references() -> None:
+    bias, shared = invented("tools.bias"), invented("tools.bias_vector")
+    assert INVENTED.responses(bias) == (shared,)
+    assert INVENTED.commands(shared) == (bias, invented("tools.capture_bias"))
+    assert INVENTED.original(invented("more.accel")) is invented("measurements.accel")
+    assert INVENTED.repeats(invented("measurements.accel")) == (invented("more.accel"), invented("copy.accel"))
+    assert [d.id for d in INVENTED.devices_of(shared)] == ["model-a"]
+    ((first, a), (second, b)) = INVENTED.supports(invented("tools.settings"))
+    assert (first.id, m.letters(a.functions), a.differs) == ("model-a", "WRSLDA", False)
+    assert (second.id, m.letters(b.functions), b.differs) == ("model-b", "WR", True)
 
 
 def test_sets_are_sorted_and_fields_too() -> None:
-    assert [s.number for s in INVENTED.sets] == [0x01, 0x0C, 0x80, 0x81, 0xFF]
-    assert [s.kind for s in INVENTED.sets] == ["command", "command", "data", "data", "shared"]
+    assert [s.number for s in INVENTED.sets] == [0x01, 0x0C, 0x80, 0x81, 0x92, 0xFF]
+    assert [s.kind for s in INVENTED.sets] == ["command", "command", "data", "data", "data", "shared"]
     for s in INVENTED.sets:
         keys = [(f.role == m.RESPONSE, f.descriptor) for f in s.fields]
         assert keys == sorted(keys)
+
+
+def test_a_set_that_repeats_another_as_a_whole() -> None:
+    origin, copy = INVENTED.set(0x80), INVENTED.set(0x92)
+    assert origin is not None and copy is not None
+    assert [f.name for f in copy.fields] == [f.name for f in origin.fields] and not copy.own_fields
+    assert {f.definition for f in copy.fields} == {f.full_name for f in origin.fields}
+    cited = {f.name: [s.section for s in f.sources] for f in copy.fields}
+    assert cited["accel"] == ["Third acceleration"] and cited["radio"] == ["Copied measurements"]
+    assert [x.name for x in copy.named] == ["shade", "ghost"]
+    more = INVENTED.set(0x81)
+    assert more is not None and [f.name for f in more.fields] == ["accel", "strings", "own"] and not more.named
+
+
+def test_descriptors_that_are_only_named() -> None:
+    tools = INVENTED.set(0x01)
+    assert tools is not None
+    assert [(x.descriptor, x.role, x.name) for x in tools.named] == [
+        (0x20, "command", "farewell"),
+        (0xA0, "response", "farewell_answer"),
+    ]
+    assert INVENTED.candidates(0x01, 0x20) == ()
+
+
+def test_what_is_uncertain_is_kept_apart() -> None:
+    copy, radio, answer = INVENTED.set(0x92), invented("measurements.radio"), invented("tools.hello_response")
+    assert copy is not None and copy.uncertain == ("Which device sends it.",)
+    assert len(radio.uncertain) == 2 and radio.notes == () and answer.uncertain == ("When it comes.",)
+    strength = radio.parameters[1]
+    assert (strength.uncertain, strength.valid, strength.notes) == (("Its unit.",), ("connected",), ())
+    types = {t.name: t for t in INVENTED.types}
+    mode, flags = types["mode"], types["state_flags"]
+    assert isinstance(mode, m.Enum) and isinstance(flags, m.Bitfield)
+    assert mode.uncertain and [v.uncertain for v in mode.values] == [(), ("How quick.",), ()]
+    assert [b.name for b in flags.bits if b.uncertain] == ["hot"]
+
+
+def test_open_bounds() -> None:
+    _, strength, noise, *_ = invented("measurements.radio").parameters
+    assert (strength.minimum, strength.maximum, strength.above, strength.below) == (None, None, None, 1)
+    assert (noise.minimum, noise.maximum, noise.above, noise.below) == (None, 10, 0, None)
+
+
+def test_a_command_that_the_device_sends() -> None:
+    hello = invented("tools.hello")
+    assert hello.sent_by == "device" and invented("tools.ping").sent_by == "host"
+    assert [p.reserved for p in hello.parameters] == [1.0, 0.0]
+
+
+def test_what_others_call_it() -> None:
+    assert invented("measurements.radio").also == invented("copy.radio").also == ("modem", "rf")
+    assert invented("tools.hello_response").also == ("keep_alive_response", "welcome")
 
 
 def test_candidates() -> None:
@@ -192,11 +274,12 @@ def test_candidates() -> None:
 
 
 def test_positions_are_those_of_the_file() -> None:
-    model = load("set: 0x05\nname: it\ntitle: It\ndescription: It.\ntypes:\n  kind: {enum: u8, values: {a: 1}}\n")
+    head = "set: 5\nname: it\ntitle: It\ndescription: It.\n"
+    model = load(f"{head}types:\n  kind:\n    enum: u8\n    values:\n      a: 1\n")
     t = model.sets[1].types[0]
     assert isinstance(t, m.Enum) and t.position is not None and t.values[0].position is not None
     assert (t.position.line, t.position.column) == (6, 3)
-    assert (t.values[0].position.line, t.values[0].position.column) == (6, 29)
+    assert (t.values[0].position.line, t.values[0].position.column) == (9, 7)
 
 
 def test_measures() -> None:

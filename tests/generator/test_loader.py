@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-import math
+import re
 from pathlib import Path
 from typing import Any
 
 import jsonschema
 import pytest
 from corpus import BASE
-from mipgen import loader, nodes
-from mipgen.model import Position
+from mipgen import loader, nodes, spelling
+from mipgen.model import SCALARS, Position
 from mipgen.nodes import Node
-from mipgen.problems import Problems, SpecError, nearest
+from mipgen.problems import MANY, Problems, SpecError, nearest
 from mipgen.resolve import load_model
+from support import ROOT, model
 
 
 def parse(text: str | bytes, folder: Path) -> tuple[Node | None, list[str]]:
@@ -27,11 +28,12 @@ def parse(text: str | bytes, folder: Path) -> tuple[Node | None, list[str]]:
     ("text", "value"),
     [
         ("true", True), ("false", False), ("True", "True"), ("yes", "yes"), ("no", "no"), ("on", "on"), ("off", "off"),
-        ("~", None), ("null", None), ("", None), ("Null", "Null"), ("0", 0), ("-7", -7), ("+7", 7), ("007", 7),
-        ("0x1F", 31), ("0xff", 255), ("0x", "0x"), ("1_000", "1_000"), ("0b1", "0b1"), ("12:30", "12:30"),
-        ("1.5", 1.5), (".5", 0.5), ("1.", 1.0), ("1e3", 1000.0), ("-2.5E-1", -0.25), ("1e999", math.inf),
+        ("~", None), ("null", None), ("", None), ("Null", "Null"), ("0", 0), ("-7", -7),
+        ("0x1F", 31), ("0xff", 255), ("0x", "0x"), ("12:30", "12:30"), ("1-2", "1-2"), ("1.2.3", "1.2.3"),
+        ("1.5", 1.5), ("1e3", 1000.0), ("-2.5E-1", -0.25), ("1e999", "1e999"), (".", "."), ("_1", "_1"),
         (".inf", ".inf"), (".nan", ".nan"), ("2026-01-01", "2026-01-01"), ("=", "="), ("<<", "<<"),
         ("'1'", "1"), ('"true"', "true"), ("''", ""), ("9" * 41, "9" * 41), ("9" * 40, int("9" * 40)),
+        ("0" * 41, "0" * 41),
     ],
 )  # fmt: skip
 def test_scalars(text: str, value: object, tmp_path: Path) -> None:
@@ -89,6 +91,24 @@ def test_all_duplicates_of_a_file(tmp_path: Path) -> None:
     assert [p.split(" error: ")[0] for p in problems] == ["file.yaml:1:11:", "file.yaml:3:1:", "file.yaml:4:1:"]
 
 
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ("\ufeffa: [1\n", "1:4: error: not YAML: the '[' that opens here is not closed"),
+        ('a: "x\r\n  y"\r\nb: [1\r\n', "3:4: error: not YAML: the '[' that opens here is not closed"),
+        ("a: [{b: 1\n", "1:5: error: not YAML: the '{' that opens here is not closed"),
+        ("a\n\nb: 1\n", "1:1: error: not YAML: a key without its colon; write 'key: value'"),
+        ("a\n# A remark.\n\nb: 1\n", "1:1: error: not YAML: a key without its colon; write 'key: value'"),
+    ],
+)
+def test_where_the_mistake_is(text: str, problem: str, tmp_path: Path) -> None:
+    assert parse(text, tmp_path)[1] == [f"file.yaml:{problem}"]
+
+
+def test_manuals_come_in_the_order_of_their_numbers() -> None:
+    assert [x.id for x in model("real").protocol.manuals][:2] == ["3dm-gx5-15", "3dm-cv7-gnss-ins"]
+
+
 def test_a_folder_in_place_of_a_file(tmp_path: Path) -> None:
     for name in ("protocol.yaml",):
         (tmp_path / name).write_bytes((BASE / name).read_bytes())
@@ -98,7 +118,7 @@ def test_a_folder_in_place_of_a_file(tmp_path: Path) -> None:
 
 
 def test_no_folder_at_all(tmp_path: Path) -> None:
-    with pytest.raises(SpecError, match=r"nowhere:1:1: error: this is no specification"):
+    with pytest.raises(SpecError, match=r"nowhere:1:1: error: this is not a specification"):
         load_model(tmp_path / "nowhere")
 
 
@@ -125,4 +145,38 @@ def test_problems_are_sorted_and_counted_once() -> None:
 
 
 def test_many_choices_are_cut() -> None:
-    assert nearest("zzz", [f"a{i:02}" for i in range(20)]).endswith("a10, a11, …")
+    whole, many = ([f"a{i:03}" for i in range(n)] for n in (MANY, 3 * MANY))
+    assert nearest("zzz", whole) == f"; known: {', '.join(whole)}"
+    assert nearest("zzz", many) == f"; known: {', '.join(many[:MANY])}, … ({3 * MANY} in all)"
+
+
+def test_characters_of_the_choices_are_not_strange() -> None:
+    assert nearest("An “excample”", ["An “example”"]) == ", did you mean 'An “example”'?"
+    assert "U+201C" in nearest("An “excample”", ["An example"])
+
+
+def test_choices_keep_their_order() -> None:
+    assert nearest("zzz", ["u8", "u16", "bool", "u8"]) == "; known: u8, u16, bool"
+    assert nearest("zzz", {"b", "a"}) == "; known: a, b"
+
+
+def test_usual_spellings_are_ours() -> None:
+    """Each synonym leads to a word of the main specification, and none is a word of ours already."""
+    found = model("real")
+    ours = {*SCALARS, *(t.name for t in found.types), *(u.symbol for u in found.protocol.units)}
+    keys = {"description", "range", "count"}
+    for word, spellings in spelling.SYNONYMS.items():
+        assert word in ours | keys, word
+        for spelled in spellings:
+            assert spelling.usual(spelled, [word]) == word
+            assert spelled not in ours or word in keys or (word, spelled) == ("u8", "byte")
+    assert len({s.casefold() for x in spelling.SYNONYMS.values() for s in x}) == sum(
+        map(len, spelling.SYNONYMS.values())
+    )
+
+
+def test_samples_of_the_language_can_be_read(tmp_path: Path) -> None:
+    samples = re.findall(r"```yaml\n(.*?)```", (ROOT / "spec/README.md").read_text("utf-8"), re.DOTALL)
+    assert len(samples) >= 7
+    for sample in samples:
+        assert parse(sample, tmp_path)[1] == []

@@ -12,7 +12,7 @@ from mipgen.model import Position
 from mipgen.naming import Escape, Identifier, collisions, pascal, upper
 from mipgen.problems import Problems
 
-MODULES = [f"mipgen.{m.name}" for m in pkgutil.iter_modules(mipgen.__path__) if m.name not in ("__main__", "targets")]
+MODULES = [m.name for m in pkgutil.walk_packages(mipgen.__path__, "mipgen.") if m.name != "mipgen.__main__"]
 
 
 @pytest.mark.parametrize("name", MODULES)

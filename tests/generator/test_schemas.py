@@ -1,9 +1,14 @@
-"""The schemas are what editors use: each is valid, and each YAML file names its own."""
+"""The schemas are what editors use: each is valid and says what its keys are for, and each YAML file names its own.
+
+Editors complete units, frames and types from lists in the schema, which follow the specification:
+`PYTHONPATH=generator:tests:tests/generator python tests/generator/test_schemas.py accept` writes them.
+"""
 
 from __future__ import annotations
 
 import json
 import re
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -12,6 +17,8 @@ import jsonschema
 import pytest
 from corpus import BASE
 from mipgen.loader import LAYOUT
+from mipgen.model import SCALARS
+from support import model
 
 ROOT = Path(__file__).parents[2]
 SCHEMAS = ROOT / "spec/schema"
@@ -27,7 +34,10 @@ WORDED = {
     "type", "enum", "const", "pattern", "required", "additionalProperties", "propertyNames", "minimum", "maximum",
     "exclusiveMinimum", "minItems", "maxItems", "minLength", "minProperties", "maxProperties",
 }  # fmt: skip
-SILENT = {"$schema", "$id", "$ref", "title", "description", "definitions", "properties", "items", "allOf", "if", "then"}
+SILENT = {
+    "$schema", "$id", "$ref", "title", "description", "examples", "definitions", "properties", "items", "allOf", "if",
+    "then",
+}  # fmt: skip
 
 
 def schemas() -> list[Path]:
@@ -77,6 +87,37 @@ def test_closed(path: Path) -> None:
             assert schema.get("additionalProperties") is False, list(schema["properties"])
 
 
+@pytest.mark.parametrize("path", schemas(), ids=lambda p: p.name)
+def test_every_property_says_what_it_is_for(path: Path) -> None:
+    for key, schema in rules(json.loads(path.read_text("utf-8"))):
+        for name, below in schema["properties"].items() if key == "properties" else ():
+            description = below.get("description", "")
+            assert description[:1].strip() and description[-1:] == ".", f"{path.name}: {name}"
+
+
+@pytest.mark.parametrize("path", schemas(), ids=lambda p: p.name)
+def test_every_pattern_has_words(path: Path) -> None:
+    """A pattern is a definition, whose description says what the form is; that of a property says what it is for."""
+    schema = json.loads(path.read_text("utf-8"))
+    patterns = [s for key, s in rules(schema) if key == "pattern"]
+    assert all(s in schema.get("definitions", {}).values() and s["description"][-1] != "." for s in patterns)
+
+
+def lists() -> dict[str, list[str]]:
+    """What an editor can complete, by definition of common.schema.json: as the main specification has it."""
+    found = model("real")
+    units = [u.symbol for u in found.protocol.units]
+    types = [t.name for t in sorted(found.types, key=lambda t: (t.kind != "vector", t.name))]
+    frames = [f.symbol for f in found.protocol.frames]
+    return {"symbol": units, "unit": units, "frame": frames, "type_name": [*SCALARS, *types]}
+
+
+def test_editors_complete_what_there_is() -> None:
+    common = json.loads((SCHEMAS / "common.schema.json").read_text("utf-8"))
+    listed = {name: common["definitions"][name]["examples"] for name in lists()}
+    assert listed == lists(), __doc__
+
+
 @pytest.mark.parametrize(("kind", "path"), FILES, ids=lambda x: x.name if isinstance(x, Path) else x)
 def test_a_file_names_its_schema(kind: str, path: Path) -> None:
     first = path.read_text("utf-8").split("\n", 1)[0]
@@ -87,3 +128,15 @@ def test_a_file_names_its_schema(kind: str, path: Path) -> None:
 
 def test_every_kind_has_files() -> None:
     assert {kind for kind, _ in FILES} == set(LAYOUT)
+
+
+def accept() -> None:
+    path = SCHEMAS / "common.schema.json"
+    common = json.loads(path.read_text("utf-8"))
+    for name, words in lists().items():
+        common["definitions"][name]["examples"] = words
+    path.write_text(json.dumps(common, indent=2, ensure_ascii=False) + "\n", "utf-8")
+
+
+if __name__ == "__main__" and sys.argv[1:] == ["accept"]:
+    accept()

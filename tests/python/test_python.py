@@ -18,8 +18,9 @@ import pytest
 from mipgen import model as m
 from mipgen import render
 from mipgen.resolve import load_model
-from mipgen.targets import python as target
-from support import ROOT, SPECS, all_fields, another_python, model, parse_as
+from mipgen.targets.python import members, names
+from support import ROOT, SPECS, all_fields, another_python, heavy, model, parse_as
+from terse import filled
 
 INVENTED = SPECS["invented"][1] / "python"
 REAL = SPECS["real"][1] / "python"
@@ -71,9 +72,7 @@ def test_every_field_has_a_class_with_its_numbers_and_its_links(spec: str) -> No
     types = package.registry.all_types()
     assert len(types) == len(all_fields(of))
     for number, kind in types:
-        (field,) = [f for f in of.candidates(number, kind.DESCRIPTOR) if target.class_name(f) == kind.__name__] or [
-            None
-        ]
+        (field,) = [f for f in of.candidates(number, kind.DESCRIPTOR) if names.class_name(f) == kind.__name__] or [None]
         if field is None:
             assert of.protocol.acknowledge.full_name == kind.NAME
             continue
@@ -90,15 +89,15 @@ def test_every_field_has_a_class_with_its_numbers_and_its_links(spec: str) -> No
 @pytest.mark.parametrize("spec", sorted(SPECS))
 def test_every_value_and_bit_has_its_name(spec: str) -> None:
     package, of = (mip if spec == "invented" else real), model(spec)
-    for owner, types in [("types", of.types), *((target.module(s.name), s.types) for s in of.sets)]:
+    for owner, types in [("types", of.types), *((names.module(s.name), s.types) for s in of.sets)]:
         for t in types:
-            kind = getattr(getattr(package, owner), target.class_name(t))
+            kind = getattr(getattr(package, owner), names.class_name(t))
             if isinstance(t, m.Enum):
                 for v in t.values:
-                    assert kind[target.constant(v.name)] == v.value
+                    assert kind[names.constant(v.name)] == v.value
             elif isinstance(t, m.Bitfield):
                 for b in t.bits:
-                    assert int(getattr(kind, target.constant(b.name))) == b.mask
+                    assert int(getattr(kind, names.constant(b.name))) == b.mask
                     if b.width > 1 and not b.alias:
                         changed = getattr(kind(0), f"with_{b.name}")((1 << b.width) - 1)
                         assert int(changed) == b.mask and int(getattr(changed, b.name)) == (1 << b.width) - 1
@@ -235,6 +234,51 @@ def test_repeated_fields_belong_to_their_own_set() -> None:
     assert packet.set == 0x92 and two.find(packet) == sent and one.find(packet) is None
     assert type(real.registry.decode(next(iter(packet)))) is two and issubclass(two, one)
     assert real.reflection.PARAMETERS[two] is real.reflection.PARAMETERS[one]
+
+
+VARIED = """# yaml-language-server: $schema=../../../../../spec/schema/set.schema.json
+set: 0x9A
+name: varied
+title: Varied
+description: A number that one device reads in its own way.
+fields:
+  - data: 0x01
+    name: state
+    title: State
+    description: Of the device.
+    sources: [{manual: guide, section: Ping}]
+    parameters: [{name: code, type: u8, description: A number.}]
+"""
+REPEATED = """# yaml-language-server: $schema=../../../../../spec/schema/set.schema.json
+set: 0x9B
+name: again
+title: Again
+description: The same of a second sensor, where it is the other device.
+repeats: {of: varied, fields: [{name: state, sources: [{manual: guide, section: Ping}]}]}
+"""
+
+
+def test_repeated_fields_are_read_in_their_own_way(tmp_path: Path) -> None:
+    """What a device says of a field does not hold for the fields of other sets that repeat it."""
+    spec, out = tmp_path / "spec", tmp_path / "python"
+    shutil.copytree(SPECS["invented"][0], spec)
+    (spec / "sets/varied.yaml").write_text(VARIED, "utf-8")
+    (spec / "sets/again.yaml").write_text(REPEATED, "utf-8")
+    for device, name in (("model_a", "varied"), ("model_b", "again")):
+        file = spec / f"devices/{device}.yaml"
+        text = file.read_text("utf-8").replace("supports:\n", f"supports:\n  {name}: [state]\n")
+        text = text.replace("base_rates: {", f"base_rates: {{{name}: 1, ")
+        case = f"{name}.state.code: {{type: mode}}"
+        text = text.replace("varies: {", f"varies: {{{case}, ").replace("varies:\n", f"varies:\n  {case}\n")
+        file.write_text(text, "utf-8")
+    render.write(render.render("python", load_model(spec)), out)
+    it = Package(out)
+    first, second = it.varied.State(1), it.again.State(1)
+    assert isinstance(second, it.varied.State) and second.code == 1
+    assert first.meaning("code", "model-a") is it.types.Mode.FAST and first.meaning("code", "model-b") == 1
+    assert second.meaning("code", "model-b") is it.types.Mode.FAST and type(second.meaning("code", "model-a")) is int
+    assert "On the Model A: values of `types.Mode`." in (out / "mip_protocol/varied.py").read_text("utf-8")
+    assert "On the Model B: values of `types.Mode`." in (out / "mip_protocol/again.py").read_text("utf-8")
 
 
 # --------------------------------------------------------------------------- core
@@ -429,7 +473,7 @@ class Port:
 port = Port()
 """
     printed = user(REAL, port + program).splitlines()
-    assert printed[0].startswith("data: Packet(7565800e") and printed[1].startswith("GetDeviceInformationResponse(")
+    assert printed[0].startswith("data: Packet(7565800e") and printed[1].startswith("GetDeviceInfoResponse(")
 
 
 def test_client_refuses_what_does_not_fit_and_waits_for_nothing() -> None:
@@ -450,17 +494,64 @@ def test_devices(spec: str) -> None:
     assert sorted(package.devices.DEVICES) == [d.id for d in of.devices]
     for d in of.devices:
         device = package.devices.DEVICES[d.id]
-        for name in d.fields:
-            f = of.field(name)
-            assert f is not None and device.supports(f.set, f.descriptor)
-        assert set(device.readings) == {name for name, _ in d.readings}
+        keys = {s: (s.field.set, s.field.descriptor) for s in d.supports}
+        assert device.fields == set(keys.values())
+        assert all(device.supports(*key) for key in keys.values())
+        assert device.functions == {key: m.letters(s.functions) for s, key in keys.items() if s.differs}
+        assert device.base_rates == {rate.set.number: rate.hertz for rate in d.base_rates}
+        assert [(p.name, p.id, p.baud_rates, p.protocols) for p in device.ports] == [
+            (p.name, p.id, p.baud_rates, p.protocols) for p in d.ports
+        ]
+        assert {k: (x.value, x.unit, x.description) for k, x in device.limits.items()} == {
+            x.name: (x.value, x.unit, x.description) for x in d.limits
+        }
+        assert {k: (x.title, x.description, x.rows) for k, x in device.notes.items()} == {
+            x.name: (x.title, x.description, x.rows) for x in d.notes
+        }
+        readings = {v.path: names.qualified(v.variant.type) for v in d.variants if v.variant.type}
+        assert {k: f"{t.__module__.rpartition('.')[2]}.{t.__name__}" for k, t in device.readings.items()} == readings
         assert device.ack_codes == set(d.ack_codes)
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_reflection(spec: str) -> None:
+    """The tables for tools say what the specification says."""
+    package, of = (mip if spec == "invented" else real), model(spec)
+    table = package.reflection.PARAMETERS
+    records = [*all_fields(of), *(t for t in of.all_types if isinstance(t, m.Struct))]
+    assert len(table) == len(records)
+    for record in records:
+        kind = getattr(getattr(package, names.home(record)), names.class_name(record))
+        for p, row in zip(record.parameters, table[kind], strict=True):
+            check_reflection(package, p, row)
+
+
+def check_reflection(package: Package, p: m.Parameter, row: Any) -> None:
+    e = p.element
+    assert (row.name, row.attribute, row.kind) == (p.name, names.member(p.name), p.operation.kind)
+    assert (row.length, row.constant, row.units) == (p.length, p.constant, p.units)
+    assert (row.counts or None, row.tag or None) == tuple(x and names.member(x) for x in (p.counts, p.tag))
+    assert row.elements == (e.elements if isinstance(e, m.Vector) else ())
+    scalar = e if isinstance(e, m.Scalar) else getattr(e, "scalar", None)
+    if isinstance(e, m.Bitfield) and scalar is None:
+        assert (row.scalar, row.size) == ("bits", e.size)
+    else:
+        assert row.scalar == (scalar.name if scalar else "")
+    if isinstance(e, (m.Enum, m.Bitfield, m.Struct)):
+        assert row.type is getattr(getattr(package, names.home(e)), names.class_name(e))
+    else:
+        assert row.type is None
+    assert row.cases.keys() == {c.tag.value for c in p.cases}
+    for c in p.cases:
+        if c.parameter is None:
+            assert row.cases[c.tag.value] is None
+        else:
+            check_reflection(package, c.parameter, row.cases[c.tag.value])
 
 
 # --------------------------------------------------------------------------- a specification that is hard on Python
 
-AWKWARD = """# yaml-language-server: $schema=../../../../../spec/schema/set.schema.json
-set: 0x62
+AWKWARD = """set: 0x62
 name: awkward
 title: 'A "quoted" \\title\\'
 description: Names that generated code uses itself, and groups of several steps.
@@ -473,7 +564,7 @@ fields:
     name: halves
     title: Halves
     description: A counter whose array comes late.
-    sources: [{manual: guide, section: S}]
+    sources: [{manual: leaflet, section: S}]
     functions: WR
     parameters:
       - {name: count, type: u8, for: W}
@@ -485,7 +576,7 @@ fields:
     name: words
     title: Words
     description: Names of functions.
-    sources: [{manual: guide, section: S}]
+    sources: [{manual: leaflet, section: S}]
     functions: WR
     parameters:
       - {name: len, type: u8, for: W}
@@ -497,7 +588,7 @@ fields:
     name: kept
     title: Kept
     description: A reserved value in front.
-    sources: [{manual: guide, section: S}]
+    sources: [{manual: leaflet, section: S}]
     parameters:
       - {name: field, type: u8, reserved: 3}
       - {name: gap, type: u8, reserved: 0}
@@ -508,11 +599,12 @@ fields:
 def test_awkward_specification(tmp_path: Path) -> None:
     spec, out = tmp_path / "spec", tmp_path / "python"
     shutil.copytree(SPECS["invented"][0], spec)
-    (spec / "sets/awkward.yaml").write_text(AWKWARD, "utf-8")
+    (spec / "sets/awkward.yaml").write_text(filled(AWKWARD), "utf-8")
     render.write(render.render("python", load_model(spec)), out)
     for check in (["format", "--check"], ["check"]):
         done = subprocess.run([Path(sys.executable).parent / "ruff", *check, "--no-cache", out], capture_output=True)
         assert done.returncode == 0, done.stdout.decode()
+    assert_strict(out)
     it = Package(out).awkward
     whole = bytes.fromhex("01 02 00010002 00030004 0100")
     assert it.Halves.decode(whole).encode() == whole and it.Halves.decode(whole).bools == (True, False)
@@ -527,6 +619,20 @@ def test_awkward_specification(tmp_path: Path) -> None:
     assert kept.encode().hex() == "03000102030405" and it.Kept.decode(kept.encode()) == kept
 
 
+def assert_strict(folder: Path) -> None:
+    """The types of a package are complete and right."""
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy", "--strict", "--cache-dir", os.devnull, "mip_protocol"],
+        cwd=folder, capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_strict_types(spec: str) -> None:
+    assert_strict(SPECS[spec][1] / "python")
+
+
 # --------------------------------------------------------------------------- examples, as a user writes them
 
 
@@ -537,7 +643,7 @@ def test_examples_built_by_hand(spec: str) -> None:
     lines = ["from mip_protocol import *", "from mip_protocol import types, protocol, registry",
              "from mip_protocol.codec import single_from_bits as f32", "import struct",
              "f64 = lambda n: struct.unpack('>d', n.to_bytes(8, 'big'))[0]"]  # fmt: skip
-    lines += [f"from mip_protocol import {target.module(s.name)}" for s in of.sets]
+    lines += [f"from mip_protocol import {names.module(s.name)}" for s in of.sets]
     count = 0
     for e in of.examples:
         lines.append(f"b = PacketBuilder({e.set})")
@@ -555,29 +661,26 @@ def test_examples_built_by_hand(spec: str) -> None:
 
 def written(record: m.Field | m.Struct, values: dict[str, Any]) -> str:
     """A record as Python source: by the constructor of its function, where it has one."""
-    given = [p for p in target.stored(record) if (p.name in values and p.reserved is None) or p.name in values]
-    home = target.qualified(record) if isinstance(record, m.Struct) else _home(record)
-    words = {target._member(p.name): literal(p, values[p.name], values) for p in given}
+    given = [p for p in members.members(record) if p.name in values]
+    home = names.qualified(record) if isinstance(record, m.Struct) else _home(record)
+    words = {names.member(p.name): literal(p, values[p.name], values) for p in given}
     if isinstance(record, m.Field) and record.functions:
-        function = next((f for f in record.functions if f.value == values["function"]), None)
-        if function is not None:
-            c = target.constructor(function, record)
-            names = {x.partition(":")[0] for x in c["parameters"]}
-            own = {k: v for k, v in words.items() if k != "function"}
-            reserved = {target._member(p.name) for p in record.parameters if p.reserved is not None}
-            if set(own) - reserved == {n for n in names if n in own} and all(
-                n in own or "= None" in x for n, x in ((x.partition(":")[0], x) for x in c["parameters"])
-            ):
-                inner = ", ".join(f"{k}={v}" for k, v in own.items() if k in names)
-                return f"{home}.{target._member(function.name)}({inner})"
+        call = next((c for c in record.calls if c.function and c.function.value == values["function"]), None)
+        if call is not None and call.function is not None:
+            asked = {names.member(p.name) for p in call.asked if not p.derived}
+            free = {names.member(p.name) for p in call.optional if not p.derived}
+            reserved = {names.member(p.name) for p in record.parameters if p.reserved is not None}
+            own = {k: v for k, v in words.items() if k != "function" and k not in reserved}
+            if asked <= own.keys() <= asked | free:
+                return f"{home}.{names.member(call.function.name)}({', '.join(f'{k}={v}' for k, v in own.items())})"
     return f"{home}({', '.join(f'{k}={v}' for k, v in words.items())})"
 
 
 def _home(f: m.Field) -> str:
     if f.set == 0:
-        return target.class_name(f)
+        return names.class_name(f)
     owner = f.definition.partition(".")[0] if f.definition else f.set_name
-    return f"{target.module(owner)}.{target.class_name(f)}"
+    return f"{names.module(owner)}.{names.class_name(f)}"
 
 
 def literal(p: m.Parameter, value: Any, siblings: dict[str, Any]) -> str:
@@ -598,12 +701,12 @@ def item(e: Any, value: Any) -> str:
     if isinstance(e, m.Vector):
         return "(" + "".join(f"{number(e.scalar, v)}, " for v in value) + ")"
     if isinstance(e, m.Enum):
-        name = "FunctionSelector" if e.name == "function_selector" else target.qualified(e)
+        name = "FunctionSelector" if e.name == "function_selector" else names.qualified(e)
         known = next((v for v in e.values if v.value == value), None)
-        return f"{name}.{target.constant(known.name)}" if known else f"{name}({value})"
+        return f"{name}.{names.constant(known.name)}" if known else f"{name}({value})"
     if isinstance(e, m.Bitfield):
         whole = int.from_bytes(bytes(value), "little") if isinstance(value, list) else value
-        return f"{target.qualified(e)}({whole})"
+        return f"{names.qualified(e)}({whole})"
     return number(e, value)
 
 
@@ -634,6 +737,39 @@ def test_folder_alone_installs_and_runs(tmp_path: Path) -> None:
     assert user(site, "import mip_protocol; print(mip_protocol.__version__)") == f"{version}\n"
     taste = (REAL / "taste.py").read_text("utf-8")
     assert user(site, taste).splitlines()[0].startswith("75 65 01 02")
+    (metadata,) = site.glob("*.dist-info/METADATA")
+    said = metadata.read_text("utf-8").partition("\n\n")[0].splitlines()
+    assert {f"Version: {version}", "License-Expression: MIT", "License-File: LICENSE"} <= set(said)
+    assert next(site.glob("*.dist-info/licenses/LICENSE")).read_bytes() == (ROOT / "LICENSE").read_bytes()
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_runtime_is_ordinary_source(spec: str) -> None:
+    """It is in the package as it is: neither rendered nor reformatted."""
+    runtime = ROOT / "templates/python/runtime"
+    found = [p.relative_to(runtime) for p in runtime.rglob("*") if p.is_file() and "__pycache__" not in p.parts]
+    assert len(found) > 10
+    for path in found:
+        assert (runtime / path).read_bytes() == (SPECS[spec][1] / "python" / path).read_bytes(), path
+
+
+def test_python_inside_the_folder_says_what_is_wrong() -> None:
+    """types.py is found there instead of that of the standard library."""
+    done = subprocess.run(
+        [sys.executable, "-S", "-c", "import enum"], cwd=REAL / "mip_protocol", capture_output=True, text=True,
+        env={"PYTHONDONTWRITEBYTECODE": "1"},
+    )  # fmt: skip
+    assert done.returncode != 0 and "run Python in another folder" in done.stderr, done.stderr
+
+
+def test_readme_warns_of_modules_that_hide_names_of_python() -> None:
+    import builtins
+
+    for spec in SPECS:
+        text = (SPECS[spec][1] / "python/README.md").read_text("utf-8")
+        for s in model(spec).sets:
+            name = names.module(s.name)
+            assert (f"`from mip_protocol import {name} as mip_{name}`" in text) == hasattr(builtins, name), name
 
 
 def test_readme_shows_the_program_that_is_run() -> None:
@@ -667,6 +803,7 @@ def test_syntax_of_other_python_versions(version: str) -> None:
     parse_as(version, REAL / "mip_protocol")
 
 
+@heavy("other Pythons")
 @VERSIONS
 def test_other_python_versions(version: str) -> None:
     code = (
@@ -690,3 +827,18 @@ def test_slots_and_equality() -> None:
 
 def test_root_of_the_project_is_not_needed() -> None:
     assert str(ROOT) not in "".join(p.read_text("utf-8") for p in (REAL / "mip_protocol").glob("*.py"))
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_decimations(spec: str) -> None:
+    of = model(spec)
+    for d in of.devices:
+        device = (mip if spec == "invented" else real).devices.DEVICES[d.id]
+        rates = {rate.set.name: rate.hertz for rate in d.base_rates}
+        for s in of.sets:
+            base = rates.get(s.name, 0)
+            if base:
+                assert [device.decimation(s.number, base / n) for n in (1, 2, 10)] == [1, 2, 10]
+            else:
+                with pytest.raises(ValueError, match="no fixed rate"):
+                    device.decimation(s.number, 1)

@@ -11,6 +11,8 @@ import os
 import re
 import shutil
 import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -21,7 +23,8 @@ import pytest
 from mipgen import model as m
 from mipgen import render
 from mipgen.resolve import load_model
-from support import BUILD, ROOT, SPECS, locked, model, need
+from support import BUILD, ROOT, SPECS, heavy, locked, model, need
+from support import driver as conformance_driver
 
 HERE = Path(__file__).parent
 WORK = BUILD / "rust"
@@ -181,8 +184,9 @@ def test_a_list_that_is_too_long_does_not_compile() -> None:
     assert done.returncode != 0 and "more items than the list can hold" in done.stderr
 
 
-def test_serde_and_defmt() -> None:
-    """With the real dependencies, pinned in features/Cargo.lock."""
+@contextmanager
+def with_dependencies() -> Iterator[Path]:
+    """A project that uses the crate with the real dependencies, pinned in features/Cargo.lock."""
     folder = WORK / "awkward" / "features"
     manifest = f"""[package]
 name = "features"
@@ -206,15 +210,25 @@ members = ["mip-protocol"]
         render.write(rendered("awkward"), folder / "mip-protocol")
         lock = (HERE / "features/Cargo.lock").read_bytes()
         write({"Cargo.toml": manifest.encode(), "src/lib.rs": b"", "Cargo.lock": lock}, folder)
+        yield folder
+
+
+def test_serde_and_defmt() -> None:
+    with with_dependencies() as folder:
         passes(folder, "test", "--quiet", "--test", "features")
-        lint = ("-p", "mip-protocol", "--all-features")
-        passes(folder, "clippy", "--quiet", *lint, "--", "-D", "warnings")
+        passes(folder, "clippy", "--quiet", "-p", "mip-protocol", "--all-features", "--", "-D", "warnings")
+
+
+@heavy(EMBEDDED)
+def test_serde_and_defmt_without_std() -> None:
+    with with_dependencies() as folder:
         passes(folder, "check", "--quiet", "--target", embedded(), "-p", "mip-protocol", "--features", "serde,defmt")
 
 
 # --------------------------------------------------------------------------- what the crate promises
 
 
+@heavy(EMBEDDED)
 @each
 def test_no_std(spec: str) -> None:
     """It builds for a target that has no std; `alloc` and the trees of values do too."""
@@ -222,6 +236,7 @@ def test_no_std(spec: str) -> None:
         passes(bare(spec), "check", "--quiet", "--offline", "--target", embedded(), "--features", features)
 
 
+@heavy(EMBEDDED)
 @each
 def test_nothing_panics(spec: str) -> None:
     """A program that uses every field links although its panic handler does not."""
@@ -276,11 +291,11 @@ def test_attributes(spec: str) -> None:
 
 
 def test_every_set_is_a_module() -> None:
-    lib = rendered("real")["src/lib.rs"].decode("utf-8")
+    sets = rendered("real")["src/sets.rs"].decode("utf-8")
     for s in specification("real").sets:
         name = s.name if not s.name[0].isdigit() else f"mip_{s.name}"
-        assert f"\npub mod {name};\n" in lib
-        assert f"pub const SET: u8 = 0x{s.number:02X};" in rendered("real")[f"src/{name}.rs"].decode("utf-8")
+        assert f"\npub mod {name};\n" in sets
+        assert f"pub const SET: u8 = 0x{s.number:02X};" in rendered("real")[f"src/sets/{name}.rs"].decode("utf-8")
 
 
 # --------------------------------------------------------------------------- the driver
@@ -312,8 +327,7 @@ def test_the_driver_is_built_from_any_folder_and_only_once() -> None:
 
 @pytest.fixture(scope="module")
 def driver() -> str:
-    with locked(WORK / "driver-invented"):
-        return build_driver(crate("invented"), WORK / "driver-invented")
+    return conformance_driver("rust", "invented").command[0]
 
 
 def test_what_is_no_request_is_refused_and_the_driver_goes_on(driver: str) -> None:

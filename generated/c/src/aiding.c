@@ -17,13 +17,12 @@ void mip_aiding_measurement_time_write(struct mip_writer *w,
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_frame_configuration[] = {0, 5, 2, 1, 1, 1};
+static const uint8_t required_frame_config[] = {0, 5, 2, 1, 1, 1};
 
-static void read_frame_configuration(struct mip_reader *r, void *value) {
-    struct mip_aiding_frame_configuration *v = (struct mip_aiding_frame_configuration *)value;
+static void read_frame_config(struct mip_reader *r, void *value) {
+    struct mip_aiding_frame_config *v = (struct mip_aiding_frame_config *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_frame_configuration,
-                      sizeof(required_frame_configuration));
+    mip_read_required(r, v->function, required_frame_config, sizeof(required_frame_config));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->frame_id, 1);
     mip_read_group(r, 2, 2);
@@ -46,12 +45,11 @@ static void read_frame_configuration(struct mip_reader *r, void *value) {
     v->present = mip_read_present(r);
 }
 
-static void write_frame_configuration(struct mip_writer *w, const void *value) {
-    const struct mip_aiding_frame_configuration *v =
-        (const struct mip_aiding_frame_configuration *)value;
+static void write_frame_config(struct mip_writer *w, const void *value) {
+    const struct mip_aiding_frame_config *v = (const struct mip_aiding_frame_config *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_frame_configuration,
-                       sizeof(required_frame_configuration), v->present);
+    mip_write_required(w, v->function, required_frame_config, sizeof(required_frame_config),
+                       v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->frame_id, 1);
     mip_write_group(w, 2, 2);
@@ -73,44 +71,44 @@ static void write_frame_configuration(struct mip_writer *w, const void *value) {
     }
 }
 
-static bool asked_frame_configuration_1(const void *value) {
-    const struct mip_aiding_frame_configuration *v =
-        (const struct mip_aiding_frame_configuration *)value;
+static bool asked_frame_config_1(const void *value) {
+    const struct mip_aiding_frame_config *v = (const struct mip_aiding_frame_config *)value;
+
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_frame_configuration[] = {
-    {&mip_aiding_frame_configuration_response_codec, asked_frame_configuration_1},
+static const struct mip_response responses_frame_config[] = {
+    {&mip_aiding_frame_config_response_codec, asked_frame_config_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_aiding_frame_configuration_codec = {
-    0x13,
-    MIP_AIDING_FRAME_CONFIGURATION_DESCRIPTOR,
+const struct mip_codec mip_aiding_frame_config_codec = {
+    0x13, /* descriptor set */
+    MIP_AIDING_FRAME_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_aiding_frame_configuration),
-    0,
-    read_frame_configuration,
-    write_frame_configuration,
+    sizeof(struct mip_aiding_frame_config),
+    0, /* time-out */
+    read_frame_config,
+    write_frame_config,
     NULL,
-    responses_frame_configuration,
+    responses_frame_config,
 };
 
-mip_error mip_aiding_frame_configuration_decode(struct mip_aiding_frame_configuration *value,
-                                                const struct mip_field *field) {
-    return mip_decode_field(field, read_frame_configuration, value, sizeof(*value), NULL);
+mip_error mip_aiding_frame_config_decode(struct mip_aiding_frame_config *value,
+                                         const struct mip_field *field) {
+    return mip_decode_field(field, read_frame_config, value, sizeof(*value), NULL);
 }
 
-mip_error mip_aiding_frame_configuration_encode(const struct mip_aiding_frame_configuration *value,
-                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x13, MIP_AIDING_FRAME_CONFIGURATION_DESCRIPTOR,
-                            write_frame_configuration, value);
+mip_error mip_aiding_frame_config_encode(const struct mip_aiding_frame_config *value,
+                                         struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x13, MIP_AIDING_FRAME_CONFIG_DESCRIPTOR, write_frame_config,
+                            value);
 }
 
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_write(
+struct mip_aiding_frame_config mip_aiding_frame_config_write(
     uint8_t frame_id, mip_aiding_frame_format format, mip_bool tracking_enabled,
-    const float translation[3], const union mip_aiding_frame_configuration_rotation *rotation) {
-    struct mip_aiding_frame_configuration v;
+    const float translation[3], const union mip_aiding_frame_config_rotation *rotation) {
+    struct mip_aiding_frame_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.frame_id = frame_id;
@@ -123,9 +121,9 @@ struct mip_aiding_frame_configuration mip_aiding_frame_configuration_write(
     return v;
 }
 
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_read(
-    uint8_t frame_id, mip_aiding_frame_format format) {
-    struct mip_aiding_frame_configuration v;
+struct mip_aiding_frame_config mip_aiding_frame_config_read(uint8_t frame_id,
+                                                            mip_aiding_frame_format format) {
+    struct mip_aiding_frame_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     v.frame_id = frame_id;
@@ -133,33 +131,32 @@ struct mip_aiding_frame_configuration mip_aiding_frame_configuration_read(
     return v;
 }
 
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_save(uint8_t frame_id) {
-    struct mip_aiding_frame_configuration v;
+struct mip_aiding_frame_config mip_aiding_frame_config_save(uint8_t frame_id) {
+    struct mip_aiding_frame_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     v.frame_id = frame_id;
     return v;
 }
 
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_load(uint8_t frame_id) {
-    struct mip_aiding_frame_configuration v;
+struct mip_aiding_frame_config mip_aiding_frame_config_load(uint8_t frame_id) {
+    struct mip_aiding_frame_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     v.frame_id = frame_id;
     return v;
 }
 
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_default(uint8_t frame_id) {
-    struct mip_aiding_frame_configuration v;
+struct mip_aiding_frame_config mip_aiding_frame_config_default(uint8_t frame_id) {
+    struct mip_aiding_frame_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     v.frame_id = frame_id;
     return v;
 }
 
-static void read_frame_configuration_response(struct mip_reader *r, void *value) {
-    struct mip_aiding_frame_configuration_response *v =
-        (struct mip_aiding_frame_configuration_response *)value;
+static void read_frame_config_response(struct mip_reader *r, void *value) {
+    struct mip_aiding_frame_config_response *v = (struct mip_aiding_frame_config_response *)value;
     mip_read_u8(r, &v->frame_id, 1);
     mip_read_u8(r, &v->format, 1);
     mip_read_bool(r, &v->tracking_enabled, 1);
@@ -176,9 +173,9 @@ static void read_frame_configuration_response(struct mip_reader *r, void *value)
     }
 }
 
-static void write_frame_configuration_response(struct mip_writer *w, const void *value) {
-    const struct mip_aiding_frame_configuration_response *v =
-        (const struct mip_aiding_frame_configuration_response *)value;
+static void write_frame_config_response(struct mip_writer *w, const void *value) {
+    const struct mip_aiding_frame_config_response *v =
+        (const struct mip_aiding_frame_config_response *)value;
     mip_write_u8(w, &v->frame_id, 1);
     mip_write_u8(w, &v->format, 1);
     mip_write_bool(w, &v->tracking_enabled, 1);
@@ -195,27 +192,27 @@ static void write_frame_configuration_response(struct mip_writer *w, const void 
     }
 }
 
-const struct mip_codec mip_aiding_frame_configuration_response_codec = {
-    0x13,
-    MIP_AIDING_FRAME_CONFIGURATION_RESPONSE_DESCRIPTOR,
+const struct mip_codec mip_aiding_frame_config_response_codec = {
+    0x13, /* descriptor set */
+    MIP_AIDING_FRAME_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_aiding_frame_configuration_response),
-    0,
-    read_frame_configuration_response,
-    write_frame_configuration_response,
+    sizeof(struct mip_aiding_frame_config_response),
+    0, /* time-out */
+    read_frame_config_response,
+    write_frame_config_response,
     NULL,
     NULL,
 };
 
-mip_error mip_aiding_frame_configuration_response_decode(
-    struct mip_aiding_frame_configuration_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_frame_configuration_response, value, sizeof(*value), NULL);
+mip_error mip_aiding_frame_config_response_decode(struct mip_aiding_frame_config_response *value,
+                                                  const struct mip_field *field) {
+    return mip_decode_field(field, read_frame_config_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_aiding_frame_configuration_response_encode(
-    const struct mip_aiding_frame_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x13, MIP_AIDING_FRAME_CONFIGURATION_RESPONSE_DESCRIPTOR,
-                            write_frame_configuration_response, value);
+mip_error mip_aiding_frame_config_response_encode(
+    const struct mip_aiding_frame_config_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x13, MIP_AIDING_FRAME_CONFIG_RESPONSE_DESCRIPTOR,
+                            write_frame_config_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -241,6 +238,7 @@ static void write_echo_control(struct mip_writer *w, const void *value) {
 
 static bool asked_echo_control_1(const void *value) {
     const struct mip_aiding_echo_control *v = (const struct mip_aiding_echo_control *)value;
+
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -250,11 +248,11 @@ static const struct mip_response responses_echo_control[] = {
 };
 
 const struct mip_codec mip_aiding_echo_control_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_ECHO_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_echo_control),
-    0,
+    0, /* time-out */
     read_echo_control,
     write_echo_control,
     NULL,
@@ -320,11 +318,11 @@ static void write_echo_control_response(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_aiding_echo_control_response_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_ECHO_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_aiding_echo_control_response),
-    0,
+    0, /* time-out */
     read_echo_control_response,
     write_echo_control_response,
     NULL,
@@ -361,11 +359,11 @@ static void write_ecef_position(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_ecef_position_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_ECEF_POSITION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_ecef_position),
-    0,
+    0, /* time-out */
     read_ecef_position,
     write_ecef_position,
     NULL,
@@ -419,11 +417,11 @@ static void write_llh_position(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_llh_position_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_LLH_POSITION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_llh_position),
-    0,
+    0, /* time-out */
     read_llh_position,
     write_llh_position,
     NULL,
@@ -441,10 +439,10 @@ mip_error mip_aiding_llh_position_encode(const struct mip_aiding_llh_position *v
                             value);
 }
 
-struct mip_aiding_llh_position mip_aiding_llh_position_make(
-    const struct mip_aiding_measurement_time *time, uint8_t frame_id, double latitude,
-    double longitude, double height, const float uncertainty[3],
-    mip_aiding_llh_axis_flags valid_flags) {
+struct mip_aiding_llh_position
+mip_aiding_llh_position_make(const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+                             double latitude, double longitude, double height,
+                             const float uncertainty[3], mip_aiding_llh_axis_flags valid_flags) {
     struct mip_aiding_llh_position v;
     memset(&v, 0, sizeof(v));
     v.time = *time;
@@ -477,11 +475,11 @@ static void write_height_above_ellipsoid(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_aiding_height_above_ellipsoid_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_height_above_ellipsoid),
-    0,
+    0, /* time-out */
     read_height_above_ellipsoid,
     write_height_above_ellipsoid,
     NULL,
@@ -531,11 +529,11 @@ static void write_ecef_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_ecef_velocity_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_ECEF_VELOCITY_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_ecef_velocity),
-    0,
+    0, /* time-out */
     read_ecef_velocity,
     write_ecef_velocity,
     NULL,
@@ -585,11 +583,11 @@ static void write_ned_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_ned_velocity_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_NED_VELOCITY_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_ned_velocity),
-    0,
+    0, /* time-out */
     read_ned_velocity,
     write_ned_velocity,
     NULL,
@@ -640,11 +638,11 @@ static void write_body_frame_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_body_frame_velocity_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_BODY_FRAME_VELOCITY_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_body_frame_velocity),
-    0,
+    0, /* time-out */
     read_body_frame_velocity,
     write_body_frame_velocity,
     NULL,
@@ -694,11 +692,11 @@ static void write_true_heading(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_true_heading_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_TRUE_HEADING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_true_heading),
-    0,
+    0, /* time-out */
     read_true_heading,
     write_true_heading,
     NULL,
@@ -716,9 +714,9 @@ mip_error mip_aiding_true_heading_encode(const struct mip_aiding_true_heading *v
                             value);
 }
 
-struct mip_aiding_true_heading mip_aiding_true_heading_make(
-    const struct mip_aiding_measurement_time *time, uint8_t frame_id, float heading,
-    float uncertainty, uint16_t valid_flags) {
+struct mip_aiding_true_heading
+mip_aiding_true_heading_make(const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+                             float heading, float uncertainty, uint16_t valid_flags) {
     struct mip_aiding_true_heading v;
     memset(&v, 0, sizeof(v));
     v.time = *time;
@@ -748,11 +746,11 @@ static void write_magnetic_field(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_magnetic_field_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_MAGNETIC_FIELD_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_magnetic_field),
-    0,
+    0, /* time-out */
     read_magnetic_field,
     write_magnetic_field,
     NULL,
@@ -802,11 +800,11 @@ static void write_pressure(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_pressure_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_PRESSURE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_pressure),
-    0,
+    0, /* time-out */
     read_pressure,
     write_pressure,
     NULL,

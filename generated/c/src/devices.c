@@ -1,212 +1,206 @@
+
+
 /* Device profiles. */
 #include "mip/devices.h"
 
-#include <string.h>
-
-/* ----------------------------------------------------------------------------- 3DM-CV7-GNSS/INS */
+/* 3DM-CV7-GNSS/INS. */
 
 static const struct mip_device_field cv7_gnss_ins_fields[] = {
-    {0x01, 0x01, ""}, /* base.ping */
-    {0x01, 0x02, ""}, /* base.set_to_idle */
-    {0x01, 0x03, ""}, /* base.get_device_information */
-    {0x01, 0x04, ""}, /* base.get_device_descriptors */
-    {0x01, 0x05, ""}, /* base.built_in_test */
-    {0x01, 0x06, ""}, /* base.resume */
-    {0x01, 0x07, ""}, /* base.get_device_descriptors_extended */
-    {0x01, 0x08, ""}, /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD"}, /* base.comm_port_speed */
-    {0x01, 0x72, "W"}, /* base.gps_time_update */
-    {0x01, 0x7E, ""}, /* base.reset_device */
-    {0x0C, 0x04, ""}, /* 3dm.poll_nmea_data */
+    {0x01, 0x01, ""},      /* base.ping */
+    {0x01, 0x02, ""},      /* base.set_idle */
+    {0x01, 0x03, ""},      /* base.get_device_info */
+    {0x01, 0x04, ""},      /* base.get_device_descriptors */
+    {0x01, 0x05, ""},      /* base.built_in_test */
+    {0x01, 0x06, ""},      /* base.resume */
+    {0x01, 0x07, ""},      /* base.get_extended_descriptors */
+    {0x01, 0x08, ""},      /* base.continuous_built_in_test */
+    {0x01, 0x09, "WRSLD"}, /* base.comm_speed */
+    {0x01, 0x72, "W"},     /* base.gps_time_update */
+    {0x01, 0x7E, ""},      /* base.soft_reset */
+    {0x0C, 0x04, ""},      /* 3dm.poll_nmea_data */
     {0x0C, 0x0C, "WRSLD"}, /* 3dm.nmea_message_format */
-    {0x0C, 0x0D, ""}, /* 3dm.poll_data */
-    {0x0C, 0x0E, ""}, /* 3dm.get_data_base_rate */
+    {0x0C, 0x0D, ""},      /* 3dm.poll_data */
+    {0x0C, 0x0E, ""},      /* 3dm.get_base_rate */
     {0x0C, 0x0F, "WRSLD"}, /* 3dm.message_format */
-    {0x0C, 0x10, ""}, /* 3dm.factory_streaming */
+    {0x0C, 0x10, ""},      /* 3dm.factory_streaming */
     {0x0C, 0x11, "WRSLD"}, /* 3dm.data_stream_control */
     {0x0C, 0x22, "WRSLD"}, /* 3dm.gnss_sbas_settings */
     {0x0C, 0x28, "WRSLD"}, /* 3dm.pps_source_control */
-    {0x0C, 0x2A, ""}, /* 3dm.get_supported_events */
+    {0x0C, 0x2A, ""},      /* 3dm.get_event_support */
     {0x0C, 0x2B, "WRSLD"}, /* 3dm.event_control */
-    {0x0C, 0x2C, ""}, /* 3dm.get_event_trigger_status */
-    {0x0C, 0x2D, ""}, /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD"}, /* 3dm.event_trigger_configuration */
-    {0x0C, 0x2F, "WRSLD"}, /* 3dm.event_action_configuration */
-    {0x0C, 0x30, "SLD"}, /* 3dm.device_start_up_settings */
-    {0x0C, 0x31, "WRSLD"}, /* 3dm.sensor_to_vehicle_frame_transformation_euler */
-    {0x0C, 0x32, "WRSLD"}, /* 3dm.sensor_to_vehicle_frame_transformation_quaternion */
-    {0x0C, 0x33, "WRSLD"}, /* 3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix */
-    {0x0C, 0x37, "WRSLD"}, /* 3dm.accelerometer_bias_configuration */
-    {0x0C, 0x38, "WRSLD"}, /* 3dm.gyroscope_bias_configuration */
-    {0x0C, 0x39, ""}, /* 3dm.capture_gyroscope_bias */
-    {0x0C, 0x3A, "WRSLD"}, /* 3dm.magnetometer_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLD"}, /* 3dm.magnetometer_soft_iron_matrix */
+    {0x0C, 0x2C, ""},      /* 3dm.get_event_trigger_status */
+    {0x0C, 0x2D, ""},      /* 3dm.get_event_action_status */
+    {0x0C, 0x2E, "WRSLD"}, /* 3dm.event_trigger_config */
+    {0x0C, 0x2F, "WRSLD"}, /* 3dm.event_action_config */
+    {0x0C, 0x30, "SLD"},   /* 3dm.device_settings */
+    {0x0C, 0x31, "WRSLD"}, /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x32, "WRSLD"}, /* 3dm.sensor_to_vehicle_transform_quaternion */
+    {0x0C, 0x33, "WRSLD"}, /* 3dm.sensor_to_vehicle_transform_dcm */
+    {0x0C, 0x37, "WRSLD"}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLD"}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, ""},      /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLD"}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLD"}, /* 3dm.mag_soft_iron_matrix */
     {0x0C, 0x40, "WRSLD"}, /* 3dm.uart_baud_rate */
-    {0x0C, 0x41, "WRSLD"}, /* 3dm.gpio_configuration */
-    {0x0C, 0x42, "WR"}, /* 3dm.gpio_state */
-    {0x0C, 0x43, "WRSLD"}, /* 3dm.odometer_configuration */
-    {0x0C, 0x50, "WRSLD"}, /* 3dm.advanced_low_pass_filter_settings */
-    {0x0C, 0x51, "WRSLD"}, /* 3dm.complementary_filter_configuration */
+    {0x0C, 0x41, "WRSLD"}, /* 3dm.gpio_config */
+    {0x0C, 0x42, "WR"},    /* 3dm.gpio_state */
+    {0x0C, 0x43, "WRSLD"}, /* 3dm.odometer_config */
+    {0x0C, 0x50, "WRSLD"}, /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD"}, /* 3dm.complementary_filter */
     {0x0C, 0x52, "WRSLD"}, /* 3dm.sensor_range */
-    {0x0C, 0x53, ""}, /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD"}, /* 3dm.low_pass_anti_aliasing_filter */
-    {0x0D, 0x01, ""}, /* filter.reset_navigation_filter */
-    {0x0D, 0x03, ""}, /* filter.set_initial_heading_control */
-    {0x0D, 0x05, ""}, /* filter.run_navigation_filter */
-    {0x0D, 0x13, "WRSLD"}, /* filter.gnss_antenna_offset_control */
-    {0x0D, 0x15, "WRSLD"}, /* filter.gnss_aiding_source_control */
-    {0x0D, 0x17, ""}, /* filter.external_heading_update */
-    {0x0D, 0x1A, "WRSLD"}, /* filter.accelerometer_noise_standard_deviation */
-    {0x0D, 0x1B, "WRSLD"}, /* filter.gyroscope_noise_standard_deviation */
-    {0x0D, 0x1C, "WRSLD"}, /* filter.accelerometer_bias_model_parameters */
-    {0x0D, 0x1D, "WRSLD"}, /* filter.gyroscope_bias_model_parameters */
-    {0x0D, 0x1F, ""}, /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD"}, /* filter.zero_angular_rate_update_control */
-    {0x0D, 0x28, "WRSLD"}, /* filter.gravity_noise_standard_deviation */
-    {0x0D, 0x43, "WRSLD"}, /* filter.magnetic_field_declination_source_control */
-    {0x0D, 0x50, "WRSLD"}, /* filter.aiding_measurement_control */
-    {0x0D, 0x52, "WRSLD"}, /* filter.navigation_filter_initialization */
-    {0x0D, 0x53, "WRSLD"}, /* filter.adaptive_filter_control */
-    {0x0D, 0x54, "WRSLD"}, /* filter.gnss_multi_antenna_offset_control */
-    {0x0D, 0x55, "WRSLD"}, /* filter.relative_position_configuration */
+    {0x0C, 0x53, ""},      /* 3dm.get_calibrated_sensor_ranges */
+    {0x0C, 0x54, "WRSLD"}, /* 3dm.low_pass_filter */
+    {0x0D, 0x01, ""},      /* filter.reset */
+    {0x0D, 0x03, ""},      /* filter.set_initial_heading */
+    {0x0D, 0x05, ""},      /* filter.run */
+    {0x0D, 0x13, "WRSLD"}, /* filter.antenna_offset */
+    {0x0D, 0x15, "WRSLD"}, /* filter.gnss_source */
+    {0x0D, 0x17, ""},      /* filter.external_heading_update */
+    {0x0D, 0x1A, "WRSLD"}, /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD"}, /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD"}, /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD"}, /* filter.gyro_bias_model */
+    {0x0D, 0x1F, ""},      /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD"}, /* filter.auto_angular_zupt */
+    {0x0D, 0x28, "WRSLD"}, /* filter.gravity_noise */
+    {0x0D, 0x43, "WRSLD"}, /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD"}, /* filter.aiding_measurement_enable */
+    {0x0D, 0x52, "WRSLD"}, /* filter.initialization_config */
+    {0x0D, 0x53, "WRSLD"}, /* filter.adaptive_filter_options */
+    {0x0D, 0x54, "WRSLD"}, /* filter.multi_antenna_offset */
+    {0x0D, 0x55, "WRSLD"}, /* filter.relative_position_config */
     {0x0D, 0x56, "WRSLD"}, /* filter.reference_point_lever_arm */
-    {0x0D, 0x61, "WRSLD"}, /* filter.measurement_speed_lever_arm */
+    {0x0D, 0x61, "WRSLD"}, /* filter.speed_lever_arm */
     {0x0D, 0x63, "WRSLD"}, /* filter.wheeled_vehicle_constraint_control */
-    {0x0D, 0x64, "WRSLD"}, /* filter.gnss_antenna_offset_calibration_control */
-    {0x0E, 0x01, ""}, /* gnss.receiver_info */
-    {0x0E, 0x02, "WRSLD"}, /* gnss.signal_configuration */
-    {0x0E, 0x20, "WRSLD"}, /* gnss.spartn_configuration */
-    {0x13, 0x01, "WRSLD"}, /* aiding.frame_configuration */
+    {0x0D, 0x64, "WRSLD"}, /* filter.gnss_antenna_calibration_control */
+    {0x0E, 0x01, ""},      /* gnss.receiver_info */
+    {0x0E, 0x02, "WRSLD"}, /* gnss.signal_config */
+    {0x0E, 0x20, "WRSLD"}, /* gnss.spartn_config */
+    {0x13, 0x01, "WRSLD"}, /* aiding.frame_config */
     {0x13, 0x1F, "WRSLD"}, /* aiding.echo_control */
-    {0x13, 0x21, ""}, /* aiding.ecef_position */
-    {0x13, 0x22, ""}, /* aiding.llh_position */
-    {0x13, 0x23, ""}, /* aiding.height_above_ellipsoid */
-    {0x13, 0x28, ""}, /* aiding.ecef_velocity */
-    {0x13, 0x29, ""}, /* aiding.ned_velocity */
-    {0x13, 0x2A, ""}, /* aiding.body_frame_velocity */
-    {0x13, 0x31, ""}, /* aiding.true_heading */
-    {0x13, 0x32, ""}, /* aiding.magnetic_field */
-    {0x13, 0x33, ""}, /* aiding.pressure */
-    {0x80, 0x04, ""}, /* sensor.scaled_accel */
-    {0x80, 0x05, ""}, /* sensor.scaled_gyro */
-    {0x80, 0x06, ""}, /* sensor.scaled_mag */
-    {0x80, 0x07, ""}, /* sensor.delta_theta */
-    {0x80, 0x08, ""}, /* sensor.delta_velocity */
-    {0x80, 0x09, ""}, /* sensor.complementary_filter_orientation_matrix */
-    {0x80, 0x0A, ""}, /* sensor.complementary_filter_quaternion */
-    {0x80, 0x0C, ""}, /* sensor.complementary_filter_euler_angles */
-    {0x80, 0x12, ""}, /* sensor.gps_timestamp */
-    {0x80, 0x14, ""}, /* sensor.temperature_statistics */
-    {0x80, 0x17, ""}, /* sensor.scaled_pressure */
-    {0x80, 0x18, ""}, /* sensor.overrange_status */
-    {0x80, 0x40, ""}, /* sensor.odometer */
-    {0x82, 0x01, ""}, /* filter_data.llh_position */
-    {0x82, 0x02, ""}, /* filter_data.velocity_ned */
-    {0x82, 0x03, ""}, /* filter_data.attitude_quaternion */
-    {0x82, 0x04, ""}, /* filter_data.attitude_dcm */
-    {0x82, 0x05, ""}, /* filter_data.euler_angles */
-    {0x82, 0x06, ""}, /* filter_data.gyro_bias */
-    {0x82, 0x07, ""}, /* filter_data.accel_bias */
-    {0x82, 0x08, ""}, /* filter_data.llh_position_uncertainty */
-    {0x82, 0x09, ""}, /* filter_data.ned_velocity_uncertainty */
-    {0x82, 0x0A, ""}, /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, ""}, /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0C, ""}, /* filter_data.accel_bias_uncertainty */
-    {0x82, 0x0D, ""}, /* filter_data.linear_accel */
-    {0x82, 0x0E, ""}, /* filter_data.comp_angular_rate */
-    {0x82, 0x10, ""}, /* filter_data.status */
-    {0x82, 0x11, ""}, /* filter_data.timestamp */
-    {0x82, 0x12, ""}, /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, ""}, /* filter_data.gravity_vector */
-    {0x82, 0x15, ""}, /* filter_data.magnetic_model */
-    {0x82, 0x1C, ""}, /* filter_data.compensated_acceleration */
-    {0x82, 0x21, ""}, /* filter_data.pressure_altitude */
-    {0x82, 0x34, ""}, /* filter_data.multi_antenna_offset_correction */
-    {0x82, 0x35, ""}, /* filter_data.multi_antenna_offset_correction_uncertainty */
-    {0x82, 0x36, ""}, /* filter_data.ecef_position_uncertainty */
-    {0x82, 0x37, ""}, /* filter_data.ecef_velocity_uncertainty */
-    {0x82, 0x40, ""}, /* filter_data.ecef_position */
-    {0x82, 0x41, ""}, /* filter_data.ecef_velocity */
-    {0x82, 0x42, ""}, /* filter_data.ned_relative_position */
-    {0x82, 0x43, ""}, /* filter_data.gnss_position_aiding_status */
-    {0x82, 0x46, ""}, /* filter_data.aiding_measurement_summary */
-    {0x82, 0x47, ""}, /* filter_data.odometer_scale_factor_error */
-    {0x82, 0x48, ""}, /* filter_data.odometer_scale_factor_error_uncertainty */
-    {0x82, 0x49, ""}, /* filter_data.gnss_dual_antenna_status */
-    {0x82, 0x50, ""}, /* filter_data.aiding_frame_configuration_error */
-    {0x82, 0x51, ""}, /* filter_data.aiding_frame_configuration_error_uncertainty */
-    {0x91, 0x03, ""}, /* gnss_1.gnss_llh_position */
-    {0x91, 0x04, ""}, /* gnss_1.gnss_ecef_position */
-    {0x91, 0x05, ""}, /* gnss_1.ned_velocity */
-    {0x91, 0x06, ""}, /* gnss_1.gnss_ecef_velocity */
-    {0x91, 0x07, ""}, /* gnss_1.dop */
-    {0x91, 0x08, ""}, /* gnss_1.utc_time */
-    {0x91, 0x09, ""}, /* gnss_1.gps_time */
-    {0x91, 0x0B, ""}, /* gnss_1.fix_info */
-    {0x91, 0x0D, ""}, /* gnss_1.gnss_hardware_status */
-    {0x91, 0x10, ""}, /* gnss_1.clock_info_2 */
-    {0x91, 0x11, ""}, /* gnss_1.gps_leap_seconds */
-    {0x91, 0x12, ""}, /* gnss_1.sbas_info */
-    {0x91, 0x20, ""}, /* gnss_1.satellite_status */
-    {0x91, 0x22, ""}, /* gnss_1.raw */
-    {0x91, 0x61, ""}, /* gnss_1.gps_ephemeris */
-    {0x91, 0x62, ""}, /* gnss_1.glonass_ephemeris */
-    {0x91, 0x63, ""}, /* gnss_1.galileo_ephemeris */
-    {0x91, 0x64, ""}, /* gnss_1.beidou_ephemeris */
-    {0x92, 0x03, ""}, /* gnss_2.gnss_llh_position */
-    {0x92, 0x04, ""}, /* gnss_2.gnss_ecef_position */
-    {0x92, 0x05, ""}, /* gnss_2.ned_velocity */
-    {0x92, 0x06, ""}, /* gnss_2.gnss_ecef_velocity */
-    {0x92, 0x07, ""}, /* gnss_2.dop */
-    {0x92, 0x08, ""}, /* gnss_2.utc_time */
-    {0x92, 0x09, ""}, /* gnss_2.gps_time */
-    {0x92, 0x0B, ""}, /* gnss_2.fix_info */
-    {0x92, 0x0D, ""}, /* gnss_2.gnss_hardware_status */
-    {0x92, 0x10, ""}, /* gnss_2.clock_info_2 */
-    {0x92, 0x11, ""}, /* gnss_2.gps_leap_seconds */
-    {0x92, 0x12, ""}, /* gnss_2.sbas_info */
-    {0x92, 0x20, ""}, /* gnss_2.satellite_status */
-    {0x92, 0x22, ""}, /* gnss_2.raw */
-    {0x92, 0x61, ""}, /* gnss_2.gps_ephemeris */
-    {0x92, 0x62, ""}, /* gnss_2.glonass_ephemeris */
-    {0x92, 0x63, ""}, /* gnss_2.galileo_ephemeris */
-    {0x92, 0x64, ""}, /* gnss_2.beidou_ephemeris */
-    {0x93, 0x30, ""}, /* gnss_corrections.base_station_info */
-    {0x93, 0x31, ""}, /* gnss_corrections.rtk_corrections_status */
-    {0x94, 0x03, ""}, /* gnss_external.gnss_llh_position */
-    {0x94, 0x05, ""}, /* gnss_external.ned_velocity */
-    {0x94, 0x08, ""}, /* gnss_external.utc_time */
-    {0x94, 0x0B, ""}, /* gnss_external.fix_info */
-    {0x94, 0x20, ""}, /* gnss_external.satellite_status */
-    {0xA0, 0x01, ""}, /* system_data.built_in_test */
-    {0xA0, 0x02, ""}, /* system_data.time_sync_status */
-    {0xA0, 0x03, ""}, /* system_data.gpio_state */
-    {0xFF, 0xD0, ""}, /* shared.event_source */
-    {0xFF, 0xD3, ""}, /* shared.gps_timestamp */
-    {0xFF, 0xD4, ""}, /* shared.delta_time */
-    {0xFF, 0xD5, ""}, /* shared.reference_timestamp */
-    {0xFF, 0xD6, ""}, /* shared.reference_time_delta */
-    {0xFF, 0xD7, ""}, /* shared.external_timestamp */
-    {0xFF, 0xD8, ""}, /* shared.external_time_delta */
+    {0x13, 0x21, ""},      /* aiding.ecef_position */
+    {0x13, 0x22, ""},      /* aiding.llh_position */
+    {0x13, 0x23, ""},      /* aiding.height_above_ellipsoid */
+    {0x13, 0x28, ""},      /* aiding.ecef_velocity */
+    {0x13, 0x29, ""},      /* aiding.ned_velocity */
+    {0x13, 0x2A, ""},      /* aiding.body_frame_velocity */
+    {0x13, 0x31, ""},      /* aiding.true_heading */
+    {0x13, 0x32, ""},      /* aiding.magnetic_field */
+    {0x13, 0x33, ""},      /* aiding.pressure */
+    {0x80, 0x04, ""},      /* sensor.scaled_accel */
+    {0x80, 0x05, ""},      /* sensor.scaled_gyro */
+    {0x80, 0x06, ""},      /* sensor.scaled_mag */
+    {0x80, 0x07, ""},      /* sensor.delta_theta */
+    {0x80, 0x08, ""},      /* sensor.delta_velocity */
+    {0x80, 0x09, ""},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, ""},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, ""},      /* sensor.comp_euler_angles */
+    {0x80, 0x12, ""},      /* sensor.gps_timestamp */
+    {0x80, 0x14, ""},      /* sensor.temperature_statistics */
+    {0x80, 0x17, ""},      /* sensor.scaled_pressure */
+    {0x80, 0x18, ""},      /* sensor.overrange_status */
+    {0x80, 0x40, ""},      /* sensor.odometer */
+    {0x82, 0x01, ""},      /* filter_data.llh_position */
+    {0x82, 0x02, ""},      /* filter_data.ned_velocity */
+    {0x82, 0x03, ""},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, ""},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, ""},      /* filter_data.euler_angles */
+    {0x82, 0x06, ""},      /* filter_data.gyro_bias */
+    {0x82, 0x07, ""},      /* filter_data.accel_bias */
+    {0x82, 0x08, ""},      /* filter_data.llh_position_uncertainty */
+    {0x82, 0x09, ""},      /* filter_data.ned_velocity_uncertainty */
+    {0x82, 0x0A, ""},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, ""},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0C, ""},      /* filter_data.accel_bias_uncertainty */
+    {0x82, 0x0D, ""},      /* filter_data.linear_accel */
+    {0x82, 0x0E, ""},      /* filter_data.comp_angular_rate */
+    {0x82, 0x10, ""},      /* filter_data.status */
+    {0x82, 0x11, ""},      /* filter_data.timestamp */
+    {0x82, 0x12, ""},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, ""},      /* filter_data.gravity_vector */
+    {0x82, 0x15, ""},      /* filter_data.magnetic_model */
+    {0x82, 0x1C, ""},      /* filter_data.comp_accel */
+    {0x82, 0x21, ""},      /* filter_data.pressure_altitude */
+    {0x82, 0x34, ""},      /* filter_data.multi_antenna_offset_correction */
+    {0x82, 0x35, ""},      /* filter_data.multi_antenna_offset_correction_uncertainty */
+    {0x82, 0x36, ""},      /* filter_data.ecef_position_uncertainty */
+    {0x82, 0x37, ""},      /* filter_data.ecef_velocity_uncertainty */
+    {0x82, 0x40, ""},      /* filter_data.ecef_position */
+    {0x82, 0x41, ""},      /* filter_data.ecef_velocity */
+    {0x82, 0x42, ""},      /* filter_data.ned_relative_position */
+    {0x82, 0x43, ""},      /* filter_data.gnss_position_aiding_status */
+    {0x82, 0x46, ""},      /* filter_data.aiding_measurement_summary */
+    {0x82, 0x47, ""},      /* filter_data.odometer_scale_factor_error */
+    {0x82, 0x48, ""},      /* filter_data.odometer_scale_factor_error_uncertainty */
+    {0x82, 0x49, ""},      /* filter_data.gnss_dual_antenna_status */
+    {0x82, 0x50, ""},      /* filter_data.aiding_frame_config_error */
+    {0x82, 0x51, ""},      /* filter_data.aiding_frame_config_error_uncertainty */
+    {0x91, 0x03, ""},      /* gnss_1.llh_position */
+    {0x91, 0x04, ""},      /* gnss_1.ecef_position */
+    {0x91, 0x05, ""},      /* gnss_1.ned_velocity */
+    {0x91, 0x06, ""},      /* gnss_1.ecef_velocity */
+    {0x91, 0x07, ""},      /* gnss_1.dop */
+    {0x91, 0x08, ""},      /* gnss_1.utc_time */
+    {0x91, 0x09, ""},      /* gnss_1.gps_time */
+    {0x91, 0x0B, ""},      /* gnss_1.fix_info */
+    {0x91, 0x0D, ""},      /* gnss_1.hardware_status */
+    {0x91, 0x10, ""},      /* gnss_1.clock_info_2 */
+    {0x91, 0x11, ""},      /* gnss_1.gps_leap_seconds */
+    {0x91, 0x12, ""},      /* gnss_1.sbas_info */
+    {0x91, 0x20, ""},      /* gnss_1.satellite_status */
+    {0x91, 0x22, ""},      /* gnss_1.raw */
+    {0x91, 0x61, ""},      /* gnss_1.gps_ephemeris */
+    {0x91, 0x62, ""},      /* gnss_1.glonass_ephemeris */
+    {0x91, 0x63, ""},      /* gnss_1.galileo_ephemeris */
+    {0x91, 0x64, ""},      /* gnss_1.beidou_ephemeris */
+    {0x92, 0x03, ""},      /* gnss_2.llh_position */
+    {0x92, 0x04, ""},      /* gnss_2.ecef_position */
+    {0x92, 0x05, ""},      /* gnss_2.ned_velocity */
+    {0x92, 0x06, ""},      /* gnss_2.ecef_velocity */
+    {0x92, 0x07, ""},      /* gnss_2.dop */
+    {0x92, 0x08, ""},      /* gnss_2.utc_time */
+    {0x92, 0x09, ""},      /* gnss_2.gps_time */
+    {0x92, 0x0B, ""},      /* gnss_2.fix_info */
+    {0x92, 0x0D, ""},      /* gnss_2.hardware_status */
+    {0x92, 0x10, ""},      /* gnss_2.clock_info_2 */
+    {0x92, 0x11, ""},      /* gnss_2.gps_leap_seconds */
+    {0x92, 0x12, ""},      /* gnss_2.sbas_info */
+    {0x92, 0x20, ""},      /* gnss_2.satellite_status */
+    {0x92, 0x22, ""},      /* gnss_2.raw */
+    {0x92, 0x61, ""},      /* gnss_2.gps_ephemeris */
+    {0x92, 0x62, ""},      /* gnss_2.glonass_ephemeris */
+    {0x92, 0x63, ""},      /* gnss_2.galileo_ephemeris */
+    {0x92, 0x64, ""},      /* gnss_2.beidou_ephemeris */
+    {0x93, 0x30, ""},      /* gnss_corrections.base_station_info */
+    {0x93, 0x31, ""},      /* gnss_corrections.rtk_corrections_status */
+    {0x94, 0x03, ""},      /* gnss_external.llh_position */
+    {0x94, 0x05, ""},      /* gnss_external.ned_velocity */
+    {0x94, 0x08, ""},      /* gnss_external.utc_time */
+    {0x94, 0x0B, ""},      /* gnss_external.fix_info */
+    {0x94, 0x20, ""},      /* gnss_external.satellite_status */
+    {0xA0, 0x01, ""},      /* system_data.built_in_test */
+    {0xA0, 0x02, ""},      /* system_data.time_sync_status */
+    {0xA0, 0x03, ""},      /* system_data.gpio_state */
+    {0xFF, 0xD0, ""},      /* shared.event_source */
+    {0xFF, 0xD3, ""},      /* shared.gps_timestamp */
+    {0xFF, 0xD4, ""},      /* shared.delta_time */
+    {0xFF, 0xD5, ""},      /* shared.reference_timestamp */
+    {0xFF, 0xD6, ""},      /* shared.reference_time_delta */
+    {0xFF, 0xD7, ""},      /* shared.external_timestamp */
+    {0xFF, 0xD8, ""},      /* shared.external_time_delta */
 };
 
 static const struct mip_device_rate cv7_gnss_ins_rates[] = {
-    {0x80, 1000},
-    {0x82, 1000},
-    {0x91, 5},
-    {0x92, 5},
-    {0x93, 0},
-    {0x94, 0},
-    {0xA0, 1000},
+    {0x80, 1000}, {0x82, 1000}, {0x91, 5}, {0x92, 5}, {0x93, 0}, {0x94, 0}, {0xA0, 1000},
 };
 
 static const uint32_t cv7_gnss_ins_baud_rates_1[] = {115200, 230400, 460800, 921600, 3000000};
 
-static const uint32_t cv7_gnss_ins_baud_rates_2[] = {
-    4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600};
+static const uint32_t cv7_gnss_ins_baud_rates_2[] = {4800,   9600,   19200,  38400, 57600,
+                                                     115200, 230400, 460800, 921600};
 
-static const uint32_t cv7_gnss_ins_baud_rates_3[] = {
-    4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600};
+static const uint32_t cv7_gnss_ins_baud_rates_3[] = {4800,   9600,   19200,  38400, 57600,
+                                                     115200, 230400, 460800, 921600};
 
 static const struct mip_device_port cv7_gnss_ins_ports[] = {
     {"Main", 0x01, 0, NULL, "MIP, NMEA, RTCM, SPARTN"},
@@ -251,84 +245,191 @@ static const struct mip_device_limit cv7_gnss_ins_limits[] = {
 };
 
 static const char *const cv7_gnss_ins_ports_cells[] = {
-    "Port", "Id", "Pins",
-    "Main", "0x01", "alias of USB 1 or UART 1",
-    "UART 1", "0x11", "connector pins 4 (RxD) and 5 (TxD)",
-    "UART 2", "0x12", "GPIO 1 and GPIO 2",
-    "UART 3", "0x13", "GPIO 3 and GPIO 4",
-    "USB 1", "0x21", "connector pins 1 and 2",
-    "USB 2", "0x22", "connector pins 1 and 2"};
+    "Port",   "Id",   "Pins",                               /* heading */
+    "Main",   "0x01", "alias of USB 1 or UART 1",           /* row 1 */
+    "UART 1", "0x11", "connector pins 4 (RxD) and 5 (TxD)", /* row 2 */
+    "UART 2", "0x12", "GPIO 1 and GPIO 2",                  /* row 3 */
+    "UART 3", "0x13", "GPIO 3 and GPIO 4",                  /* row 4 */
+    "USB 1",  "0x21", "connector pins 1 and 2",             /* row 5 */
+    "USB 2",  "0x22", "connector pins 1 and 2",             /* row 6 */
+};
 
 static const char *const cv7_gnss_ins_anti_aliasing_cells[] = {
-    "Set", "Descriptor", "Data",
-    "0x80", "0x04", "Scaled accel",
-    "0x80", "0x05", "Scaled gyro",
-    "0x80", "0x06", "Scaled mag",
-    "0x80", "0x17", "Scaled pressure",
-    "0x82", "0x1C", "Compensated acceleration",
-    "0x82", "0x0E", "Compensated angular rate",
-    "0x82", "0x0D", "Linear acceleration"};
+    "Set",  "Descriptor", "Data",                     /* heading */
+    "0x80", "0x04",       "Scaled accel",             /* row 1 */
+    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
+    "0x80", "0x06",       "Scaled mag",               /* row 3 */
+    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
+    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
+    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
+    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
+};
 
 static const char *const cv7_gnss_ins_gpio_pins_cells[] = {
-    "Pin", "Connector pin", "Features", "UART",
-    "1", "7", "GPIO, PPS, timestamp, UART", "UART 2",
-    "2", "9", "GPIO, PPS (restricted), timestamp, UART", "UART 2",
-    "3", "6", "GPIO, PPS (restricted), timestamp, UART", "UART 3",
-    "4", "10", "GPIO, PPS (restricted), timestamp, UART", "UART 3"};
+    "Pin",
+    "Connector pin",
+    "Features",
+    "UART", /* heading */
+    "1",
+    "7",
+    "GPIO, PPS, timestamp, UART",
+    "UART 2", /* row 1 */
+    "2",
+    "9",
+    "GPIO, PPS (restricted), timestamp, UART",
+    "UART 2", /* row 2 */
+    "3",
+    "6",
+    "GPIO, PPS (restricted), timestamp, UART",
+    "UART 3", /* row 3 */
+    "4",
+    "10",
+    "GPIO, PPS (restricted), timestamp, UART",
+    "UART 3", /* row 4 */
+};
 
 static const char *const cv7_gnss_ins_gpio_behaviors_cells[] = {
-    "Feature", "Behavior", "Pins", "Pin modes",
-    "unused (0)", "unused (0)", "1 to 4", "none",
-    "gpio (1)", "input (1)", "1 to 4", "pull-up or pull-down",
-    "gpio (1)", "output low (2)", "1 to 4", "open drain, then also pull-up",
-    "gpio (1)", "output high (3)", "1 to 4", "open drain, then also pull-up",
-    "pps (2)", "input (1)", "1; restricted on 2 to 4", "none",
-    "pps (2)", "output (2)", "1; restricted on 2 to 4", "none",
-    "timestamp (4)", "rising (1)", "1 to 4", "pull-up or pull-down",
-    "timestamp (4)", "falling (2)", "1 to 4", "pull-up or pull-down",
-    "timestamp (4)", "either (3)", "1 to 4", "pull-up or pull-down",
-    "uart (5)", "UART 2 transmit (33)", "1 and 2", "open drain, then also pull-up",
-    "uart (5)", "UART 2 receive (34)", "1 and 2", "pull-up or pull-down",
-    "uart (5)", "UART 3 transmit (49)", "3 and 4", "open drain, then also pull-up",
-    "uart (5)", "UART 3 receive (50)", "3 and 4", "pull-up or pull-down"};
+    "Feature",
+    "Behavior",
+    "Pins",
+    "Pin modes", /* heading */
+    "unused (0)",
+    "unused (0)",
+    "1 to 4",
+    "none", /* row 1 */
+    "gpio (1)",
+    "input (1)",
+    "1 to 4",
+    "pull-up or pull-down", /* row 2 */
+    "gpio (1)",
+    "output low (2)",
+    "1 to 4",
+    "open drain, then also pull-up", /* row 3 */
+    "gpio (1)",
+    "output high (3)",
+    "1 to 4",
+    "open drain, then also pull-up", /* row 4 */
+    "pps (2)",
+    "input (1)",
+    "1; restricted on 2 to 4",
+    "none", /* row 5 */
+    "pps (2)",
+    "output (2)",
+    "1; restricted on 2 to 4",
+    "none", /* row 6 */
+    "timestamp (4)",
+    "rising (1)",
+    "1 to 4",
+    "pull-up or pull-down", /* row 7 */
+    "timestamp (4)",
+    "falling (2)",
+    "1 to 4",
+    "pull-up or pull-down", /* row 8 */
+    "timestamp (4)",
+    "either (3)",
+    "1 to 4",
+    "pull-up or pull-down", /* row 9 */
+    "uart (5)",
+    "UART 2 transmit (33)",
+    "1 and 2",
+    "open drain, then also pull-up", /* row 10 */
+    "uart (5)",
+    "UART 2 receive (34)",
+    "1 and 2",
+    "pull-up or pull-down", /* row 11 */
+    "uart (5)",
+    "UART 3 transmit (49)",
+    "3 and 4",
+    "open drain, then also pull-up", /* row 12 */
+    "uart (5)",
+    "UART 3 receive (50)",
+    "3 and 4",
+    "pull-up or pull-down", /* row 13 */
+};
 
 static const char *const cv7_gnss_ins_nmea_output_cells[] = {
-    "Sentence", "Contents", "Talkers", "Sources",
-    "GGA", "GNSS fix", "GN, GP, GA, GL", "GNSS, filter",
-    "GLL", "Latitude and longitude", "GN, GP, GA, GL", "GNSS, filter",
-    "GSV", "Satellites in view", "by constellation", "GNSS",
-    "RMC", "Recommended minimum", "GN, GP, GA, GL", "GNSS, filter",
-    "VTG", "Course and speed over ground", "GN, GP, GA, GL", "GNSS, filter",
-    "HDT", "True heading", "GN, GP, GA, GL", "GNSS, filter",
-    "ZDA", "Time and date", "GN, GP, GA, GL", "GNSS",
-    "GST", "Error statistics", "GN, GP, GA, GL", "GNSS, filter",
-    "PMSRA", "Euler angles", "proprietary", "filter",
-    "PMSRR", "Angular rate and acceleration", "proprietary", "sensor"};
+    "Sentence",
+    "Contents",
+    "Talkers",
+    "Sources", /* heading */
+    "GGA",
+    "GNSS fix",
+    "GN, GP, GA, GL",
+    "GNSS, filter", /* row 1 */
+    "GLL",
+    "Latitude and longitude",
+    "GN, GP, GA, GL",
+    "GNSS, filter", /* row 2 */
+    "GSV",
+    "Satellites in view",
+    "by constellation",
+    "GNSS", /* row 3 */
+    "RMC",
+    "Recommended minimum",
+    "GN, GP, GA, GL",
+    "GNSS, filter", /* row 4 */
+    "VTG",
+    "Course and speed over ground",
+    "GN, GP, GA, GL",
+    "GNSS, filter", /* row 5 */
+    "HDT",
+    "True heading",
+    "GN, GP, GA, GL",
+    "GNSS, filter", /* row 6 */
+    "ZDA",
+    "Time and date",
+    "GN, GP, GA, GL",
+    "GNSS", /* row 7 */
+    "GST",
+    "Error statistics",
+    "GN, GP, GA, GL",
+    "GNSS, filter", /* row 8 */
+    "PMSRA",
+    "Euler angles",
+    "proprietary",
+    "filter", /* row 9 */
+    "PMSRR",
+    "Angular rate and acceleration",
+    "proprietary",
+    "sensor", /* row 10 */
+};
 
 static const char *const cv7_gnss_ins_rtcm_input_cells[] = {
-    "Contents", "Messages",
-    "GPS observations", "1074, 1075, 1077",
-    "GLONASS observations", "1084, 1085, 1087",
-    "Galileo observations", "1094, 1095, 1097",
-    "BeiDou observations", "1124, 1125, 1127",
-    "Station coordinates", "1005, 1006",
-    "Antenna description", "1007",
-    "Antenna and receiver description", "1033",
-    "GLONASS biases", "1230"};
+    "Contents",
+    "Messages", /* heading */
+    "GPS observations",
+    "1074, 1075, 1077", /* row 1 */
+    "GLONASS observations",
+    "1084, 1085, 1087", /* row 2 */
+    "Galileo observations",
+    "1094, 1095, 1097", /* row 3 */
+    "BeiDou observations",
+    "1124, 1125, 1127", /* row 4 */
+    "Station coordinates",
+    "1005, 1006", /* row 5 */
+    "Antenna description",
+    "1007", /* row 6 */
+    "Antenna and receiver description",
+    "1033", /* row 7 */
+    "GLONASS biases",
+    "1230", /* row 8 */
+};
 
 static const char *const cv7_gnss_ins_gnss_signals_cells[] = {
-    "Constellation", "Choices",
-    "GPS", "none, L1, L1 + L5",
-    "GLONASS", "none, L1",
-    "Galileo", "none, L1 + L5",
-    "BeiDou", "none, L1, L1 + L5"};
+    "Constellation", "Choices",           /* heading */
+    "GPS",           "none, L1, L1 + L5", /* row 1 */
+    "GLONASS",       "none, L1",          /* row 2 */
+    "Galileo",       "none, L1 + L5",     /* row 3 */
+    "BeiDou",        "none, L1, L1 + L5", /* row 4 */
+};
 
 static const char *const cv7_gnss_ins_sensor_ranges_cells[] = {
-    "Sensor", "Setting", "Range",
-    "Accelerometer", "2", "4 g",
-    "Accelerometer", "3", "8 g",
-    "Accelerometer", "4", "16 g",
-    "Gyroscope", "2", "250 deg/s"};
+    "Sensor",        "Setting", "Range",     /* heading */
+    "Accelerometer", "2",       "4 g",       /* row 1 */
+    "Accelerometer", "3",       "8 g",       /* row 2 */
+    "Accelerometer", "4",       "16 g",      /* row 3 */
+    "Gyroscope",     "2",       "250 deg/s", /* row 4 */
+};
 
 static const struct mip_device_note cv7_gnss_ins_notes[] = {
     {"ports", "Ports",
@@ -362,8 +463,8 @@ static const struct mip_device_note cv7_gnss_ins_notes[] = {
     {"rtcm_input", "RTCM input", "RTCM 3 messages that the GNSS receivers use.",
      cv7_gnss_ins_rtcm_input_cells, 9, 2},
     {"gnss_signals", "GNSS signals",
-     "GPS or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused. Signals that "
-     "can be enabled together by (0x0E,0x02).",
+     "GPS or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused. Signals that can "
+     "be enabled together by (0x0E,0x02).",
      cv7_gnss_ins_gnss_signals_cells, 5, 2},
     {"sensor_ranges", "Sensor ranges",
      "Settings of the sensor range command (0x0C,0x52). The manual prints them for sister models "
@@ -392,14 +493,14 @@ const struct mip_device mip_device_cv7_gnss_ins = {
     "3dm-cv7-gnss-ins",
     "Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure "
     "sensor.",
-    6292,
-    182,
-    7,
-    6,
-    24,
-    10,
-    6,
-    7,
+    6292, /* model number */
+    182,  /* fields */
+    7,    /* base rates */
+    6,    /* ports */
+    24,   /* limits */
+    10,   /* notes */
+    6,    /* readings */
+    7,    /* acknowledge codes */
     cv7_gnss_ins_fields,
     cv7_gnss_ins_rates,
     cv7_gnss_ins_ports,
@@ -409,82 +510,82 @@ const struct mip_device mip_device_cv7_gnss_ins = {
     cv7_gnss_ins_ack_codes,
 };
 
-/* ----------------------------------------------------------------------------------- 3DM-GX5-15 */
+/* 3DM-GX5-15. */
 
 static const struct mip_device_field gx5_15_fields[] = {
-    {0x01, 0x01, ""}, /* base.ping */
-    {0x01, 0x02, ""}, /* base.set_to_idle */
-    {0x01, 0x03, ""}, /* base.get_device_information */
-    {0x01, 0x04, ""}, /* base.get_device_descriptors */
-    {0x01, 0x05, ""}, /* base.built_in_test */
-    {0x01, 0x06, ""}, /* base.resume */
-    {0x01, 0x07, ""}, /* base.get_device_descriptors_extended */
-    {0x01, 0x72, "WRA"}, /* base.gps_time_update */
-    {0x01, 0x7E, ""}, /* base.reset_device */
-    {0x0C, 0x01, ""}, /* 3dm.poll_imu_data */
-    {0x0C, 0x03, ""}, /* 3dm.poll_estimation_filter_data */
-    {0x0C, 0x06, ""}, /* 3dm.get_imu_data_base_rate */
-    {0x0C, 0x08, "WRSLD"}, /* 3dm.imu_message_format */
-    {0x0C, 0x0A, "WRSLD"}, /* 3dm.estimation_filter_message_format */
-    {0x0C, 0x0B, ""}, /* 3dm.get_estimation_filter_data_base_rate */
-    {0x0C, 0x11, "WRSLD"}, /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD"}, /* 3dm.device_start_up_settings */
-    {0x0C, 0x37, "WRSLDA"}, /* 3dm.accelerometer_bias_configuration */
-    {0x0C, 0x38, "WRSLDA"}, /* 3dm.gyroscope_bias_configuration */
-    {0x0C, 0x39, ""}, /* 3dm.capture_gyroscope_bias */
-    {0x0C, 0x3E, "WRSLD"}, /* 3dm.coning_and_sculling_enable */
-    {0x0C, 0x40, "WRSLD"}, /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD"}, /* 3dm.advanced_low_pass_filter_settings */
-    {0x0C, 0x51, "WRSLD"}, /* 3dm.complementary_filter_configuration */
-    {0x0C, 0x64, ""}, /* 3dm.device_status */
-    {0x0D, 0x01, ""}, /* filter.reset_navigation_filter */
-    {0x0D, 0x02, ""}, /* filter.set_initial_attitude */
-    {0x0D, 0x03, ""}, /* filter.set_initial_heading_control */
-    {0x0D, 0x11, "WRSLD"}, /* filter.sensor_to_vehicle_frame_transformation */
-    {0x0D, 0x14, "WRSLD"}, /* filter.estimation_control_flags */
-    {0x0D, 0x17, ""}, /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD"}, /* filter.heading_update_control */
-    {0x0D, 0x19, "WRSLD"}, /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD"}, /* filter.accelerometer_noise_standard_deviation */
-    {0x0D, 0x1B, "WRSLD"}, /* filter.gyroscope_noise_standard_deviation */
-    {0x0D, 0x1D, "WRSLD"}, /* filter.gyroscope_bias_model_parameters */
-    {0x0D, 0x1F, ""}, /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD"}, /* filter.zero_angular_rate_update_control */
-    {0x0D, 0x21, "WSLD"}, /* filter.tare_orientation */
-    {0x0D, 0x23, ""}, /* filter.commanded_zero_angular_rate_update */
-    {0x0D, 0x26, "WRSLD"}, /* filter.set_reference_position */
-    {0x0D, 0x28, "WRSLD"}, /* filter.gravity_noise_standard_deviation */
-    {0x0D, 0x41, "WRSLD"}, /* filter.enable_disable_measurements */
-    {0x0D, 0x44, "WRSLD"}, /* filter.gravity_magnitude_error_adaptive_measurement */
-    {0x0D, 0x4B, "WRSLD"}, /* filter.pitch_roll_aiding_control */
-    {0x7F, 0x10, "WRSLD"}, /* system.communication_mode */
-    {0x80, 0x04, ""}, /* sensor.scaled_accel */
-    {0x80, 0x05, ""}, /* sensor.scaled_gyro */
-    {0x80, 0x07, ""}, /* sensor.delta_theta */
-    {0x80, 0x08, ""}, /* sensor.delta_velocity */
-    {0x80, 0x09, ""}, /* sensor.complementary_filter_orientation_matrix */
-    {0x80, 0x0A, ""}, /* sensor.complementary_filter_quaternion */
-    {0x80, 0x0C, ""}, /* sensor.complementary_filter_euler_angles */
-    {0x80, 0x10, ""}, /* sensor.complementary_filter_stabilized_north_vector */
-    {0x80, 0x11, ""}, /* sensor.complementary_filter_stabilized_up_vector */
-    {0x80, 0x12, ""}, /* sensor.gps_timestamp */
-    {0x80, 0x17, ""}, /* sensor.scaled_pressure */
-    {0x82, 0x03, ""}, /* filter_data.attitude_quaternion */
-    {0x82, 0x04, ""}, /* filter_data.attitude_dcm */
-    {0x82, 0x05, ""}, /* filter_data.euler_angles */
-    {0x82, 0x06, ""}, /* filter_data.gyro_bias */
-    {0x82, 0x0A, ""}, /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, ""}, /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, ""}, /* filter_data.linear_accel */
-    {0x82, 0x0E, ""}, /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, ""}, /* filter_data.wgs84_local_gravity_magnitude */
-    {0x82, 0x10, ""}, /* filter_data.status */
-    {0x82, 0x11, ""}, /* filter_data.timestamp */
-    {0x82, 0x12, ""}, /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, ""}, /* filter_data.gravity_vector */
-    {0x82, 0x14, ""}, /* filter_data.heading_update_source_state */
-    {0x82, 0x1C, ""}, /* filter_data.compensated_acceleration */
-    {0x82, 0x21, ""}, /* filter_data.pressure_altitude */
+    {0x01, 0x01, ""},       /* base.ping */
+    {0x01, 0x02, ""},       /* base.set_idle */
+    {0x01, 0x03, ""},       /* base.get_device_info */
+    {0x01, 0x04, ""},       /* base.get_device_descriptors */
+    {0x01, 0x05, ""},       /* base.built_in_test */
+    {0x01, 0x06, ""},       /* base.resume */
+    {0x01, 0x07, ""},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA"},    /* base.gps_time_update */
+    {0x01, 0x7E, ""},       /* base.soft_reset */
+    {0x0C, 0x01, ""},       /* 3dm.poll_imu_data */
+    {0x0C, 0x03, ""},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, ""},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD"},  /* 3dm.imu_message_format */
+    {0x0C, 0x0A, "WRSLD"},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, ""},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD"},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD"},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA"}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA"}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, ""},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3E, "WRSLD"},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD"},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD"},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD"},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, ""},       /* 3dm.device_status */
+    {0x0D, 0x01, ""},       /* filter.reset */
+    {0x0D, 0x02, ""},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, ""},       /* filter.set_initial_heading */
+    {0x0D, 0x11, "WRSLD"},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x14, "WRSLD"},  /* filter.estimation_control */
+    {0x0D, 0x17, ""},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD"},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD"},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD"},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD"},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD"},  /* filter.gyro_bias_model */
+    {0x0D, 0x1F, ""},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD"},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WSLD"},   /* filter.tare_orientation */
+    {0x0D, 0x23, ""},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x26, "WRSLD"},  /* filter.reference_position */
+    {0x0D, 0x28, "WRSLD"},  /* filter.gravity_noise */
+    {0x0D, 0x41, "WRSLD"},  /* filter.enable_measurements */
+    {0x0D, 0x44, "WRSLD"},  /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x4B, "WRSLD"},  /* filter.pitch_roll_aiding */
+    {0x7F, 0x10, "WRSLD"},  /* system.comm_mode */
+    {0x80, 0x04, ""},       /* sensor.scaled_accel */
+    {0x80, 0x05, ""},       /* sensor.scaled_gyro */
+    {0x80, 0x07, ""},       /* sensor.delta_theta */
+    {0x80, 0x08, ""},       /* sensor.delta_velocity */
+    {0x80, 0x09, ""},       /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, ""},       /* sensor.comp_quaternion */
+    {0x80, 0x0C, ""},       /* sensor.comp_euler_angles */
+    {0x80, 0x10, ""},       /* sensor.north_vector */
+    {0x80, 0x11, ""},       /* sensor.up_vector */
+    {0x80, 0x12, ""},       /* sensor.gps_timestamp */
+    {0x80, 0x17, ""},       /* sensor.scaled_pressure */
+    {0x82, 0x03, ""},       /* filter_data.attitude_quaternion */
+    {0x82, 0x04, ""},       /* filter_data.attitude_dcm */
+    {0x82, 0x05, ""},       /* filter_data.euler_angles */
+    {0x82, 0x06, ""},       /* filter_data.gyro_bias */
+    {0x82, 0x0A, ""},       /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, ""},       /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, ""},       /* filter_data.linear_accel */
+    {0x82, 0x0E, ""},       /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, ""},       /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, ""},       /* filter_data.status */
+    {0x82, 0x11, ""},       /* filter_data.timestamp */
+    {0x82, 0x12, ""},       /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, ""},       /* filter_data.gravity_vector */
+    {0x82, 0x14, ""},       /* filter_data.heading_update_state */
+    {0x82, 0x1C, ""},       /* filter_data.comp_accel */
+    {0x82, 0x21, ""},       /* filter_data.pressure_altitude */
 };
 
 static const struct mip_device_rate gx5_15_rates[] = {
@@ -509,10 +610,11 @@ static const struct mip_device_limit gx5_15_limits[] = {
 };
 
 static const char *const gx5_15_low_pass_filter_cells[] = {
-    "Set", "Descriptor", "Data",
-    "0x80", "0x04", "Scaled accel",
-    "0x80", "0x05", "Scaled gyro",
-    "0x80", "0x17", "Scaled pressure"};
+    "Set",  "Descriptor", "Data",            /* heading */
+    "0x80", "0x04",       "Scaled accel",    /* row 1 */
+    "0x80", "0x05",       "Scaled gyro",     /* row 2 */
+    "0x80", "0x17",       "Scaled pressure", /* row 3 */
+};
 
 static const struct mip_device_note gx5_15_notes[] = {
     {"base_rates", "Base rates",
@@ -520,10 +622,10 @@ static const struct mip_device_note gx5_15_notes[] = {
      "before computing a decimation.",
      NULL, 0, 0},
     {"frames", "Frame of the sensor data",
-     "The sensor-to-vehicle transformation (0x0D,0x11) turns scaled acceleration and angular "
-     "rate, delta theta and delta velocity, as well as the outputs of the estimation filter other "
-     "than the gyroscope bias. Until it is set, they are in the sensor frame. It does not turn "
-     "the outputs of the complementary filter.",
+     "The sensor-to-vehicle transformation (0x0D,0x11) turns scaled acceleration and angular rate, "
+     "delta theta and delta velocity, as well as the outputs of the estimation filter other than "
+     "the gyroscope bias. Until it is set, they are in the sensor frame. It does not turn the "
+     "outputs of the complementary filter.",
      NULL, 0, 0},
     {"low_pass_filter", "Low-pass filter",
      "Data that the low-pass filter command (0x0C,0x50) can select.", gx5_15_low_pass_filter_cells,
@@ -543,12 +645,12 @@ static const struct mip_device_note gx5_15_notes[] = {
 
 static const struct mip_device_reading gx5_15_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
-    {"3dm.data_stream_control.desc_set", "3dm.legacy_data_stream"},
-    {"3dm.data_stream_control_response.desc_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
     {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},
     {"filter_data.status.status_flags", "filter_data.gx5_status_flags"},
-    {"sensor_gps_timestamp_flags", "gx5_sensor_gps_timestamp_flags"},
 };
 
 static const uint8_t gx5_15_ack_codes[] = {0, 1, 2, 3, 4, 5};
@@ -558,14 +660,14 @@ const struct mip_device mip_device_gx5_15 = {
     "3DM-GX5-15",
     "3dm-gx5-15",
     "Vertical reference unit with an inertial sensor, a pressure sensor and an estimation filter.",
-    6254,
-    73,
-    2,
-    2,
-    4,
-    6,
-    7,
-    6,
+    6254, /* model number */
+    73,   /* fields */
+    2,    /* base rates */
+    2,    /* ports */
+    4,    /* limits */
+    6,    /* notes */
+    7,    /* readings */
+    6,    /* acknowledge codes */
     gx5_15_fields,
     gx5_15_rates,
     gx5_15_ports,
@@ -575,49 +677,10 @@ const struct mip_device mip_device_gx5_15 = {
     gx5_15_ack_codes,
 };
 
-/* ------------------------------------------------------------------------------------------ all */
+/* All of them. */
 
 const struct mip_device *const mip_devices[] = {
     &mip_device_cv7_gnss_ins,
     &mip_device_gx5_15,
 };
 const size_t mip_device_count = 2;
-
-const struct mip_device *mip_device_find(const char *id) {
-    for (size_t i = 0; i < mip_device_count; i++) {
-        if (strcmp(mip_devices[i]->id, id) == 0) {
-            return mip_devices[i];
-        }
-    }
-    return NULL;
-}
-
-const struct mip_device_field *mip_device_supports(const struct mip_device *device,
-                                                   uint8_t descriptor_set, uint8_t descriptor) {
-    for (size_t i = 0; i < device->field_count; i++) {
-        const struct mip_device_field *f = &device->fields[i];
-        const bool shared = f->descriptor_set == 0xFF && descriptor_set >= 0x80;
-        if ((f->descriptor_set == descriptor_set || shared) && f->descriptor == descriptor) {
-            return f;
-        }
-    }
-    return NULL;
-}
-
-double mip_device_base_rate(const struct mip_device *device, uint8_t descriptor_set) {
-    for (size_t i = 0; i < device->rate_count; i++) {
-        if (device->rates[i].descriptor_set == descriptor_set) {
-            return device->rates[i].rate;
-        }
-    }
-    return -1.0;
-}
-
-const char *mip_device_reading_of(const struct mip_device *device, const char *of) {
-    for (size_t i = 0; i < device->reading_count; i++) {
-        if (strcmp(device->readings[i].of, of) == 0) {
-            return device->readings[i].type;
-        }
-    }
-    return NULL;
-}

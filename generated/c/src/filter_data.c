@@ -21,11 +21,11 @@ static void write_llh_position(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_llh_position_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_LLH_POSITION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_llh_position),
-    0,
+    0, /* time-out */
     read_llh_position,
     write_llh_position,
     NULL,
@@ -43,44 +43,44 @@ mip_error mip_filter_data_llh_position_encode(const struct mip_filter_data_llh_p
                             write_llh_position, value);
 }
 
-static void read_velocity_ned(struct mip_reader *r, void *value) {
-    struct mip_filter_data_velocity_ned *v = (struct mip_filter_data_velocity_ned *)value;
+static void read_ned_velocity(struct mip_reader *r, void *value) {
+    struct mip_filter_data_ned_velocity *v = (struct mip_filter_data_ned_velocity *)value;
     mip_read_float(r, &v->north, 1);
     mip_read_float(r, &v->east, 1);
     mip_read_float(r, &v->down, 1);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
-static void write_velocity_ned(struct mip_writer *w, const void *value) {
-    const struct mip_filter_data_velocity_ned *v =
-        (const struct mip_filter_data_velocity_ned *)value;
+static void write_ned_velocity(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_ned_velocity *v =
+        (const struct mip_filter_data_ned_velocity *)value;
     mip_write_float(w, &v->north, 1);
     mip_write_float(w, &v->east, 1);
     mip_write_float(w, &v->down, 1);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
-const struct mip_codec mip_filter_data_velocity_ned_codec = {
-    0x82,
-    MIP_FILTER_DATA_VELOCITY_NED_DESCRIPTOR,
+const struct mip_codec mip_filter_data_ned_velocity_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_NED_VELOCITY_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_velocity_ned),
-    0,
-    read_velocity_ned,
-    write_velocity_ned,
+    sizeof(struct mip_filter_data_ned_velocity),
+    0, /* time-out */
+    read_ned_velocity,
+    write_ned_velocity,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_data_velocity_ned_decode(struct mip_filter_data_velocity_ned *value,
+mip_error mip_filter_data_ned_velocity_decode(struct mip_filter_data_ned_velocity *value,
                                               const struct mip_field *field) {
-    return mip_decode_field(field, read_velocity_ned, value, sizeof(*value), NULL);
+    return mip_decode_field(field, read_ned_velocity, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_velocity_ned_encode(const struct mip_filter_data_velocity_ned *value,
+mip_error mip_filter_data_ned_velocity_encode(const struct mip_filter_data_ned_velocity *value,
                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_VELOCITY_NED_DESCRIPTOR,
-                            write_velocity_ned, value);
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_NED_VELOCITY_DESCRIPTOR,
+                            write_ned_velocity, value);
 }
 
 static void read_attitude_quaternion(struct mip_reader *r, void *value) {
@@ -98,11 +98,11 @@ static void write_attitude_quaternion(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_attitude_quaternion_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ATTITUDE_QUATERNION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_attitude_quaternion),
-    0,
+    0, /* time-out */
     read_attitude_quaternion,
     write_attitude_quaternion,
     NULL,
@@ -134,11 +134,11 @@ static void write_attitude_dcm(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_attitude_dcm_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ATTITUDE_DCM_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_attitude_dcm),
-    0,
+    0, /* time-out */
     read_attitude_dcm,
     write_attitude_dcm,
     NULL,
@@ -174,11 +174,11 @@ static void write_euler_angles(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_euler_angles_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_EULER_ANGLES_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_euler_angles),
-    0,
+    0, /* time-out */
     read_euler_angles,
     write_euler_angles,
     NULL,
@@ -209,11 +209,11 @@ static void write_gyro_bias(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_gyro_bias_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GYRO_BIAS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gyro_bias),
-    0,
+    0, /* time-out */
     read_gyro_bias,
     write_gyro_bias,
     NULL,
@@ -244,11 +244,11 @@ static void write_accel_bias(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_accel_bias_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ACCEL_BIAS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_accel_bias),
-    0,
+    0, /* time-out */
     read_accel_bias,
     write_accel_bias,
     NULL,
@@ -285,11 +285,11 @@ static void write_llh_position_uncertainty(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_data_llh_position_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_llh_position_uncertainty),
-    0,
+    0, /* time-out */
     read_llh_position_uncertainty,
     write_llh_position_uncertainty,
     NULL,
@@ -326,11 +326,11 @@ static void write_ned_velocity_uncertainty(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ned_velocity_uncertainty),
-    0,
+    0, /* time-out */
     read_ned_velocity_uncertainty,
     write_ned_velocity_uncertainty,
     NULL,
@@ -367,11 +367,11 @@ static void write_euler_angles_uncertainty(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_euler_angles_uncertainty),
-    0,
+    0, /* time-out */
     read_euler_angles_uncertainty,
     write_euler_angles_uncertainty,
     NULL,
@@ -392,23 +392,23 @@ mip_error mip_filter_data_euler_angles_uncertainty_encode(
 static void read_gyro_bias_uncertainty(struct mip_reader *r, void *value) {
     struct mip_filter_data_gyro_bias_uncertainty *v =
         (struct mip_filter_data_gyro_bias_uncertainty *)value;
-    mip_read_float(r, v->bias_uncert, 3);
+    mip_read_float(r, v->bias_uncertainty, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
 static void write_gyro_bias_uncertainty(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_gyro_bias_uncertainty *v =
         (const struct mip_filter_data_gyro_bias_uncertainty *)value;
-    mip_write_float(w, v->bias_uncert, 3);
+    mip_write_float(w, v->bias_uncertainty, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
 const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gyro_bias_uncertainty),
-    0,
+    0, /* time-out */
     read_gyro_bias_uncertainty,
     write_gyro_bias_uncertainty,
     NULL,
@@ -429,23 +429,23 @@ mip_error mip_filter_data_gyro_bias_uncertainty_encode(
 static void read_accel_bias_uncertainty(struct mip_reader *r, void *value) {
     struct mip_filter_data_accel_bias_uncertainty *v =
         (struct mip_filter_data_accel_bias_uncertainty *)value;
-    mip_read_float(r, v->bias_uncert, 3);
+    mip_read_float(r, v->bias_uncertainty, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
 static void write_accel_bias_uncertainty(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_accel_bias_uncertainty *v =
         (const struct mip_filter_data_accel_bias_uncertainty *)value;
-    mip_write_float(w, v->bias_uncert, 3);
+    mip_write_float(w, v->bias_uncertainty, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
 const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_accel_bias_uncertainty),
-    0,
+    0, /* time-out */
     read_accel_bias_uncertainty,
     write_accel_bias_uncertainty,
     NULL,
@@ -477,11 +477,11 @@ static void write_linear_accel(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_linear_accel_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_LINEAR_ACCEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_linear_accel),
-    0,
+    0, /* time-out */
     read_linear_accel,
     write_linear_accel,
     NULL,
@@ -513,11 +513,11 @@ static void write_comp_angular_rate(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_comp_angular_rate_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_COMP_ANGULAR_RATE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_comp_angular_rate),
-    0,
+    0, /* time-out */
     read_comp_angular_rate,
     write_comp_angular_rate,
     NULL,
@@ -535,42 +535,41 @@ mip_error mip_filter_data_comp_angular_rate_encode(
                             write_comp_angular_rate, value);
 }
 
-static void read_wgs84_local_gravity_magnitude(struct mip_reader *r, void *value) {
-    struct mip_filter_data_wgs84_local_gravity_magnitude *v =
-        (struct mip_filter_data_wgs84_local_gravity_magnitude *)value;
+static void read_wgs84_gravity_magnitude(struct mip_reader *r, void *value) {
+    struct mip_filter_data_wgs84_gravity_magnitude *v =
+        (struct mip_filter_data_wgs84_gravity_magnitude *)value;
     mip_read_float(r, &v->gravity_magnitude, 1);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
-static void write_wgs84_local_gravity_magnitude(struct mip_writer *w, const void *value) {
-    const struct mip_filter_data_wgs84_local_gravity_magnitude *v =
-        (const struct mip_filter_data_wgs84_local_gravity_magnitude *)value;
+static void write_wgs84_gravity_magnitude(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_wgs84_gravity_magnitude *v =
+        (const struct mip_filter_data_wgs84_gravity_magnitude *)value;
     mip_write_float(w, &v->gravity_magnitude, 1);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
-const struct mip_codec mip_filter_data_wgs84_local_gravity_magnitude_codec = {
-    0x82,
-    MIP_FILTER_DATA_WGS84_LOCAL_GRAVITY_MAGNITUDE_DESCRIPTOR,
+const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_wgs84_local_gravity_magnitude),
-    0,
-    read_wgs84_local_gravity_magnitude,
-    write_wgs84_local_gravity_magnitude,
+    sizeof(struct mip_filter_data_wgs84_gravity_magnitude),
+    0, /* time-out */
+    read_wgs84_gravity_magnitude,
+    write_wgs84_gravity_magnitude,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_data_wgs84_local_gravity_magnitude_decode(
-    struct mip_filter_data_wgs84_local_gravity_magnitude *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_wgs84_local_gravity_magnitude, value, sizeof(*value), NULL);
+mip_error mip_filter_data_wgs84_gravity_magnitude_decode(
+    struct mip_filter_data_wgs84_gravity_magnitude *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_wgs84_gravity_magnitude, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_wgs84_local_gravity_magnitude_encode(
-    const struct mip_filter_data_wgs84_local_gravity_magnitude *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_WGS84_LOCAL_GRAVITY_MAGNITUDE_DESCRIPTOR,
-                            write_wgs84_local_gravity_magnitude, value);
+mip_error mip_filter_data_wgs84_gravity_magnitude_encode(
+    const struct mip_filter_data_wgs84_gravity_magnitude *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_DESCRIPTOR,
+                            write_wgs84_gravity_magnitude, value);
 }
 
 static void read_status(struct mip_reader *r, void *value) {
@@ -588,11 +587,11 @@ static void write_status(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_status_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_status),
-    0,
+    0, /* time-out */
     read_status,
     write_status,
     NULL,
@@ -624,11 +623,11 @@ static void write_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_timestamp_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_timestamp),
-    0,
+    0, /* time-out */
     read_timestamp,
     write_timestamp,
     NULL,
@@ -661,11 +660,11 @@ static void write_quaternion_attitude_uncertainty(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_quaternion_attitude_uncertainty),
-    0,
+    0, /* time-out */
     read_quaternion_attitude_uncertainty,
     write_quaternion_attitude_uncertainty,
     NULL,
@@ -700,11 +699,11 @@ static void write_gravity_vector(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_gravity_vector_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GRAVITY_VECTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gravity_vector),
-    0,
+    0, /* time-out */
     read_gravity_vector,
     write_gravity_vector,
     NULL,
@@ -722,45 +721,45 @@ mip_error mip_filter_data_gravity_vector_encode(const struct mip_filter_data_gra
                             write_gravity_vector, value);
 }
 
-static void read_heading_update_source_state(struct mip_reader *r, void *value) {
-    struct mip_filter_data_heading_update_source_state *v =
-        (struct mip_filter_data_heading_update_source_state *)value;
+static void read_heading_update_state(struct mip_reader *r, void *value) {
+    struct mip_filter_data_heading_update_state *v =
+        (struct mip_filter_data_heading_update_state *)value;
     mip_read_float(r, &v->heading, 1);
     mip_read_float(r, &v->heading_uncertainty, 1);
     mip_read_u16(r, &v->source, 1);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
-static void write_heading_update_source_state(struct mip_writer *w, const void *value) {
-    const struct mip_filter_data_heading_update_source_state *v =
-        (const struct mip_filter_data_heading_update_source_state *)value;
+static void write_heading_update_state(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_heading_update_state *v =
+        (const struct mip_filter_data_heading_update_state *)value;
     mip_write_float(w, &v->heading, 1);
     mip_write_float(w, &v->heading_uncertainty, 1);
     mip_write_u16(w, &v->source, 1);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
-const struct mip_codec mip_filter_data_heading_update_source_state_codec = {
-    0x82,
-    MIP_FILTER_DATA_HEADING_UPDATE_SOURCE_STATE_DESCRIPTOR,
+const struct mip_codec mip_filter_data_heading_update_state_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_HEADING_UPDATE_STATE_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_heading_update_source_state),
-    0,
-    read_heading_update_source_state,
-    write_heading_update_source_state,
+    sizeof(struct mip_filter_data_heading_update_state),
+    0, /* time-out */
+    read_heading_update_state,
+    write_heading_update_state,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_data_heading_update_source_state_decode(
-    struct mip_filter_data_heading_update_source_state *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_heading_update_source_state, value, sizeof(*value), NULL);
+mip_error mip_filter_data_heading_update_state_decode(
+    struct mip_filter_data_heading_update_state *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_heading_update_state, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_heading_update_source_state_encode(
-    const struct mip_filter_data_heading_update_source_state *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_HEADING_UPDATE_SOURCE_STATE_DESCRIPTOR,
-                            write_heading_update_source_state, value);
+mip_error mip_filter_data_heading_update_state_encode(
+    const struct mip_filter_data_heading_update_state *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_HEADING_UPDATE_STATE_DESCRIPTOR,
+                            write_heading_update_state, value);
 }
 
 static void read_magnetic_model(struct mip_reader *r, void *value) {
@@ -785,11 +784,11 @@ static void write_magnetic_model(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_magnetic_model_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAGNETIC_MODEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_magnetic_model),
-    0,
+    0, /* time-out */
     read_magnetic_model,
     write_magnetic_model,
     NULL,
@@ -807,41 +806,307 @@ mip_error mip_filter_data_magnetic_model_encode(const struct mip_filter_data_mag
                             write_magnetic_model, value);
 }
 
-static void read_compensated_acceleration(struct mip_reader *r, void *value) {
-    struct mip_filter_data_compensated_acceleration *v =
-        (struct mip_filter_data_compensated_acceleration *)value;
-    mip_read_float(r, v->accel, 3);
+static void read_gyro_scale_factor(struct mip_reader *r, void *value) {
+    struct mip_filter_data_gyro_scale_factor *v = (struct mip_filter_data_gyro_scale_factor *)value;
+    mip_read_float(r, v->scale_factor, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
-static void write_compensated_acceleration(struct mip_writer *w, const void *value) {
-    const struct mip_filter_data_compensated_acceleration *v =
-        (const struct mip_filter_data_compensated_acceleration *)value;
-    mip_write_float(w, v->accel, 3);
+static void write_gyro_scale_factor(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_gyro_scale_factor *v =
+        (const struct mip_filter_data_gyro_scale_factor *)value;
+    mip_write_float(w, v->scale_factor, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
-const struct mip_codec mip_filter_data_compensated_acceleration_codec = {
-    0x82,
-    MIP_FILTER_DATA_COMPENSATED_ACCELERATION_DESCRIPTOR,
+const struct mip_codec mip_filter_data_gyro_scale_factor_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_GYRO_SCALE_FACTOR_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_compensated_acceleration),
-    0,
-    read_compensated_acceleration,
-    write_compensated_acceleration,
+    sizeof(struct mip_filter_data_gyro_scale_factor),
+    0, /* time-out */
+    read_gyro_scale_factor,
+    write_gyro_scale_factor,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_data_compensated_acceleration_decode(
-    struct mip_filter_data_compensated_acceleration *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_compensated_acceleration, value, sizeof(*value), NULL);
+mip_error mip_filter_data_gyro_scale_factor_decode(struct mip_filter_data_gyro_scale_factor *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_gyro_scale_factor, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_compensated_acceleration_encode(
-    const struct mip_filter_data_compensated_acceleration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_COMPENSATED_ACCELERATION_DESCRIPTOR,
-                            write_compensated_acceleration, value);
+mip_error mip_filter_data_gyro_scale_factor_encode(
+    const struct mip_filter_data_gyro_scale_factor *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_GYRO_SCALE_FACTOR_DESCRIPTOR,
+                            write_gyro_scale_factor, value);
+}
+
+static void read_accel_scale_factor(struct mip_reader *r, void *value) {
+    struct mip_filter_data_accel_scale_factor *v =
+        (struct mip_filter_data_accel_scale_factor *)value;
+    mip_read_float(r, v->scale_factor, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_accel_scale_factor(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_accel_scale_factor *v =
+        (const struct mip_filter_data_accel_scale_factor *)value;
+    mip_write_float(w, v->scale_factor, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_accel_scale_factor_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_accel_scale_factor),
+    0, /* time-out */
+    read_accel_scale_factor,
+    write_accel_scale_factor,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_accel_scale_factor_decode(
+    struct mip_filter_data_accel_scale_factor *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_accel_scale_factor, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_accel_scale_factor_encode(
+    const struct mip_filter_data_accel_scale_factor *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_DESCRIPTOR,
+                            write_accel_scale_factor, value);
+}
+
+static void read_gyro_scale_factor_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_gyro_scale_factor_uncertainty *v =
+        (struct mip_filter_data_gyro_scale_factor_uncertainty *)value;
+    mip_read_float(r, v->scale_factor_uncertainty, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_gyro_scale_factor_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_gyro_scale_factor_uncertainty *v =
+        (const struct mip_filter_data_gyro_scale_factor_uncertainty *)value;
+    mip_write_float(w, v->scale_factor_uncertainty, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_gyro_scale_factor_uncertainty),
+    0, /* time-out */
+    read_gyro_scale_factor_uncertainty,
+    write_gyro_scale_factor_uncertainty,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode(
+    struct mip_filter_data_gyro_scale_factor_uncertainty *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gyro_scale_factor_uncertainty, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode(
+    const struct mip_filter_data_gyro_scale_factor_uncertainty *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR,
+                            write_gyro_scale_factor_uncertainty, value);
+}
+
+static void read_accel_scale_factor_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_accel_scale_factor_uncertainty *v =
+        (struct mip_filter_data_accel_scale_factor_uncertainty *)value;
+    mip_read_float(r, v->scale_factor_uncertainty, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_accel_scale_factor_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_accel_scale_factor_uncertainty *v =
+        (const struct mip_filter_data_accel_scale_factor_uncertainty *)value;
+    mip_write_float(w, v->scale_factor_uncertainty, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_accel_scale_factor_uncertainty),
+    0, /* time-out */
+    read_accel_scale_factor_uncertainty,
+    write_accel_scale_factor_uncertainty,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_accel_scale_factor_uncertainty_decode(
+    struct mip_filter_data_accel_scale_factor_uncertainty *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_accel_scale_factor_uncertainty, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_data_accel_scale_factor_uncertainty_encode(
+    const struct mip_filter_data_accel_scale_factor_uncertainty *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82,
+                            MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR,
+                            write_accel_scale_factor_uncertainty, value);
+}
+
+static void read_mag_bias(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_bias *v = (struct mip_filter_data_mag_bias *)value;
+    mip_read_float(r, v->bias, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_bias(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_bias *v = (const struct mip_filter_data_mag_bias *)value;
+    mip_write_float(w, v->bias, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_bias_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_MAG_BIAS_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_bias),
+    0, /* time-out */
+    read_mag_bias,
+    write_mag_bias,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_bias_decode(struct mip_filter_data_mag_bias *value,
+                                          const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_bias, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_bias_encode(const struct mip_filter_data_mag_bias *value,
+                                          struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_BIAS_DESCRIPTOR, write_mag_bias,
+                            value);
+}
+
+static void read_mag_bias_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_bias_uncertainty *v =
+        (struct mip_filter_data_mag_bias_uncertainty *)value;
+    mip_read_float(r, v->bias_uncertainty, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_bias_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_bias_uncertainty *v =
+        (const struct mip_filter_data_mag_bias_uncertainty *)value;
+    mip_write_float(w, v->bias_uncertainty, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_bias_uncertainty),
+    0, /* time-out */
+    read_mag_bias_uncertainty,
+    write_mag_bias_uncertainty,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_bias_uncertainty_decode(
+    struct mip_filter_data_mag_bias_uncertainty *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_bias_uncertainty, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_bias_uncertainty_encode(
+    const struct mip_filter_data_mag_bias_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_DESCRIPTOR,
+                            write_mag_bias_uncertainty, value);
+}
+
+static void read_comp_accel(struct mip_reader *r, void *value) {
+    struct mip_filter_data_comp_accel *v = (struct mip_filter_data_comp_accel *)value;
+    mip_read_float(r, v->accel, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_comp_accel(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_comp_accel *v = (const struct mip_filter_data_comp_accel *)value;
+    mip_write_float(w, v->accel, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_comp_accel_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_COMP_ACCEL_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_comp_accel),
+    0, /* time-out */
+    read_comp_accel,
+    write_comp_accel,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_comp_accel_decode(struct mip_filter_data_comp_accel *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_comp_accel, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_comp_accel_encode(const struct mip_filter_data_comp_accel *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_COMP_ACCEL_DESCRIPTOR, write_comp_accel,
+                            value);
+}
+
+static void read_standard_atmosphere(struct mip_reader *r, void *value) {
+    struct mip_filter_data_standard_atmosphere *v =
+        (struct mip_filter_data_standard_atmosphere *)value;
+    mip_read_float(r, &v->geometric_altitude, 1);
+    mip_read_float(r, &v->geopotential_altitude, 1);
+    mip_read_float(r, &v->standard_temperature, 1);
+    mip_read_float(r, &v->standard_pressure, 1);
+    mip_read_float(r, &v->standard_density, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_standard_atmosphere(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_standard_atmosphere *v =
+        (const struct mip_filter_data_standard_atmosphere *)value;
+    mip_write_float(w, &v->geometric_altitude, 1);
+    mip_write_float(w, &v->geopotential_altitude, 1);
+    mip_write_float(w, &v->standard_temperature, 1);
+    mip_write_float(w, &v->standard_pressure, 1);
+    mip_write_float(w, &v->standard_density, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_standard_atmosphere_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_STANDARD_ATMOSPHERE_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_standard_atmosphere),
+    0, /* time-out */
+    read_standard_atmosphere,
+    write_standard_atmosphere,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_standard_atmosphere_decode(
+    struct mip_filter_data_standard_atmosphere *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_standard_atmosphere, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_standard_atmosphere_encode(
+    const struct mip_filter_data_standard_atmosphere *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_STANDARD_ATMOSPHERE_DESCRIPTOR,
+                            write_standard_atmosphere, value);
 }
 
 static void read_pressure_altitude(struct mip_reader *r, void *value) {
@@ -858,11 +1123,11 @@ static void write_pressure_altitude(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_pressure_altitude_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_PRESSURE_ALTITUDE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_pressure_altitude),
-    0,
+    0, /* time-out */
     read_pressure_altitude,
     write_pressure_altitude,
     NULL,
@@ -878,6 +1143,419 @@ mip_error mip_filter_data_pressure_altitude_encode(
     const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_PRESSURE_ALTITUDE_DESCRIPTOR,
                             write_pressure_altitude, value);
+}
+
+static void read_density_altitude(struct mip_reader *r, void *value) {
+    struct mip_filter_data_density_altitude *v = (struct mip_filter_data_density_altitude *)value;
+    mip_read_float(r, &v->density_altitude, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_density_altitude(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_density_altitude *v =
+        (const struct mip_filter_data_density_altitude *)value;
+    mip_write_float(w, &v->density_altitude, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_density_altitude_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_DENSITY_ALTITUDE_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_density_altitude),
+    0, /* time-out */
+    read_density_altitude,
+    write_density_altitude,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_density_altitude_decode(struct mip_filter_data_density_altitude *value,
+                                                  const struct mip_field *field) {
+    return mip_decode_field(field, read_density_altitude, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_density_altitude_encode(
+    const struct mip_filter_data_density_altitude *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_DENSITY_ALTITUDE_DESCRIPTOR,
+                            write_density_altitude, value);
+}
+
+static void read_mag_offset(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_offset *v = (struct mip_filter_data_mag_offset *)value;
+    mip_read_float(r, v->hard_iron, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_offset(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_offset *v = (const struct mip_filter_data_mag_offset *)value;
+    mip_write_float(w, v->hard_iron, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_offset_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_MAG_OFFSET_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_offset),
+    0, /* time-out */
+    read_mag_offset,
+    write_mag_offset,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_offset_decode(struct mip_filter_data_mag_offset *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_offset, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_offset_encode(const struct mip_filter_data_mag_offset *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_OFFSET_DESCRIPTOR, write_mag_offset,
+                            value);
+}
+
+static void read_mag_matrix(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_matrix *v = (struct mip_filter_data_mag_matrix *)value;
+    mip_read_float(r, v->soft_iron, 9);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_matrix(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_matrix *v = (const struct mip_filter_data_mag_matrix *)value;
+    mip_write_float(w, v->soft_iron, 9);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_matrix_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_MAG_MATRIX_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_matrix),
+    0, /* time-out */
+    read_mag_matrix,
+    write_mag_matrix,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_matrix_decode(struct mip_filter_data_mag_matrix *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_matrix, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_matrix_encode(const struct mip_filter_data_mag_matrix *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_MATRIX_DESCRIPTOR, write_mag_matrix,
+                            value);
+}
+
+static void read_mag_offset_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_offset_uncertainty *v =
+        (struct mip_filter_data_mag_offset_uncertainty *)value;
+    mip_read_float(r, v->hard_iron_uncertainty, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_offset_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_offset_uncertainty *v =
+        (const struct mip_filter_data_mag_offset_uncertainty *)value;
+    mip_write_float(w, v->hard_iron_uncertainty, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_offset_uncertainty),
+    0, /* time-out */
+    read_mag_offset_uncertainty,
+    write_mag_offset_uncertainty,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_offset_uncertainty_decode(
+    struct mip_filter_data_mag_offset_uncertainty *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_offset_uncertainty, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_offset_uncertainty_encode(
+    const struct mip_filter_data_mag_offset_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_DESCRIPTOR,
+                            write_mag_offset_uncertainty, value);
+}
+
+static void read_mag_matrix_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_matrix_uncertainty *v =
+        (struct mip_filter_data_mag_matrix_uncertainty *)value;
+    mip_read_float(r, v->soft_iron_uncertainty, 9);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_matrix_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_matrix_uncertainty *v =
+        (const struct mip_filter_data_mag_matrix_uncertainty *)value;
+    mip_write_float(w, v->soft_iron_uncertainty, 9);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_matrix_uncertainty),
+    0, /* time-out */
+    read_mag_matrix_uncertainty,
+    write_mag_matrix_uncertainty,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_matrix_uncertainty_decode(
+    struct mip_filter_data_mag_matrix_uncertainty *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_matrix_uncertainty, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_matrix_uncertainty_encode(
+    const struct mip_filter_data_mag_matrix_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_DESCRIPTOR,
+                            write_mag_matrix_uncertainty, value);
+}
+
+static void read_mag_covariance_matrix(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_covariance_matrix *v =
+        (struct mip_filter_data_mag_covariance_matrix *)value;
+    mip_read_float(r, v->covariance, 9);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_covariance_matrix(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_covariance_matrix *v =
+        (const struct mip_filter_data_mag_covariance_matrix *)value;
+    mip_write_float(w, v->covariance, 9);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_covariance_matrix_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_covariance_matrix),
+    0, /* time-out */
+    read_mag_covariance_matrix,
+    write_mag_covariance_matrix,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_covariance_matrix_decode(
+    struct mip_filter_data_mag_covariance_matrix *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_covariance_matrix, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_covariance_matrix_encode(
+    const struct mip_filter_data_mag_covariance_matrix *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_DESCRIPTOR,
+                            write_mag_covariance_matrix, value);
+}
+
+static void read_mag_residual_vector(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_residual_vector *v =
+        (struct mip_filter_data_mag_residual_vector *)value;
+    mip_read_float(r, v->residual, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_residual_vector(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_residual_vector *v =
+        (const struct mip_filter_data_mag_residual_vector *)value;
+    mip_write_float(w, v->residual, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_residual_vector_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_residual_vector),
+    0, /* time-out */
+    read_mag_residual_vector,
+    write_mag_residual_vector,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_residual_vector_decode(
+    struct mip_filter_data_mag_residual_vector *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_residual_vector, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_residual_vector_encode(
+    const struct mip_filter_data_mag_residual_vector *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_DESCRIPTOR,
+                            write_mag_residual_vector, value);
+}
+
+static void read_antenna_offset_correction(struct mip_reader *r, void *value) {
+    struct mip_filter_data_antenna_offset_correction *v =
+        (struct mip_filter_data_antenna_offset_correction *)value;
+    mip_read_float(r, v->offset, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_antenna_offset_correction(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_antenna_offset_correction *v =
+        (const struct mip_filter_data_antenna_offset_correction *)value;
+    mip_write_float(w, v->offset, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_antenna_offset_correction_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_antenna_offset_correction),
+    0, /* time-out */
+    read_antenna_offset_correction,
+    write_antenna_offset_correction,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_antenna_offset_correction_decode(
+    struct mip_filter_data_antenna_offset_correction *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_antenna_offset_correction, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_antenna_offset_correction_encode(
+    const struct mip_filter_data_antenna_offset_correction *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR,
+                            write_antenna_offset_correction, value);
+}
+
+static void read_antenna_offset_correction_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_antenna_offset_correction_uncertainty *v =
+        (struct mip_filter_data_antenna_offset_correction_uncertainty *)value;
+    mip_read_float(r, v->offset_uncertainty, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_antenna_offset_correction_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_antenna_offset_correction_uncertainty *v =
+        (const struct mip_filter_data_antenna_offset_correction_uncertainty *)value;
+    mip_write_float(w, v->offset_uncertainty, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_antenna_offset_correction_uncertainty),
+    0, /* time-out */
+    read_antenna_offset_correction_uncertainty,
+    write_antenna_offset_correction_uncertainty,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_antenna_offset_correction_uncertainty_decode(
+    struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_antenna_offset_correction_uncertainty, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_antenna_offset_correction_uncertainty_encode(
+    const struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82,
+                            MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR,
+                            write_antenna_offset_correction_uncertainty, value);
+}
+
+static void read_clock_correction(struct mip_reader *r, void *value) {
+    struct mip_filter_data_clock_correction *v = (struct mip_filter_data_clock_correction *)value;
+    mip_read_u8(r, &v->receiver_id, 1);
+    mip_read_float(r, &v->bias, 1);
+    mip_read_float(r, &v->bias_drift, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_clock_correction(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_clock_correction *v =
+        (const struct mip_filter_data_clock_correction *)value;
+    mip_write_u8(w, &v->receiver_id, 1);
+    mip_write_float(w, &v->bias, 1);
+    mip_write_float(w, &v->bias_drift, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_clock_correction_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_CLOCK_CORRECTION_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_clock_correction),
+    0, /* time-out */
+    read_clock_correction,
+    write_clock_correction,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_clock_correction_decode(struct mip_filter_data_clock_correction *value,
+                                                  const struct mip_field *field) {
+    return mip_decode_field(field, read_clock_correction, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_clock_correction_encode(
+    const struct mip_filter_data_clock_correction *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_CLOCK_CORRECTION_DESCRIPTOR,
+                            write_clock_correction, value);
+}
+
+static void read_clock_correction_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_clock_correction_uncertainty *v =
+        (struct mip_filter_data_clock_correction_uncertainty *)value;
+    mip_read_u8(r, &v->receiver_id, 1);
+    mip_read_float(r, &v->bias_uncertainty, 1);
+    mip_read_float(r, &v->bias_drift_uncertainty, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_clock_correction_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_clock_correction_uncertainty *v =
+        (const struct mip_filter_data_clock_correction_uncertainty *)value;
+    mip_write_u8(w, &v->receiver_id, 1);
+    mip_write_float(w, &v->bias_uncertainty, 1);
+    mip_write_float(w, &v->bias_drift_uncertainty, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_clock_correction_uncertainty),
+    0, /* time-out */
+    read_clock_correction_uncertainty,
+    write_clock_correction_uncertainty,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_clock_correction_uncertainty_decode(
+    struct mip_filter_data_clock_correction_uncertainty *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_clock_correction_uncertainty, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_clock_correction_uncertainty_encode(
+    const struct mip_filter_data_clock_correction_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_DESCRIPTOR,
+                            write_clock_correction_uncertainty, value);
 }
 
 static void read_multi_antenna_offset_correction(struct mip_reader *r, void *value) {
@@ -897,11 +1575,11 @@ static void write_multi_antenna_offset_correction(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_multi_antenna_offset_correction),
-    0,
+    0, /* time-out */
     read_multi_antenna_offset_correction,
     write_multi_antenna_offset_correction,
     NULL,
@@ -926,7 +1604,7 @@ static void read_multi_antenna_offset_correction_uncertainty(struct mip_reader *
     struct mip_filter_data_multi_antenna_offset_correction_uncertainty *v =
         (struct mip_filter_data_multi_antenna_offset_correction_uncertainty *)value;
     mip_read_u8(r, &v->receiver_id, 1);
-    mip_read_float(r, v->offset_uncert, 3);
+    mip_read_float(r, v->offset_uncertainty, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
@@ -935,16 +1613,16 @@ static void write_multi_antenna_offset_correction_uncertainty(struct mip_writer 
     const struct mip_filter_data_multi_antenna_offset_correction_uncertainty *v =
         (const struct mip_filter_data_multi_antenna_offset_correction_uncertainty *)value;
     mip_write_u8(w, &v->receiver_id, 1);
-    mip_write_float(w, v->offset_uncert, 3);
+    mip_write_float(w, v->offset_uncertainty, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
 const struct mip_codec mip_filter_data_multi_antenna_offset_correction_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_multi_antenna_offset_correction_uncertainty),
-    0,
+    0, /* time-out */
     read_multi_antenna_offset_correction_uncertainty,
     write_multi_antenna_offset_correction_uncertainty,
     NULL,
@@ -969,23 +1647,23 @@ mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_encode(
 static void read_ecef_position_uncertainty(struct mip_reader *r, void *value) {
     struct mip_filter_data_ecef_position_uncertainty *v =
         (struct mip_filter_data_ecef_position_uncertainty *)value;
-    mip_read_float(r, v->pos_uncertainty, 3);
+    mip_read_float(r, v->position_uncertainty, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
 static void write_ecef_position_uncertainty(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_ecef_position_uncertainty *v =
         (const struct mip_filter_data_ecef_position_uncertainty *)value;
-    mip_write_float(w, v->pos_uncertainty, 3);
+    mip_write_float(w, v->position_uncertainty, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
 const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ecef_position_uncertainty),
-    0,
+    0, /* time-out */
     read_ecef_position_uncertainty,
     write_ecef_position_uncertainty,
     NULL,
@@ -1006,23 +1684,23 @@ mip_error mip_filter_data_ecef_position_uncertainty_encode(
 static void read_ecef_velocity_uncertainty(struct mip_reader *r, void *value) {
     struct mip_filter_data_ecef_velocity_uncertainty *v =
         (struct mip_filter_data_ecef_velocity_uncertainty *)value;
-    mip_read_float(r, v->vel_uncertainty, 3);
+    mip_read_float(r, v->velocity_uncertainty, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
 static void write_ecef_velocity_uncertainty(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_ecef_velocity_uncertainty *v =
         (const struct mip_filter_data_ecef_velocity_uncertainty *)value;
-    mip_write_float(w, v->vel_uncertainty, 3);
+    mip_write_float(w, v->velocity_uncertainty, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
 const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ecef_velocity_uncertainty),
-    0,
+    0, /* time-out */
     read_ecef_velocity_uncertainty,
     write_ecef_velocity_uncertainty,
     NULL,
@@ -1042,23 +1720,23 @@ mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
 
 static void read_ecef_position(struct mip_reader *r, void *value) {
     struct mip_filter_data_ecef_position *v = (struct mip_filter_data_ecef_position *)value;
-    mip_read_double(r, v->position_ecef, 3);
+    mip_read_double(r, v->position, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
 static void write_ecef_position(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_ecef_position *v =
         (const struct mip_filter_data_ecef_position *)value;
-    mip_write_double(w, v->position_ecef, 3);
+    mip_write_double(w, v->position, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
 const struct mip_codec mip_filter_data_ecef_position_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ECEF_POSITION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ecef_position),
-    0,
+    0, /* time-out */
     read_ecef_position,
     write_ecef_position,
     NULL,
@@ -1078,23 +1756,23 @@ mip_error mip_filter_data_ecef_position_encode(const struct mip_filter_data_ecef
 
 static void read_ecef_velocity(struct mip_reader *r, void *value) {
     struct mip_filter_data_ecef_velocity *v = (struct mip_filter_data_ecef_velocity *)value;
-    mip_read_float(r, v->velocity_ecef, 3);
+    mip_read_float(r, v->velocity, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
 static void write_ecef_velocity(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_ecef_velocity *v =
         (const struct mip_filter_data_ecef_velocity *)value;
-    mip_write_float(w, v->velocity_ecef, 3);
+    mip_write_float(w, v->velocity, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
 const struct mip_codec mip_filter_data_ecef_velocity_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ECEF_VELOCITY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ecef_velocity),
-    0,
+    0, /* time-out */
     read_ecef_velocity,
     write_ecef_velocity,
     NULL,
@@ -1127,11 +1805,11 @@ static void write_ned_relative_position(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_filter_data_ned_relative_position_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_NED_RELATIVE_POSITION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ned_relative_position),
-    0,
+    0, /* time-out */
     read_ned_relative_position,
     write_ned_relative_position,
     NULL,
@@ -1153,7 +1831,7 @@ static void read_gnss_position_aiding_status(struct mip_reader *r, void *value) 
     struct mip_filter_data_gnss_position_aiding_status *v =
         (struct mip_filter_data_gnss_position_aiding_status *)value;
     mip_read_u8(r, &v->receiver_id, 1);
-    mip_read_float(r, &v->time_of_week, 1);
+    mip_read_float(r, &v->tow, 1);
     mip_read_u16(r, &v->status, 1);
     mip_read_u8(r, v->reserved, 8);
 }
@@ -1162,17 +1840,17 @@ static void write_gnss_position_aiding_status(struct mip_writer *w, const void *
     const struct mip_filter_data_gnss_position_aiding_status *v =
         (const struct mip_filter_data_gnss_position_aiding_status *)value;
     mip_write_u8(w, &v->receiver_id, 1);
-    mip_write_float(w, &v->time_of_week, 1);
+    mip_write_float(w, &v->tow, 1);
     mip_write_u16(w, &v->status, 1);
     mip_write_u8(w, v->reserved, 8);
 }
 
 const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gnss_position_aiding_status),
-    0,
+    0, /* time-out */
     read_gnss_position_aiding_status,
     write_gnss_position_aiding_status,
     NULL,
@@ -1190,10 +1868,88 @@ mip_error mip_filter_data_gnss_position_aiding_status_encode(
                             write_gnss_position_aiding_status, value);
 }
 
+static void read_gnss_attitude_aiding_status(struct mip_reader *r, void *value) {
+    struct mip_filter_data_gnss_attitude_aiding_status *v =
+        (struct mip_filter_data_gnss_attitude_aiding_status *)value;
+    mip_read_float(r, &v->tow, 1);
+    mip_read_u16(r, &v->status, 1);
+    mip_read_u8(r, v->reserved, 8);
+}
+
+static void write_gnss_attitude_aiding_status(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_gnss_attitude_aiding_status *v =
+        (const struct mip_filter_data_gnss_attitude_aiding_status *)value;
+    mip_write_float(w, &v->tow, 1);
+    mip_write_u16(w, &v->status, 1);
+    mip_write_u8(w, v->reserved, 8);
+}
+
+const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_gnss_attitude_aiding_status),
+    0, /* time-out */
+    read_gnss_attitude_aiding_status,
+    write_gnss_attitude_aiding_status,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_gnss_attitude_aiding_status_decode(
+    struct mip_filter_data_gnss_attitude_aiding_status *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_attitude_aiding_status, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_gnss_attitude_aiding_status_encode(
+    const struct mip_filter_data_gnss_attitude_aiding_status *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_DESCRIPTOR,
+                            write_gnss_attitude_aiding_status, value);
+}
+
+static void read_heading_aiding_status(struct mip_reader *r, void *value) {
+    struct mip_filter_data_heading_aiding_status *v =
+        (struct mip_filter_data_heading_aiding_status *)value;
+    mip_read_float(r, &v->tow, 1);
+    mip_read_u8(r, &v->type, 1);
+    mip_read_float(r, v->reserved, 2);
+}
+
+static void write_heading_aiding_status(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_heading_aiding_status *v =
+        (const struct mip_filter_data_heading_aiding_status *)value;
+    mip_write_float(w, &v->tow, 1);
+    mip_write_u8(w, &v->type, 1);
+    mip_write_float(w, v->reserved, 2);
+}
+
+const struct mip_codec mip_filter_data_heading_aiding_status_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_HEADING_AIDING_STATUS_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_heading_aiding_status),
+    0, /* time-out */
+    read_heading_aiding_status,
+    write_heading_aiding_status,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_data_heading_aiding_status_decode(
+    struct mip_filter_data_heading_aiding_status *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_heading_aiding_status, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_heading_aiding_status_encode(
+    const struct mip_filter_data_heading_aiding_status *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_HEADING_AIDING_STATUS_DESCRIPTOR,
+                            write_heading_aiding_status, value);
+}
+
 static void read_aiding_measurement_summary(struct mip_reader *r, void *value) {
     struct mip_filter_data_aiding_measurement_summary *v =
         (struct mip_filter_data_aiding_measurement_summary *)value;
-    mip_read_float(r, &v->time_of_week, 1);
+    mip_read_float(r, &v->tow, 1);
     mip_read_u8(r, &v->source, 1);
     mip_read_u8(r, &v->type, 1);
     mip_read_u8(r, &v->indicator, 1);
@@ -1202,18 +1958,18 @@ static void read_aiding_measurement_summary(struct mip_reader *r, void *value) {
 static void write_aiding_measurement_summary(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_aiding_measurement_summary *v =
         (const struct mip_filter_data_aiding_measurement_summary *)value;
-    mip_write_float(w, &v->time_of_week, 1);
+    mip_write_float(w, &v->tow, 1);
     mip_write_u8(w, &v->source, 1);
     mip_write_u8(w, &v->type, 1);
     mip_write_u8(w, &v->indicator, 1);
 }
 
 const struct mip_codec mip_filter_data_aiding_measurement_summary_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_aiding_measurement_summary),
-    0,
+    0, /* time-out */
     read_aiding_measurement_summary,
     write_aiding_measurement_summary,
     NULL,
@@ -1246,11 +2002,11 @@ static void write_odometer_scale_factor_error(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_odometer_scale_factor_error),
-    0,
+    0, /* time-out */
     read_odometer_scale_factor_error,
     write_odometer_scale_factor_error,
     NULL,
@@ -1283,11 +2039,11 @@ static void write_odometer_scale_factor_error_uncertainty(struct mip_writer *w, 
 }
 
 const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_odometer_scale_factor_error_uncertainty),
-    0,
+    0, /* time-out */
     read_odometer_scale_factor_error_uncertainty,
     write_odometer_scale_factor_error_uncertainty,
     NULL,
@@ -1312,9 +2068,9 @@ mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_encode(
 static void read_gnss_dual_antenna_status(struct mip_reader *r, void *value) {
     struct mip_filter_data_gnss_dual_antenna_status *v =
         (struct mip_filter_data_gnss_dual_antenna_status *)value;
-    mip_read_float(r, &v->time_of_week, 1);
+    mip_read_float(r, &v->tow, 1);
     mip_read_float(r, &v->heading, 1);
-    mip_read_float(r, &v->heading_unc, 1);
+    mip_read_float(r, &v->heading_uncertainty, 1);
     mip_read_u8(r, &v->fix_type, 1);
     mip_read_u16(r, &v->status_flags, 1);
     mip_read_u16(r, &v->valid_flags, 1);
@@ -1323,20 +2079,20 @@ static void read_gnss_dual_antenna_status(struct mip_reader *r, void *value) {
 static void write_gnss_dual_antenna_status(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_gnss_dual_antenna_status *v =
         (const struct mip_filter_data_gnss_dual_antenna_status *)value;
-    mip_write_float(w, &v->time_of_week, 1);
+    mip_write_float(w, &v->tow, 1);
     mip_write_float(w, &v->heading, 1);
-    mip_write_float(w, &v->heading_unc, 1);
+    mip_write_float(w, &v->heading_uncertainty, 1);
     mip_write_u8(w, &v->fix_type, 1);
     mip_write_u16(w, &v->status_flags, 1);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
 const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gnss_dual_antenna_status),
-    0,
+    0, /* time-out */
     read_gnss_dual_antenna_status,
     write_gnss_dual_antenna_status,
     NULL,
@@ -1354,88 +2110,84 @@ mip_error mip_filter_data_gnss_dual_antenna_status_encode(
                             write_gnss_dual_antenna_status, value);
 }
 
-static void read_aiding_frame_configuration_error(struct mip_reader *r, void *value) {
-    struct mip_filter_data_aiding_frame_configuration_error *v =
-        (struct mip_filter_data_aiding_frame_configuration_error *)value;
+static void read_aiding_frame_config_error(struct mip_reader *r, void *value) {
+    struct mip_filter_data_aiding_frame_config_error *v =
+        (struct mip_filter_data_aiding_frame_config_error *)value;
     mip_read_u8(r, &v->frame_id, 1);
     mip_read_float(r, v->translation, 3);
     mip_read_float(r, v->attitude, 4);
 }
 
-static void write_aiding_frame_configuration_error(struct mip_writer *w, const void *value) {
-    const struct mip_filter_data_aiding_frame_configuration_error *v =
-        (const struct mip_filter_data_aiding_frame_configuration_error *)value;
+static void write_aiding_frame_config_error(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_aiding_frame_config_error *v =
+        (const struct mip_filter_data_aiding_frame_config_error *)value;
     mip_write_u8(w, &v->frame_id, 1);
     mip_write_float(w, v->translation, 3);
     mip_write_float(w, v->attitude, 4);
 }
 
-const struct mip_codec mip_filter_data_aiding_frame_configuration_error_codec = {
-    0x82,
-    MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_DESCRIPTOR,
+const struct mip_codec mip_filter_data_aiding_frame_config_error_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_aiding_frame_configuration_error),
-    0,
-    read_aiding_frame_configuration_error,
-    write_aiding_frame_configuration_error,
+    sizeof(struct mip_filter_data_aiding_frame_config_error),
+    0, /* time-out */
+    read_aiding_frame_config_error,
+    write_aiding_frame_config_error,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_data_aiding_frame_configuration_error_decode(
-    struct mip_filter_data_aiding_frame_configuration_error *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_aiding_frame_configuration_error, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_data_aiding_frame_config_error_decode(
+    struct mip_filter_data_aiding_frame_config_error *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_aiding_frame_config_error, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_aiding_frame_configuration_error_encode(
-    const struct mip_filter_data_aiding_frame_configuration_error *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x82,
-                            MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_DESCRIPTOR,
-                            write_aiding_frame_configuration_error, value);
+mip_error mip_filter_data_aiding_frame_config_error_encode(
+    const struct mip_filter_data_aiding_frame_config_error *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_DESCRIPTOR,
+                            write_aiding_frame_config_error, value);
 }
 
-static void read_aiding_frame_configuration_error_uncertainty(struct mip_reader *r, void *value) {
-    struct mip_filter_data_aiding_frame_configuration_error_uncertainty *v =
-        (struct mip_filter_data_aiding_frame_configuration_error_uncertainty *)value;
+static void read_aiding_frame_config_error_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_aiding_frame_config_error_uncertainty *v =
+        (struct mip_filter_data_aiding_frame_config_error_uncertainty *)value;
     mip_read_u8(r, &v->frame_id, 1);
-    mip_read_float(r, v->translation_unc, 3);
-    mip_read_float(r, v->attitude_unc, 3);
+    mip_read_float(r, v->translation_uncertainty, 3);
+    mip_read_float(r, v->attitude_uncertainty, 3);
 }
 
-static void write_aiding_frame_configuration_error_uncertainty(struct mip_writer *w,
-                                                               const void *value) {
-    const struct mip_filter_data_aiding_frame_configuration_error_uncertainty *v =
-        (const struct mip_filter_data_aiding_frame_configuration_error_uncertainty *)value;
+static void write_aiding_frame_config_error_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_aiding_frame_config_error_uncertainty *v =
+        (const struct mip_filter_data_aiding_frame_config_error_uncertainty *)value;
     mip_write_u8(w, &v->frame_id, 1);
-    mip_write_float(w, v->translation_unc, 3);
-    mip_write_float(w, v->attitude_unc, 3);
+    mip_write_float(w, v->translation_uncertainty, 3);
+    mip_write_float(w, v->attitude_uncertainty, 3);
 }
 
-const struct mip_codec mip_filter_data_aiding_frame_configuration_error_uncertainty_codec = {
-    0x82,
-    MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_DESCRIPTOR,
+const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_codec = {
+    0x82, /* descriptor set */
+    MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_aiding_frame_configuration_error_uncertainty),
-    0,
-    read_aiding_frame_configuration_error_uncertainty,
-    write_aiding_frame_configuration_error_uncertainty,
+    sizeof(struct mip_filter_data_aiding_frame_config_error_uncertainty),
+    0, /* time-out */
+    read_aiding_frame_config_error_uncertainty,
+    write_aiding_frame_config_error_uncertainty,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_data_aiding_frame_configuration_error_uncertainty_decode(
-    struct mip_filter_data_aiding_frame_configuration_error_uncertainty *value,
+mip_error mip_filter_data_aiding_frame_config_error_uncertainty_decode(
+    struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
     const struct mip_field *field) {
-    return mip_decode_field(field, read_aiding_frame_configuration_error_uncertainty, value,
+    return mip_decode_field(field, read_aiding_frame_config_error_uncertainty, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_aiding_frame_configuration_error_uncertainty_encode(
-    const struct mip_filter_data_aiding_frame_configuration_error_uncertainty *value,
+mip_error mip_filter_data_aiding_frame_config_error_uncertainty_encode(
+    const struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x82,
-                            MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_DESCRIPTOR,
-                            write_aiding_frame_configuration_error_uncertainty, value);
+                            MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_DESCRIPTOR,
+                            write_aiding_frame_config_error_uncertainty, value);
 }

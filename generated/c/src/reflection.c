@@ -1,3 +1,5 @@
+
+
 /* The parameters, types and names of all fields. */
 #include "mip/reflect.h"
 
@@ -6,14 +8,17 @@
 #include "mip/3dm.h"
 #include "mip/filter.h"
 #include "mip/gnss.h"
+#include "mip/rtk.h"
 #include "mip/aiding.h"
 #include "mip/system.h"
 #include "mip/sensor.h"
+#include "mip/gnss_data.h"
 #include "mip/filter_data.h"
 #include "mip/gnss_1.h"
 #include "mip/gnss_2.h"
 #include "mip/gnss_corrections.h"
 #include "mip/gnss_external.h"
+#include "mip/gnss_external_2.h"
 #include "mip/system_data.h"
 #include "mip/shared.h"
 
@@ -24,34 +29,29 @@
 /* ---------------------------------------------------------------------------------------- names */
 
 static const struct mip_named_value values_function_selector[] = {
-    {"write", 1},
-    {"read", 2},
-    {"save", 3},
-    {"load", 4},
-    {"default", 5},
-    {"apply", 6},
+    {"write", 1}, {"read", 2}, {"save", 3}, {"load", 4}, {"default", 5}, {"apply", 6},
 };
 static const struct mip_names names_function_selector = {
-    "function_selector", values_function_selector, NULL, 6, 1};
+    "function_selector", values_function_selector, NULL, 6, 1,
+};
 
 static const struct mip_named_bits bits_gx5_built_in_test[] = {
-    {"watchdog_reset", 0, 1, NULL},
-    {"imu_communication_fault", 8, 1, NULL},
-    {"magnetometer_fault", 9, 1, NULL},
-    {"pressure_sensor_fault", 10, 1, NULL},
+    {"watchdog_reset", 0, 1, NULL},  {"imu_comm_fault", 8, 1, NULL},
+    {"mag_fault", 9, 1, NULL},       {"pressure_sensor_fault", 10, 1, NULL},
     {"solution_fault", 24, 1, NULL},
 };
 static const struct mip_names names_gx5_built_in_test = {
-    "gx5_built_in_test", NULL, bits_gx5_built_in_test, 5, 4};
+    "gx5_built_in_test", NULL, bits_gx5_built_in_test, 5, 4,
+};
 
 static const struct mip_named_bits bits_cv7_built_in_test[] = {
     {"general_hardware_fault", 0, 1, NULL},
     {"general_firmware_fault", 1, 1, NULL},
     {"timing_overload", 2, 1, NULL},
     {"buffer_overrun", 3, 1, NULL},
-    {"accelerometer_fault", 12, 1, NULL},
-    {"gyroscope_fault", 13, 1, NULL},
-    {"magnetometer_fault", 14, 1, NULL},
+    {"accel_fault", 12, 1, NULL},
+    {"gyro_fault", 13, 1, NULL},
+    {"mag_fault", 14, 1, NULL},
     {"pressure_sensor_fault", 15, 1, NULL},
     {"calibration_error", 18, 1, NULL},
     {"general_imu_fault", 19, 1, NULL},
@@ -59,7 +59,8 @@ static const struct mip_named_bits bits_cv7_built_in_test[] = {
     {"general_filter_fault", 23, 1, NULL},
 };
 static const struct mip_names names_cv7_built_in_test = {
-    "cv7_built_in_test", NULL, bits_cv7_built_in_test, 12, 4};
+    "cv7_built_in_test", NULL, bits_cv7_built_in_test, 12, 4,
+};
 
 static const struct mip_named_bits bits_cv7_continuous_built_in_test[] = {
     {"system_clock_failure", 0, 1, NULL},
@@ -80,20 +81,20 @@ static const struct mip_named_bits bits_cv7_continuous_built_in_test[] = {
     {"gnss_main_process_fault", 24, 1, NULL},
     {"gnss_receiver_1_stall", 25, 1, NULL},
     {"gnss_receiver_2_stall", 26, 1, NULL},
-    {"imu_communication_fault", 33, 1, NULL},
+    {"imu_comm_fault", 33, 1, NULL},
     {"imu_timing_overrun", 34, 1, NULL},
-    {"imu_calibration_error_accelerometer", 36, 1, NULL},
-    {"imu_calibration_error_gyroscope", 37, 1, NULL},
-    {"imu_calibration_error_magnetometer", 38, 1, NULL},
-    {"accelerometer_general_fault", 40, 1, NULL},
-    {"accelerometer_over_range", 41, 1, NULL},
-    {"accelerometer_self_test_fail", 42, 1, NULL},
-    {"gyroscope_general_fault", 44, 1, NULL},
-    {"gyroscope_over_range", 45, 1, NULL},
-    {"gyroscope_self_test_fail", 46, 1, NULL},
-    {"magnetometer_general_fault", 48, 1, NULL},
-    {"magnetometer_over_range", 49, 1, NULL},
-    {"magnetometer_self_test_fail", 50, 1, NULL},
+    {"imu_calibration_error_accel", 36, 1, NULL},
+    {"imu_calibration_error_gyro", 37, 1, NULL},
+    {"imu_calibration_error_mag", 38, 1, NULL},
+    {"accel_general_fault", 40, 1, NULL},
+    {"accel_over_range", 41, 1, NULL},
+    {"accel_self_test_fail", 42, 1, NULL},
+    {"gyro_general_fault", 44, 1, NULL},
+    {"gyro_over_range", 45, 1, NULL},
+    {"gyro_self_test_fail", 46, 1, NULL},
+    {"mag_general_fault", 48, 1, NULL},
+    {"mag_over_range", 49, 1, NULL},
+    {"mag_self_test_fail", 50, 1, NULL},
     {"pressure_sensor_general_fault", 52, 1, NULL},
     {"pressure_sensor_over_range", 53, 1, NULL},
     {"pressure_sensor_self_test_fail", 54, 1, NULL},
@@ -106,7 +107,8 @@ static const struct mip_named_bits bits_cv7_continuous_built_in_test[] = {
     {"receiver_2_no_solution", 113, 1, NULL},
 };
 static const struct mip_names names_cv7_continuous_built_in_test = {
-    "cv7_continuous_built_in_test", NULL, bits_cv7_continuous_built_in_test, 42, 16};
+    "cv7_continuous_built_in_test", NULL, bits_cv7_continuous_built_in_test, 42, 16,
+};
 
 static const struct mip_named_value values_event_trigger_type[] = {
     {"none", 0},
@@ -115,7 +117,8 @@ static const struct mip_named_value values_event_trigger_type[] = {
     {"combination", 3},
 };
 static const struct mip_names names_event_trigger_type = {
-    "event_trigger_type", values_event_trigger_type, NULL, 4, 1};
+    "event_trigger_type", values_event_trigger_type, NULL, 4, 1,
+};
 
 static const struct mip_named_value values_event_action_type[] = {
     {"none", 0},
@@ -123,7 +126,8 @@ static const struct mip_named_value values_event_action_type[] = {
     {"message", 2},
 };
 static const struct mip_names names_event_action_type = {
-    "event_action_type", values_event_action_type, NULL, 3, 1};
+    "event_action_type", values_event_action_type, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_event_trigger_mode[] = {
     {"disabled", 0},
@@ -132,7 +136,8 @@ static const struct mip_named_value values_event_trigger_mode[] = {
     {"test_pulse", 3},
 };
 static const struct mip_names names_event_trigger_mode = {
-    "event_trigger_mode", values_event_trigger_mode, NULL, 4, 1};
+    "event_trigger_mode", values_event_trigger_mode, NULL, 4, 1,
+};
 
 static const struct mip_named_bits bits_event_trigger_status[] = {
     {"active", 0, 1, NULL},
@@ -140,7 +145,8 @@ static const struct mip_named_bits bits_event_trigger_status[] = {
     {"test", 2, 1, NULL},
 };
 static const struct mip_names names_event_trigger_status = {
-    "event_trigger_status", NULL, bits_event_trigger_status, 3, 1};
+    "event_trigger_status", NULL, bits_event_trigger_status, 3, 1,
+};
 
 static const struct mip_named_value values_event_trigger_gpio_mode[] = {
     {"disabled", 0},
@@ -149,137 +155,76 @@ static const struct mip_named_value values_event_trigger_gpio_mode[] = {
     {"edge", 4},
 };
 static const struct mip_names names_event_trigger_gpio_mode = {
-    "event_trigger_gpio_mode", values_event_trigger_gpio_mode, NULL, 4, 1};
+    "event_trigger_gpio_mode", values_event_trigger_gpio_mode, NULL, 4, 1,
+};
 
 static const struct mip_named_value values_event_threshold_type[] = {
     {"window", 1},
     {"interval", 2},
 };
 static const struct mip_names names_event_threshold_type = {
-    "event_threshold_type", values_event_threshold_type, NULL, 2, 1};
+    "event_threshold_type", values_event_threshold_type, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_event_action_gpio_mode[] = {
-    {"disabled", 0},
-    {"active_high", 1},
-    {"active_low", 2},
-    {"oneshot_high", 5},
-    {"oneshot_low", 6},
-    {"toggle", 7},
+    {"disabled", 0},     {"active_high", 1}, {"active_low", 2},
+    {"oneshot_high", 5}, {"oneshot_low", 6}, {"toggle", 7},
 };
 static const struct mip_names names_event_action_gpio_mode = {
-    "event_action_gpio_mode", values_event_action_gpio_mode, NULL, 6, 1};
+    "event_action_gpio_mode", values_event_action_gpio_mode, NULL, 6, 1,
+};
 
 static const struct mip_named_value values_gnss_constellation[] = {
-    {"unknown", 0},
-    {"gps", 1},
-    {"glonass", 2},
-    {"galileo", 3},
-    {"beidou", 4},
-    {"sbas", 5},
+    {"unknown", 0}, {"gps", 1}, {"glonass", 2}, {"galileo", 3}, {"beidou", 4}, {"sbas", 5},
 };
 static const struct mip_names names_gnss_constellation = {
-    "gnss_constellation", values_gnss_constellation, NULL, 6, 1};
+    "gnss_constellation", values_gnss_constellation, NULL, 6, 1,
+};
 
 static const struct mip_named_value values_gnss_fix_type[] = {
-    {"fix_3d", 0},
-    {"fix_2d", 1},
-    {"fix_time_only", 2},
-    {"fix_none", 3},
-    {"fix_invalid", 4},
-    {"fix_rtk_float", 5},
-    {"fix_rtk_fixed", 6},
-    {"fix_differential", 7},
+    {"fix_3d", 0},      {"fix_2d", 1},        {"fix_time_only", 2}, {"fix_none", 3},
+    {"fix_invalid", 4}, {"fix_rtk_float", 5}, {"fix_rtk_fixed", 6}, {"fix_differential", 7},
 };
 static const struct mip_names names_gnss_fix_type = {
-    "gnss_fix_type", values_gnss_fix_type, NULL, 8, 1};
+    "gnss_fix_type", values_gnss_fix_type, NULL, 8, 1,
+};
 
 static const struct mip_named_value values_gnss_signal[] = {
-    {"unknown", 0},
-    {"gps_l1ca", 1},
-    {"gps_l1p", 2},
-    {"gps_l1z", 3},
-    {"gps_l2ca", 4},
-    {"gps_l2p", 5},
-    {"gps_l2z", 6},
-    {"gps_l2cl", 7},
-    {"gps_l2cm", 8},
-    {"gps_l2cml", 9},
-    {"gps_l5i", 10},
-    {"gps_l5q", 11},
-    {"gps_l5iq", 12},
-    {"gps_l1cd", 13},
-    {"gps_l1cp", 14},
-    {"gps_l1cdp", 15},
-    {"glonass_g1ca", 32},
-    {"glonass_g1p", 33},
-    {"glonass_g2c", 34},
-    {"glonass_g2p", 35},
-    {"galileo_e1c", 64},
-    {"galileo_e1a", 65},
-    {"galileo_e1b", 66},
-    {"galileo_e1bc", 67},
-    {"galileo_e1abc", 68},
-    {"galileo_e6c", 69},
-    {"galileo_e6a", 70},
-    {"galileo_e6b", 71},
-    {"galileo_e6bc", 72},
-    {"galileo_e6abc", 73},
-    {"galileo_e5bi", 74},
-    {"galileo_e5bq", 75},
-    {"galileo_e5biq", 76},
-    {"galileo_e5abi", 77},
-    {"galileo_e5abq", 78},
-    {"galileo_e5abiq", 79},
-    {"galileo_e5ai", 80},
-    {"galileo_e5aq", 81},
-    {"galileo_e5aiq", 82},
-    {"sbas_l1ca", 96},
-    {"sbas_l5i", 97},
-    {"sbas_l5q", 98},
-    {"sbas_l5iq", 99},
-    {"qzss_l1ca", 128},
-    {"qzss_lexs", 129},
-    {"qzss_lexl", 130},
-    {"qzss_lexsl", 131},
-    {"qzss_l2cm", 132},
-    {"qzss_l2cl", 133},
-    {"qzss_l2cml", 134},
-    {"qzss_l5i", 135},
-    {"qzss_l5q", 136},
-    {"qzss_l5iq", 137},
-    {"qzss_l1cd", 138},
-    {"qzss_l1cp", 139},
-    {"qzss_l1cdp", 140},
-    {"beidou_b1i", 160},
-    {"beidou_b1q", 161},
-    {"beidou_b1iq", 162},
-    {"beidou_b3i", 163},
-    {"beidou_b3q", 164},
-    {"beidou_b3iq", 165},
-    {"beidou_b2i", 166},
-    {"beidou_b2q", 167},
-    {"beidou_b2iq", 168},
-    {"beidou_b2a", 169},
+    {"unknown", 0},        {"gps_l1ca", 1},       {"gps_l1p", 2},        {"gps_l1z", 3},
+    {"gps_l2ca", 4},       {"gps_l2p", 5},        {"gps_l2z", 6},        {"gps_l2cl", 7},
+    {"gps_l2cm", 8},       {"gps_l2cml", 9},      {"gps_l5i", 10},       {"gps_l5q", 11},
+    {"gps_l5iq", 12},      {"gps_l1cd", 13},      {"gps_l1cp", 14},      {"gps_l1cdp", 15},
+    {"glonass_g1ca", 32},  {"glonass_g1p", 33},   {"glonass_g2c", 34},   {"glonass_g2p", 35},
+    {"galileo_e1c", 64},   {"galileo_e1a", 65},   {"galileo_e1b", 66},   {"galileo_e1bc", 67},
+    {"galileo_e1abc", 68}, {"galileo_e6c", 69},   {"galileo_e6a", 70},   {"galileo_e6b", 71},
+    {"galileo_e6bc", 72},  {"galileo_e6abc", 73}, {"galileo_e5bi", 74},  {"galileo_e5bq", 75},
+    {"galileo_e5biq", 76}, {"galileo_e5abi", 77}, {"galileo_e5abq", 78}, {"galileo_e5abiq", 79},
+    {"galileo_e5ai", 80},  {"galileo_e5aq", 81},  {"galileo_e5aiq", 82}, {"sbas_l1ca", 96},
+    {"sbas_l5i", 97},      {"sbas_l5q", 98},      {"sbas_l5iq", 99},     {"qzss_l1ca", 128},
+    {"qzss_lexs", 129},    {"qzss_lexl", 130},    {"qzss_lexsl", 131},   {"qzss_l2cm", 132},
+    {"qzss_l2cl", 133},    {"qzss_l2cml", 134},   {"qzss_l5i", 135},     {"qzss_l5q", 136},
+    {"qzss_l5iq", 137},    {"qzss_l1cd", 138},    {"qzss_l1cp", 139},    {"qzss_l1cdp", 140},
+    {"beidou_b1i", 160},   {"beidou_b1q", 161},   {"beidou_b1iq", 162},  {"beidou_b3i", 163},
+    {"beidou_b3q", 164},   {"beidou_b3iq", 165},  {"beidou_b2i", 166},   {"beidou_b2q", 167},
+    {"beidou_b2iq", 168},  {"beidou_b2a", 169},
 };
 static const struct mip_names names_gnss_signal = {
-    "gnss_signal", values_gnss_signal, NULL, 66, 1};
+    "gnss_signal", values_gnss_signal, NULL, 66, 1,
+};
 
 static const struct mip_named_value values_gpio_feature[] = {
-    {"unused", 0},
-    {"gpio", 1},
-    {"pps", 2},
-    {"encoder", 3},
-    {"timestamp", 4},
-    {"uart", 5},
+    {"unused", 0}, {"gpio", 1}, {"pps", 2}, {"encoder", 3}, {"timestamp", 4}, {"uart", 5},
 };
 static const struct mip_names names_gpio_feature = {
-    "gpio_feature", values_gpio_feature, NULL, 6, 1};
+    "gpio_feature", values_gpio_feature, NULL, 6, 1,
+};
 
 static const struct mip_named_value values_gpio_unused_behavior[] = {
     {"unused", 0},
 };
 static const struct mip_names names_gpio_unused_behavior = {
-    "gpio_unused_behavior", values_gpio_unused_behavior, NULL, 1, 1};
+    "gpio_unused_behavior", values_gpio_unused_behavior, NULL, 1, 1,
+};
 
 static const struct mip_named_value values_gpio_behavior[] = {
     {"input", 1},
@@ -287,21 +232,24 @@ static const struct mip_named_value values_gpio_behavior[] = {
     {"output_high", 3},
 };
 static const struct mip_names names_gpio_behavior = {
-    "gpio_behavior", values_gpio_behavior, NULL, 3, 1};
+    "gpio_behavior", values_gpio_behavior, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_gpio_pps_behavior[] = {
     {"input", 1},
     {"output", 2},
 };
 static const struct mip_names names_gpio_pps_behavior = {
-    "gpio_pps_behavior", values_gpio_pps_behavior, NULL, 2, 1};
+    "gpio_pps_behavior", values_gpio_pps_behavior, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_gpio_encoder_behavior[] = {
     {"a", 1},
     {"b", 2},
 };
 static const struct mip_names names_gpio_encoder_behavior = {
-    "gpio_encoder_behavior", values_gpio_encoder_behavior, NULL, 2, 1};
+    "gpio_encoder_behavior", values_gpio_encoder_behavior, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_gpio_timestamp_behavior[] = {
     {"rising", 1},
@@ -309,7 +257,8 @@ static const struct mip_named_value values_gpio_timestamp_behavior[] = {
     {"either", 3},
 };
 static const struct mip_names names_gpio_timestamp_behavior = {
-    "gpio_timestamp_behavior", values_gpio_timestamp_behavior, NULL, 3, 1};
+    "gpio_timestamp_behavior", values_gpio_timestamp_behavior, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_gpio_uart_behavior[] = {
     {"port_2_tx", 33},
@@ -318,7 +267,8 @@ static const struct mip_named_value values_gpio_uart_behavior[] = {
     {"port_3_rx", 50},
 };
 static const struct mip_names names_gpio_uart_behavior = {
-    "gpio_uart_behavior", values_gpio_uart_behavior, NULL, 4, 1};
+    "gpio_uart_behavior", values_gpio_uart_behavior, NULL, 4, 1,
+};
 
 static const struct mip_named_bits bits_gpio_pin_mode[] = {
     {"open_drain", 0, 1, NULL},
@@ -326,32 +276,56 @@ static const struct mip_named_bits bits_gpio_pin_mode[] = {
     {"pullup", 2, 1, NULL},
 };
 static const struct mip_names names_gpio_pin_mode = {
-    "gpio_pin_mode", NULL, bits_gpio_pin_mode, 3, 1};
+    "gpio_pin_mode", NULL, bits_gpio_pin_mode, 3, 1,
+};
 
 static const struct mip_named_value values_nmea_message_id[] = {
-    {"gga", 1},
-    {"gll", 2},
-    {"gsv", 3},
-    {"rmc", 4},
-    {"vtg", 5},
-    {"hdt", 6},
-    {"zda", 7},
-    {"gst", 8},
-    {"msra", 129},
-    {"msrr", 130},
+    {"gga", 1}, {"gll", 2}, {"gsv", 3}, {"rmc", 4},    {"vtg", 5},
+    {"hdt", 6}, {"zda", 7}, {"gst", 8}, {"msra", 129}, {"msrr", 130},
 };
 static const struct mip_names names_nmea_message_id = {
-    "nmea_message_id", values_nmea_message_id, NULL, 10, 1};
+    "nmea_message_id", values_nmea_message_id, NULL, 10, 1,
+};
 
 static const struct mip_named_value values_nmea_talker_id[] = {
-    {"ignored", 0},
-    {"gnss", 1},
-    {"gps", 2},
-    {"galileo", 3},
-    {"glonass", 4},
+    {"ignored", 0}, {"gnss", 1}, {"gps", 2}, {"galileo", 3}, {"glonass", 4},
 };
 static const struct mip_names names_nmea_talker_id = {
-    "nmea_talker_id", values_nmea_talker_id, NULL, 5, 1};
+    "nmea_talker_id", values_nmea_talker_id, NULL, 5, 1,
+};
+
+static const struct mip_named_bits bits_rtk_status_flags[] = {
+    {"modem_state", 0, 4, NULL},
+    {"connection_type", 4, 4, NULL},
+    {"rssi", 8, 8, NULL},
+    {"signal_quality", 16, 4, NULL},
+    {"tower_change_indicator", 20, 4, NULL},
+    {"nmea_timeout", 24, 1, NULL},
+    {"server_timeout", 25, 1, NULL},
+    {"corrections_timeout", 26, 1, NULL},
+    {"device_out_of_range", 27, 1, NULL},
+    {"corrections_unavailable", 28, 1, NULL},
+    {"version", 30, 2, NULL},
+};
+static const struct mip_names names_rtk_status_flags = {
+    "rtk_status_flags", NULL, bits_rtk_status_flags, 11, 4,
+};
+
+static const struct mip_named_bits bits_rtk_status_flags_legacy[] = {
+    {"controller_state", 0, 3, NULL},
+    {"platform_state", 3, 5, NULL},
+    {"controller_status_code", 8, 3, NULL},
+    {"platform_status_code", 11, 3, NULL},
+    {"reset_code", 14, 2, NULL},
+    {"signal_quality", 16, 4, NULL},
+    {"rssi", 20, 6, NULL},
+    {"rsrp", 26, 2, NULL},
+    {"rsrq", 28, 2, NULL},
+    {"sinr", 30, 2, NULL},
+};
+static const struct mip_names names_rtk_status_flags_legacy = {
+    "rtk_status_flags_legacy", NULL, bits_rtk_status_flags_legacy, 10, 4,
+};
 
 static const struct mip_named_value values_ack_code[] = {
     {"ok", 0},
@@ -363,17 +337,16 @@ static const struct mip_named_value values_ack_code[] = {
     {"unknown_descriptor_set", 6},
 };
 static const struct mip_names names_ack_code = {
-    "ack_code", values_ack_code, NULL, 7, 1};
+    "ack_code", values_ack_code, NULL, 7, 1,
+};
 
 static const struct mip_named_bits bits_sensor_gps_timestamp_flags[] = {
-    {"pps_valid", 0, 1, NULL},
-    {"time_refresh", 1, 1, NULL},
-    {"time_initialized", 2, 1, NULL},
-    {"tow_valid", 3, 1, NULL},
-    {"week_number_valid", 4, 1, NULL},
+    {"pps_valid", 0, 1, NULL}, {"time_refresh", 1, 1, NULL},      {"time_initialized", 2, 1, NULL},
+    {"tow_valid", 3, 1, NULL}, {"week_number_valid", 4, 1, NULL},
 };
 static const struct mip_names names_sensor_gps_timestamp_flags = {
-    "sensor_gps_timestamp_flags", NULL, bits_sensor_gps_timestamp_flags, 5, 2};
+    "sensor_gps_timestamp_flags", NULL, bits_sensor_gps_timestamp_flags, 5, 2,
+};
 
 static const struct mip_named_bits bits_gx5_sensor_gps_timestamp_flags[] = {
     {"pps_valid", 0, 1, NULL},
@@ -381,14 +354,16 @@ static const struct mip_named_bits bits_gx5_sensor_gps_timestamp_flags[] = {
     {"time_initialized", 2, 1, NULL},
 };
 static const struct mip_names names_gx5_sensor_gps_timestamp_flags = {
-    "gx5_sensor_gps_timestamp_flags", NULL, bits_gx5_sensor_gps_timestamp_flags, 3, 2};
+    "gx5_sensor_gps_timestamp_flags", NULL, bits_gx5_sensor_gps_timestamp_flags, 3, 2,
+};
 
 static const struct mip_named_value values_base_gps_time_field[] = {
     {"week_number", 1},
-    {"time_of_week", 2},
+    {"tow", 2},
 };
 static const struct mip_names names_base_gps_time_field = {
-    "base.gps_time_field", values_base_gps_time_field, NULL, 2, 1};
+    "base.gps_time_field", values_base_gps_time_field, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_3dm_factory_streaming_action[] = {
     {"overwrite", 0},
@@ -396,7 +371,77 @@ static const struct mip_named_value values_3dm_factory_streaming_action[] = {
     {"add", 2},
 };
 static const struct mip_names names_3dm_factory_streaming_action = {
-    "3dm.factory_streaming_action", values_3dm_factory_streaming_action, NULL, 3, 1};
+    "3dm.factory_streaming_action", values_3dm_factory_streaming_action, NULL, 3, 1,
+};
+
+static const struct mip_named_value values_3dm_constellation_id[] = {
+    {"gps", 0}, {"sbas", 1}, {"galileo", 2}, {"beidou", 3}, {"qzss", 5}, {"glonass", 6},
+};
+static const struct mip_names names_3dm_constellation_id = {
+    "3dm.constellation_id", values_3dm_constellation_id, NULL, 6, 1,
+};
+
+static const struct mip_named_bits bits_3dm_constellation_options[] = {
+    {"l1saif", 0, 1, NULL},
+};
+static const struct mip_names names_3dm_constellation_options = {
+    "3dm.constellation_options", NULL, bits_3dm_constellation_options, 1, 2,
+};
+
+static const struct mip_named_bits bits_3dm_sbas_options[] = {
+    {"enable_ranging", 0, 1, NULL},
+    {"enable_corrections", 1, 1, NULL},
+    {"apply_integrity", 2, 1, NULL},
+};
+static const struct mip_names names_3dm_sbas_options = {
+    "3dm.sbas_options", NULL, bits_3dm_sbas_options, 3, 2,
+};
+
+static const struct mip_named_value values_3dm_assisted_fix_option[] = {
+    {"none", 0},
+    {"enabled", 1},
+};
+static const struct mip_names names_3dm_assisted_fix_option = {
+    "3dm.assisted_fix_option", values_3dm_assisted_fix_option, NULL, 2, 1,
+};
+
+static const struct mip_named_value values_3dm_pps_source[] = {
+    {"disabled", 0}, {"receiver_1", 1}, {"receiver_2", 2}, {"gpio", 3}, {"generated", 4},
+};
+static const struct mip_names names_3dm_pps_source = {
+    "3dm.pps_source", values_3dm_pps_source, NULL, 5, 1,
+};
+
+static const struct mip_named_value values_3dm_event_support_query[] = {
+    {"trigger_types", 1},
+    {"action_types", 2},
+};
+static const struct mip_names names_3dm_event_support_query = {
+    "3dm.event_support_query", values_3dm_event_support_query, NULL, 2, 1,
+};
+
+static const struct mip_named_value values_3dm_odometer_mode[] = {
+    {"disabled", 0},
+    {"quadrature", 2},
+};
+static const struct mip_names names_3dm_odometer_mode = {
+    "3dm.odometer_mode", values_3dm_odometer_mode, NULL, 2, 1,
+};
+
+static const struct mip_named_value values_3dm_sensor_range_type[] = {
+    {"all", 0}, {"accel", 1}, {"gyro", 2}, {"mag", 3}, {"pressure", 4},
+};
+static const struct mip_names names_3dm_sensor_range_type = {
+    "3dm.sensor_range_type", values_3dm_sensor_range_type, NULL, 5, 1,
+};
+
+static const struct mip_named_value values_3dm_device_status_selector[] = {
+    {"basic", 1},
+    {"diagnostic", 2},
+};
+static const struct mip_names names_3dm_device_status_selector = {
+    "3dm.device_status_selector", values_3dm_device_status_selector, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_3dm_legacy_data_stream[] = {
     {"all_streams", 0},
@@ -405,85 +450,51 @@ static const struct mip_named_value values_3dm_legacy_data_stream[] = {
     {"filter", 3},
 };
 static const struct mip_names names_3dm_legacy_data_stream = {
-    "3dm.legacy_data_stream", values_3dm_legacy_data_stream, NULL, 4, 1};
-
-static const struct mip_named_bits bits_3dm_sbas_options[] = {
-    {"enable_ranging", 0, 1, NULL},
-    {"enable_corrections", 1, 1, NULL},
-    {"apply_integrity", 2, 1, NULL},
+    "3dm.legacy_data_stream", values_3dm_legacy_data_stream, NULL, 4, 1,
 };
-static const struct mip_names names_3dm_sbas_options = {
-    "3dm.sbas_options", NULL, bits_3dm_sbas_options, 3, 2};
 
-static const struct mip_named_value values_3dm_pps_source[] = {
-    {"disabled", 0},
-    {"receiver_1", 1},
-    {"receiver_2", 2},
-    {"gpio", 3},
-    {"generated", 4},
+static const struct mip_named_value values_filter_dynamics_mode[] = {
+    {"portable", 1},
+    {"automotive", 2},
+    {"airborne", 3},
+    {"airborne_high_g", 4},
 };
-static const struct mip_names names_3dm_pps_source = {
-    "3dm.pps_source", values_3dm_pps_source, NULL, 5, 1};
-
-static const struct mip_named_value values_3dm_supported_events_query[] = {
-    {"trigger_types", 1},
-    {"action_types", 2},
+static const struct mip_names names_filter_dynamics_mode = {
+    "filter.dynamics_mode", values_filter_dynamics_mode, NULL, 4, 1,
 };
-static const struct mip_names names_3dm_supported_events_query = {
-    "3dm.supported_events_query", values_3dm_supported_events_query, NULL, 2, 1};
-
-static const struct mip_named_value values_3dm_odometer_mode[] = {
-    {"disabled", 0},
-    {"quadrature", 2},
-};
-static const struct mip_names names_3dm_odometer_mode = {
-    "3dm.odometer_mode", values_3dm_odometer_mode, NULL, 2, 1};
-
-static const struct mip_named_value values_3dm_sensor_range_type[] = {
-    {"all", 0},
-    {"accel", 1},
-    {"gyro", 2},
-    {"mag", 3},
-    {"press", 4},
-};
-static const struct mip_names names_3dm_sensor_range_type = {
-    "3dm.sensor_range_type", values_3dm_sensor_range_type, NULL, 5, 1};
-
-static const struct mip_named_value values_3dm_device_status_selector[] = {
-    {"basic", 1},
-    {"diagnostic", 2},
-};
-static const struct mip_names names_3dm_device_status_selector = {
-    "3dm.device_status_selector", values_3dm_device_status_selector, NULL, 2, 1};
 
 static const struct mip_named_bits bits_filter_estimated_states[] = {
     {"gyro_bias", 0, 1, NULL},
 };
 static const struct mip_names names_filter_estimated_states = {
-    "filter.estimated_states", NULL, bits_filter_estimated_states, 1, 2};
+    "filter.estimated_states", NULL, bits_filter_estimated_states, 1, 2,
+};
 
 static const struct mip_named_value values_filter_gnss_aiding_source[] = {
-    {"all_int", 1},
-    {"ext", 2},
-    {"int_1", 3},
-    {"int_2", 4},
+    {"all_internal", 1},
+    {"external", 2},
+    {"internal_1", 3},
+    {"internal_2", 4},
 };
 static const struct mip_names names_filter_gnss_aiding_source = {
-    "filter.gnss_aiding_source", values_filter_gnss_aiding_source, NULL, 4, 1};
+    "filter.gnss_aiding_source", values_filter_gnss_aiding_source, NULL, 4, 1,
+};
 
 static const struct mip_named_value values_filter_heading_type[] = {
     {"true_heading", 1},
     {"magnetic_heading", 2},
 };
 static const struct mip_names names_filter_heading_type = {
-    "filter.heading_type", values_filter_heading_type, NULL, 2, 1};
+    "filter.heading_type", values_filter_heading_type, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_heading_update_source[] = {
     {"none", 0},
     {"external", 3},
 };
 static const struct mip_names names_filter_heading_update_source = {
-    "filter.heading_update_source", values_filter_heading_update_source, NULL, 2, 1};
+    "filter.heading_update_source", values_filter_heading_update_source, NULL, 2, 1,
+};
 
 static const struct mip_named_bits bits_filter_tare_axes[] = {
     {"roll", 0, 1, NULL},
@@ -491,22 +502,25 @@ static const struct mip_named_bits bits_filter_tare_axes[] = {
     {"yaw", 2, 1, NULL},
 };
 static const struct mip_names names_filter_tare_axes = {
-    "filter.tare_axes", NULL, bits_filter_tare_axes, 3, 1};
+    "filter.tare_axes", NULL, bits_filter_tare_axes, 3, 1,
+};
 
 static const struct mip_named_bits bits_filter_measurement_flags[] = {
-    {"accelerometer", 0, 1, NULL},
-    {"magnetometer", 1, 1, NULL},
+    {"accel", 0, 1, NULL},
+    {"mag", 1, 1, NULL},
 };
 static const struct mip_names names_filter_measurement_flags = {
-    "filter.measurement_flags", NULL, bits_filter_measurement_flags, 2, 2};
+    "filter.measurement_flags", NULL, bits_filter_measurement_flags, 2, 2,
+};
 
-static const struct mip_named_value values_filter_declination_source[] = {
+static const struct mip_named_value values_filter_mag_parameter_source[] = {
     {"none", 1},
     {"wmm", 2},
     {"manual", 3},
 };
-static const struct mip_names names_filter_declination_source = {
-    "filter.declination_source", values_filter_declination_source, NULL, 3, 1};
+static const struct mip_names names_filter_mag_parameter_source = {
+    "filter.mag_parameter_source", values_filter_mag_parameter_source, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_filter_adaptive_measurement_selector[] = {
     {"disabled", 0},
@@ -514,55 +528,93 @@ static const struct mip_named_value values_filter_adaptive_measurement_selector[
     {"auto", 2},
 };
 static const struct mip_names names_filter_adaptive_measurement_selector = {
-    "filter.adaptive_measurement_selector", values_filter_adaptive_measurement_selector, NULL, 3,
-    1};
+    "filter.adaptive_measurement_selector", values_filter_adaptive_measurement_selector, NULL, 3, 1,
+};
+
+static const struct mip_named_value values_filter_altitude_aiding_source[] = {
+    {"none", 0},
+    {"pressure", 1},
+};
+static const struct mip_names names_filter_altitude_aiding_source = {
+    "filter.altitude_aiding_source", values_filter_altitude_aiding_source, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_pitch_roll_aiding_source[] = {
     {"none", 0},
     {"gravity_vector", 1},
 };
 static const struct mip_names names_filter_pitch_roll_aiding_source = {
-    "filter.pitch_roll_aiding_source", values_filter_pitch_roll_aiding_source, NULL, 2, 1};
+    "filter.pitch_roll_aiding_source", values_filter_pitch_roll_aiding_source, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_aiding_source[] = {
-    {"gnss_pos_vel", 0},
+    {"gnss_position_velocity", 0},
     {"gnss_heading", 1},
     {"altimeter", 2},
     {"speed", 3},
-    {"magnetometer", 4},
+    {"mag", 4},
     {"external_heading", 5},
     {"external_altimeter", 6},
-    {"external_magnetometer", 7},
-    {"body_frame_vel", 8},
+    {"external_mag", 7},
+    {"body_frame_velocity", 8},
     {"all", 0xFFFF},
 };
 static const struct mip_names names_filter_aiding_source = {
-    "filter.aiding_source", values_filter_aiding_source, NULL, 10, 2};
+    "filter.aiding_source", values_filter_aiding_source, NULL, 10, 2,
+};
+
+static const struct mip_named_value values_filter_accel_constraint[] = {
+    {"none", 0},
+    {"zero_accel", 1},
+};
+static const struct mip_names names_filter_accel_constraint = {
+    "filter.accel_constraint", values_filter_accel_constraint, NULL, 2, 1,
+};
+
+static const struct mip_named_value values_filter_velocity_constraint[] = {
+    {"none", 0},
+    {"zero_velocity", 1},
+    {"wheeled_vehicle", 2},
+};
+static const struct mip_names names_filter_velocity_constraint = {
+    "filter.velocity_constraint", values_filter_velocity_constraint, NULL, 3, 1,
+};
+
+static const struct mip_named_value values_filter_angular_constraint[] = {
+    {"none", 0},
+    {"zero_angular_rate", 1},
+};
+static const struct mip_names names_filter_angular_constraint = {
+    "filter.angular_constraint", values_filter_angular_constraint, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_initial_condition_source[] = {
-    {"auto_pos_vel_att", 0},
-    {"auto_pos_vel_pitch_roll", 1},
-    {"auto_pos_vel", 2},
+    {"auto_position_velocity_attitude", 0},
+    {"auto_position_velocity_pitch_roll", 1},
+    {"auto_position_velocity", 2},
     {"manual", 3},
 };
 static const struct mip_names names_filter_initial_condition_source = {
-    "filter.initial_condition_source", values_filter_initial_condition_source, NULL, 4, 1};
+    "filter.initial_condition_source", values_filter_initial_condition_source, NULL, 4, 1,
+};
 
 static const struct mip_named_bits bits_filter_heading_alignment[] = {
     {"dual_antenna", 0, 1, NULL},
     {"kinematic", 1, 1, NULL},
-    {"magnetometer", 2, 1, NULL},
+    {"mag", 2, 1, NULL},
     {"external", 3, 1, NULL},
 };
 static const struct mip_names names_filter_heading_alignment = {
-    "filter.heading_alignment", NULL, bits_filter_heading_alignment, 4, 1};
+    "filter.heading_alignment", NULL, bits_filter_heading_alignment, 4, 1,
+};
 
 static const struct mip_named_value values_filter_reference_frame[] = {
     {"ecef", 1},
     {"llh", 2},
 };
 static const struct mip_names names_filter_reference_frame = {
-    "filter.reference_frame", values_filter_reference_frame, NULL, 2, 1};
+    "filter.reference_frame", values_filter_reference_frame, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_adaptive_level[] = {
     {"off", 0},
@@ -571,20 +623,23 @@ static const struct mip_named_value values_filter_adaptive_level[] = {
     {"aggressive", 3},
 };
 static const struct mip_names names_filter_adaptive_level = {
-    "filter.adaptive_level", values_filter_adaptive_level, NULL, 4, 1};
+    "filter.adaptive_level", values_filter_adaptive_level, NULL, 4, 1,
+};
 
 static const struct mip_named_value values_filter_relative_position_source[] = {
     {"auto", 0},
     {"manual", 1},
 };
 static const struct mip_names names_filter_relative_position_source = {
-    "filter.relative_position_source", values_filter_relative_position_source, NULL, 2, 1};
+    "filter.relative_position_source", values_filter_relative_position_source, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_reference_point[] = {
-    {"veh", 1},
+    {"vehicle", 1},
 };
 static const struct mip_names names_filter_reference_point = {
-    "filter.reference_point", values_filter_reference_point, NULL, 1, 1};
+    "filter.reference_point", values_filter_reference_point, NULL, 1, 1,
+};
 
 static const struct mip_named_bits bits_gnss_gps_signals[] = {
     {"l1ca", 0, 1, NULL},
@@ -592,14 +647,16 @@ static const struct mip_named_bits bits_gnss_gps_signals[] = {
     {"l5", 2, 1, NULL},
 };
 static const struct mip_names names_gnss_gps_signals = {
-    "gnss.gps_signals", NULL, bits_gnss_gps_signals, 3, 1};
+    "gnss.gps_signals", NULL, bits_gnss_gps_signals, 3, 1,
+};
 
 static const struct mip_named_bits bits_gnss_glonass_signals[] = {
     {"l1of", 0, 1, NULL},
     {"l2of", 1, 1, NULL},
 };
 static const struct mip_names names_gnss_glonass_signals = {
-    "gnss.glonass_signals", NULL, bits_gnss_glonass_signals, 2, 1};
+    "gnss.glonass_signals", NULL, bits_gnss_glonass_signals, 2, 1,
+};
 
 static const struct mip_named_bits bits_gnss_galileo_signals[] = {
     {"e1", 0, 1, NULL},
@@ -607,7 +664,8 @@ static const struct mip_named_bits bits_gnss_galileo_signals[] = {
     {"e5a", 2, 1, NULL},
 };
 static const struct mip_names names_gnss_galileo_signals = {
-    "gnss.galileo_signals", NULL, bits_gnss_galileo_signals, 3, 1};
+    "gnss.galileo_signals", NULL, bits_gnss_galileo_signals, 3, 1,
+};
 
 static const struct mip_named_bits bits_gnss_beidou_signals[] = {
     {"b1", 0, 1, NULL},
@@ -615,7 +673,8 @@ static const struct mip_named_bits bits_gnss_beidou_signals[] = {
     {"b2a", 2, 1, NULL},
 };
 static const struct mip_names names_gnss_beidou_signals = {
-    "gnss.beidou_signals", NULL, bits_gnss_beidou_signals, 3, 1};
+    "gnss.beidou_signals", NULL, bits_gnss_beidou_signals, 3, 1,
+};
 
 static const struct mip_named_value values_gnss_spartn_connection[] = {
     {"none", 0},
@@ -623,14 +682,49 @@ static const struct mip_named_value values_gnss_spartn_connection[] = {
     {"l_band", 2},
 };
 static const struct mip_names names_gnss_spartn_connection = {
-    "gnss.spartn_connection", values_gnss_spartn_connection, NULL, 3, 1};
+    "gnss.spartn_connection", values_gnss_spartn_connection, NULL, 3, 1,
+};
+
+static const struct mip_named_value values_rtk_connected_device[] = {
+    {"generic", 0},
+    {"gq7", 1},
+};
+static const struct mip_names names_rtk_connected_device = {
+    "rtk.connected_device", values_rtk_connected_device, NULL, 2, 1,
+};
+
+static const struct mip_named_bits bits_rtk_service_flags[] = {
+    {"throttle", 0, 1, NULL},
+    {"corrections_unavailable", 1, 1, NULL},
+};
+static const struct mip_names names_rtk_service_flags = {
+    "rtk.service_flags", NULL, bits_rtk_service_flags, 2, 1,
+};
+
+static const struct mip_named_value values_rtk_storage_medium[] = {
+    {"external_flash", 0},
+    {"sd", 1},
+};
+static const struct mip_names names_rtk_storage_medium = {
+    "rtk.storage_medium", values_rtk_storage_medium, NULL, 2, 1,
+};
+
+static const struct mip_named_value values_rtk_led_action[] = {
+    {"none", 0},
+    {"flash", 1},
+    {"pulsate", 2},
+};
+static const struct mip_names names_rtk_led_action = {
+    "rtk.led_action", values_rtk_led_action, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_aiding_frame_format[] = {
     {"euler", 1},
     {"quaternion", 2},
 };
 static const struct mip_names names_aiding_frame_format = {
-    "aiding.aiding_frame_format", values_aiding_frame_format, NULL, 2, 1};
+    "aiding.aiding_frame_format", values_aiding_frame_format, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_aiding_echo_mode[] = {
     {"suppress_ack", 0},
@@ -638,7 +732,8 @@ static const struct mip_named_value values_aiding_echo_mode[] = {
     {"response", 2},
 };
 static const struct mip_names names_aiding_echo_mode = {
-    "aiding.aiding_echo_mode", values_aiding_echo_mode, NULL, 3, 1};
+    "aiding.aiding_echo_mode", values_aiding_echo_mode, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_aiding_timebase[] = {
     {"internal_reference", 1},
@@ -646,7 +741,8 @@ static const struct mip_named_value values_aiding_timebase[] = {
     {"time_of_arrival", 3},
 };
 static const struct mip_names names_aiding_timebase = {
-    "aiding.timebase", values_aiding_timebase, NULL, 3, 1};
+    "aiding.timebase", values_aiding_timebase, NULL, 3, 1,
+};
 
 static const struct mip_named_bits bits_aiding_axis_flags[] = {
     {"x", 0, 1, NULL},
@@ -654,7 +750,8 @@ static const struct mip_named_bits bits_aiding_axis_flags[] = {
     {"z", 2, 1, NULL},
 };
 static const struct mip_names names_aiding_axis_flags = {
-    "aiding.axis_flags", NULL, bits_aiding_axis_flags, 3, 2};
+    "aiding.axis_flags", NULL, bits_aiding_axis_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_aiding_llh_axis_flags[] = {
     {"latitude", 0, 1, NULL},
@@ -662,7 +759,26 @@ static const struct mip_named_bits bits_aiding_llh_axis_flags[] = {
     {"height", 2, 1, NULL},
 };
 static const struct mip_names names_aiding_llh_axis_flags = {
-    "aiding.llh_axis_flags", NULL, bits_aiding_llh_axis_flags, 3, 2};
+    "aiding.llh_axis_flags", NULL, bits_aiding_llh_axis_flags, 3, 2,
+};
+
+static const struct mip_named_value values_system_comm_interface[] = {
+    {"all", 0},     {"main", 1},   {"uart_1", 17}, {"uart_2", 18},
+    {"uart_3", 19}, {"usb_1", 33}, {"usb_2", 34},
+};
+static const struct mip_names names_system_comm_interface = {
+    "system.comm_interface", values_system_comm_interface, NULL, 7, 1,
+};
+
+static const struct mip_named_bits bits_system_comm_protocols[] = {
+    {"mip", 0, 1, NULL},
+    {"nmea", 8, 1, NULL},
+    {"rtcm", 9, 1, NULL},
+    {"spartn", 24, 1, NULL},
+};
+static const struct mip_names names_system_comm_protocols = {
+    "system.comm_protocols", NULL, bits_system_comm_protocols, 4, 4,
+};
 
 static const struct mip_named_value values_system_protocol_mode[] = {
     {"standard", 1},
@@ -670,34 +786,114 @@ static const struct mip_named_value values_system_protocol_mode[] = {
     {"gnss_direct", 3},
 };
 static const struct mip_names names_system_protocol_mode = {
-    "system.protocol_mode", values_system_protocol_mode, NULL, 3, 1};
+    "system.protocol_mode", values_system_protocol_mode, NULL, 3, 1,
+};
 
 static const struct mip_named_bits bits_sensor_overrange_flags[] = {
-    {"accel_x", 0, 1, NULL},
-    {"accel_y", 1, 1, NULL},
-    {"accel_z", 2, 1, NULL},
-    {"gyro_x", 4, 1, NULL},
-    {"gyro_y", 5, 1, NULL},
-    {"gyro_z", 6, 1, NULL},
-    {"mag_x", 8, 1, NULL},
-    {"mag_y", 9, 1, NULL},
-    {"mag_z", 10, 1, NULL},
-    {"press", 12, 1, NULL},
+    {"accel_x", 0, 1, NULL},   {"accel_y", 1, 1, NULL}, {"accel_z", 2, 1, NULL},
+    {"gyro_x", 4, 1, NULL},    {"gyro_y", 5, 1, NULL},  {"gyro_z", 6, 1, NULL},
+    {"mag_x", 8, 1, NULL},     {"mag_y", 9, 1, NULL},   {"mag_z", 10, 1, NULL},
+    {"pressure", 12, 1, NULL},
 };
 static const struct mip_names names_sensor_overrange_flags = {
-    "sensor.overrange_flags", NULL, bits_sensor_overrange_flags, 10, 2};
+    "sensor.overrange_flags", NULL, bits_sensor_overrange_flags, 10, 2,
+};
 
 static const struct mip_named_bits bits_sensor_odometer_flags[] = {
     {"odometer", 0, 1, NULL},
 };
 static const struct mip_names names_sensor_odometer_flags = {
-    "sensor.odometer_flags", NULL, bits_sensor_odometer_flags, 1, 2};
+    "sensor.odometer_flags", NULL, bits_sensor_odometer_flags, 1, 2,
+};
 
 static const struct mip_named_bits bits_filter_data_valid_flags[] = {
     {"valid", 0, 1, NULL},
 };
 static const struct mip_names names_filter_data_valid_flags = {
-    "filter_data.valid_flags", NULL, bits_filter_data_valid_flags, 1, 2};
+    "filter_data.valid_flags", NULL, bits_filter_data_valid_flags, 1, 2,
+};
+
+static const struct mip_named_bits bits_filter_data_heading_source_flags[] = {
+    {"external", 2, 1, NULL},
+};
+static const struct mip_names names_filter_data_heading_source_flags = {
+    "filter_data.heading_source_flags", NULL, bits_filter_data_heading_source_flags, 1, 2,
+};
+
+static const struct mip_named_bits bits_filter_data_gnss_aiding_status[] = {
+    {"tight_coupling", 0, 1, NULL}, {"differential", 1, 1, NULL}, {"integer_fix", 2, 1, NULL},
+    {"gps_l1", 3, 1, NULL},         {"gps_l2", 4, 1, NULL},       {"gps_l5", 5, 1, NULL},
+    {"glonass_l1", 6, 1, NULL},     {"glonass_l2", 7, 1, NULL},   {"galileo_e1", 8, 1, NULL},
+    {"galileo_e5", 9, 1, NULL},     {"galileo_e6", 10, 1, NULL},  {"beidou_b1", 11, 1, NULL},
+    {"beidou_b2", 12, 1, NULL},     {"beidou_b3", 13, 1, NULL},   {"no_fix", 14, 1, NULL},
+    {"config_error", 15, 1, NULL},
+};
+static const struct mip_names names_filter_data_gnss_aiding_status = {
+    "filter_data.gnss_aiding_status", NULL, bits_filter_data_gnss_aiding_status, 16, 2,
+};
+
+static const struct mip_named_value values_filter_data_heading_aiding_type[] = {
+    {"dual_antenna", 1},
+    {"external_message", 2},
+};
+static const struct mip_names names_filter_data_heading_aiding_type = {
+    "filter_data.heading_aiding_type", values_filter_data_heading_aiding_type, NULL, 2, 1,
+};
+
+static const struct mip_named_value values_filter_data_aiding_measurement_type[] = {
+    {"gnss", 1},
+    {"dual_antenna", 2},
+    {"heading", 3},
+    {"pressure", 4},
+    {"mag", 5},
+    {"speed", 6},
+    {"aiding_ecef_position", 33},
+    {"aiding_llh_position", 34},
+    {"aiding_height_above_ellipsoid", 35},
+    {"aiding_ecef_velocity", 40},
+    {"aiding_ned_velocity", 41},
+    {"aiding_body_frame_velocity", 42},
+    {"aiding_true_heading", 49},
+    {"aiding_magnetic_field", 50},
+    {"aiding_pressure", 51},
+};
+static const struct mip_names names_filter_data_aiding_measurement_type = {
+    "filter_data.aiding_measurement_type", values_filter_data_aiding_measurement_type, NULL, 15, 1,
+};
+
+static const struct mip_named_bits bits_filter_data_aiding_measurement_indicator[] = {
+    {"enabled", 0, 1, NULL},
+    {"used", 1, 1, NULL},
+    {"residual_high_warning", 2, 1, NULL},
+    {"sample_time_warning", 3, 1, NULL},
+    {"config_error", 4, 1, NULL},
+    {"max_measurements_exceeded", 5, 1, NULL},
+};
+static const struct mip_names names_filter_data_aiding_measurement_indicator = {
+    "filter_data.aiding_measurement_indicator",
+    NULL,
+    bits_filter_data_aiding_measurement_indicator,
+    6,
+    1,
+};
+
+static const struct mip_named_value values_filter_data_dual_antenna_fix_type[] = {
+    {"fix_none", 0},
+    {"fix_da_float", 1},
+    {"fix_da_fixed", 2},
+};
+static const struct mip_names names_filter_data_dual_antenna_fix_type = {
+    "filter_data.dual_antenna_fix_type", values_filter_data_dual_antenna_fix_type, NULL, 3, 1,
+};
+
+static const struct mip_named_bits bits_filter_data_dual_antenna_status_flags[] = {
+    {"receiver_1_data_valid", 0, 1, NULL},
+    {"receiver_2_data_valid", 1, 1, NULL},
+    {"antenna_offsets_valid", 2, 1, NULL},
+};
+static const struct mip_names names_filter_data_dual_antenna_status_flags = {
+    "filter_data.dual_antenna_status_flags", NULL, bits_filter_data_dual_antenna_status_flags, 3, 2,
+};
 
 static const struct mip_named_value values_filter_data_gx5_filter_state[] = {
     {"startup", 0},
@@ -706,16 +902,18 @@ static const struct mip_named_value values_filter_data_gx5_filter_state[] = {
     {"run_solution_error", 3},
 };
 static const struct mip_names names_filter_data_gx5_filter_state = {
-    "filter_data.gx5_filter_state", values_filter_data_gx5_filter_state, NULL, 4, 2};
+    "filter_data.gx5_filter_state", values_filter_data_gx5_filter_state, NULL, 4, 2,
+};
 
 static const struct mip_named_value values_filter_data_cv7_filter_state[] = {
     {"init", 1},
-    {"vert_gyro", 2},
+    {"vertical_gyro", 2},
     {"ahrs", 3},
     {"full_nav", 4},
 };
 static const struct mip_names names_filter_data_cv7_filter_state = {
-    "filter_data.cv7_filter_state", values_filter_data_cv7_filter_state, NULL, 4, 2};
+    "filter_data.cv7_filter_state", values_filter_data_cv7_filter_state, NULL, 4, 2,
+};
 
 static const struct mip_named_value values_filter_data_gx5_dynamics_mode[] = {
     {"portable", 1},
@@ -723,13 +921,15 @@ static const struct mip_named_value values_filter_data_gx5_dynamics_mode[] = {
     {"airborne", 3},
 };
 static const struct mip_names names_filter_data_gx5_dynamics_mode = {
-    "filter_data.gx5_dynamics_mode", values_filter_data_gx5_dynamics_mode, NULL, 3, 2};
+    "filter_data.gx5_dynamics_mode", values_filter_data_gx5_dynamics_mode, NULL, 3, 2,
+};
 
 static const struct mip_named_value values_filter_data_cv7_dynamics_mode[] = {
     {"default", 1},
 };
 static const struct mip_names names_filter_data_cv7_dynamics_mode = {
-    "filter_data.cv7_dynamics_mode", values_filter_data_cv7_dynamics_mode, NULL, 1, 2};
+    "filter_data.cv7_dynamics_mode", values_filter_data_cv7_dynamics_mode, NULL, 1, 2,
+};
 
 static const struct mip_named_bits bits_filter_data_gx5_status_flags[] = {
     {"run_imu_unavailable", 0, 1, NULL},
@@ -744,14 +944,15 @@ static const struct mip_named_bits bits_filter_data_gx5_status_flags[] = {
     {"run_gyro_scale_factor_est_high_warning", 10, 1, NULL},
     {"run_accel_scale_factor_est_high_warning", 11, 1, NULL},
     {"run_mag_bias_est_high_warning", 12, 1, NULL},
-    {"run_ant_offset_correction_est_high_warning", 13, 1, NULL},
+    {"run_antenna_offset_correction_est_high_warning", 13, 1, NULL},
     {"run_mag_hard_iron_est_high_warning", 14, 1, NULL},
     {"run_mag_soft_iron_est_high_warning", 15, 1, NULL},
     {"init_no_attitude", 12, 1, NULL},
     {"init_no_position_velocity", 13, 1, NULL},
 };
 static const struct mip_names names_filter_data_gx5_status_flags = {
-    "filter_data.gx5_status_flags", NULL, bits_filter_data_gx5_status_flags, 17, 2};
+    "filter_data.gx5_status_flags", NULL, bits_filter_data_gx5_status_flags, 17, 2,
+};
 
 static const struct mip_named_value values_filter_data_filter_condition[] = {
     {"stable", 1},
@@ -759,7 +960,8 @@ static const struct mip_named_value values_filter_data_filter_condition[] = {
     {"unstable", 3},
 };
 static const struct mip_names names_filter_data_filter_condition = {
-    "filter_data.filter_condition", values_filter_data_filter_condition, NULL, 3, 1};
+    "filter_data.filter_condition", values_filter_data_filter_condition, NULL, 3, 1,
+};
 
 static const struct mip_named_bits bits_filter_data_cv7_status_flags[] = {
     {"filter_condition", 0, 2, &names_filter_data_filter_condition},
@@ -768,142 +970,59 @@ static const struct mip_named_bits bits_filter_data_cv7_status_flags[] = {
     {"position_warning", 4, 1, NULL},
     {"velocity_warning", 5, 1, NULL},
     {"imu_bias_warning", 6, 1, NULL},
-    {"gnss_clk_warning", 7, 1, NULL},
+    {"gnss_clock_warning", 7, 1, NULL},
     {"antenna_lever_arm_warning", 8, 1, NULL},
     {"mounting_transform_warning", 9, 1, NULL},
     {"time_sync_warning", 10, 1, NULL},
     {"solution_error", 12, 4, NULL},
 };
 static const struct mip_names names_filter_data_cv7_status_flags = {
-    "filter_data.cv7_status_flags", NULL, bits_filter_data_cv7_status_flags, 11, 2};
-
-static const struct mip_named_bits bits_filter_data_heading_source_flags[] = {
-    {"external", 2, 1, NULL},
+    "filter_data.cv7_status_flags", NULL, bits_filter_data_cv7_status_flags, 11, 2,
 };
-static const struct mip_names names_filter_data_heading_source_flags = {
-    "filter_data.heading_source_flags", NULL, bits_filter_data_heading_source_flags, 1, 2};
 
-static const struct mip_named_bits bits_filter_data_gnss_aiding_status[] = {
-    {"tight_coupling", 0, 1, NULL},
-    {"differential", 1, 1, NULL},
-    {"integer_fix", 2, 1, NULL},
-    {"gps_l1", 3, 1, NULL},
-    {"gps_l2", 4, 1, NULL},
-    {"gps_l5", 5, 1, NULL},
-    {"glo_l1", 6, 1, NULL},
-    {"glo_l2", 7, 1, NULL},
-    {"gal_e1", 8, 1, NULL},
-    {"gal_e5", 9, 1, NULL},
-    {"gal_e6", 10, 1, NULL},
-    {"bei_b1", 11, 1, NULL},
-    {"bei_b2", 12, 1, NULL},
-    {"bei_b3", 13, 1, NULL},
-    {"no_fix", 14, 1, NULL},
-    {"config_error", 15, 1, NULL},
+static const struct mip_named_bits bits_gnss_1_llh_position_flags[] = {
+    {"lat_lon", 0, 1, NULL},           {"ellipsoid_height", 1, 1, NULL},
+    {"msl_height", 2, 1, NULL},        {"horizontal_accuracy", 3, 1, NULL},
+    {"vertical_accuracy", 4, 1, NULL}, {"flags", 0, 5, NULL},
 };
-static const struct mip_names names_filter_data_gnss_aiding_status = {
-    "filter_data.gnss_aiding_status", NULL, bits_filter_data_gnss_aiding_status, 16, 2};
-
-static const struct mip_named_value values_filter_data_aiding_measurement_type[] = {
-    {"gnss", 1},
-    {"dual_antenna", 2},
-    {"heading", 3},
-    {"pressure", 4},
-    {"magnetometer", 5},
-    {"speed", 6},
-    {"aiding_pos_ecef", 33},
-    {"aiding_pos_llh", 34},
-    {"aiding_height_above_ellipsoid", 35},
-    {"aiding_vel_ecef", 40},
-    {"aiding_vel_ned", 41},
-    {"aiding_vel_body_frame", 42},
-    {"aiding_heading_true", 49},
-    {"aiding_magnetic_field", 50},
-    {"aiding_pressure", 51},
+static const struct mip_names names_gnss_1_llh_position_flags = {
+    "gnss_1.llh_position_flags", NULL, bits_gnss_1_llh_position_flags, 6, 2,
 };
-static const struct mip_names names_filter_data_aiding_measurement_type = {
-    "filter_data.aiding_measurement_type", values_filter_data_aiding_measurement_type, NULL, 15, 1};
 
-static const struct mip_named_bits bits_filter_data_aiding_measurement_indicator[] = {
-    {"enabled", 0, 1, NULL},
-    {"used", 1, 1, NULL},
-    {"residual_high_warning", 2, 1, NULL},
-    {"sample_time_warning", 3, 1, NULL},
-    {"configuration_error", 4, 1, NULL},
-    {"max_num_meas_exceeded", 5, 1, NULL},
-};
-static const struct mip_names names_filter_data_aiding_measurement_indicator = {
-    "filter_data.aiding_measurement_indicator", NULL, bits_filter_data_aiding_measurement_indicator,
-    6, 1};
-
-static const struct mip_named_value values_filter_data_dual_antenna_fix_type[] = {
-    {"fix_none", 0},
-    {"fix_da_float", 1},
-    {"fix_da_fixed", 2},
-};
-static const struct mip_names names_filter_data_dual_antenna_fix_type = {
-    "filter_data.dual_antenna_fix_type", values_filter_data_dual_antenna_fix_type, NULL, 3, 1};
-
-static const struct mip_named_bits bits_filter_data_dual_antenna_status_flags[] = {
-    {"rcv_1_data_valid", 0, 1, NULL},
-    {"rcv_2_data_valid", 1, 1, NULL},
-    {"antenna_offsets_valid", 2, 1, NULL},
-};
-static const struct mip_names names_filter_data_dual_antenna_status_flags = {
-    "filter_data.dual_antenna_status_flags", NULL, bits_filter_data_dual_antenna_status_flags, 3,
-    2};
-
-static const struct mip_named_bits bits_gnss_1_gnss_llh_position_flags[] = {
-    {"lat_lon", 0, 1, NULL},
-    {"ellipsoid_height", 1, 1, NULL},
-    {"msl_height", 2, 1, NULL},
-    {"horizontal_accuracy", 3, 1, NULL},
-    {"vertical_accuracy", 4, 1, NULL},
-    {"flags", 0, 5, NULL},
-};
-static const struct mip_names names_gnss_1_gnss_llh_position_flags = {
-    "gnss_1.gnss_llh_position_flags", NULL, bits_gnss_1_gnss_llh_position_flags, 6, 2};
-
-static const struct mip_named_bits bits_gnss_1_gnss_ecef_position_flags[] = {
+static const struct mip_named_bits bits_gnss_1_ecef_position_flags[] = {
     {"position", 0, 1, NULL},
     {"position_accuracy", 1, 1, NULL},
     {"flags", 0, 2, NULL},
 };
-static const struct mip_names names_gnss_1_gnss_ecef_position_flags = {
-    "gnss_1.gnss_ecef_position_flags", NULL, bits_gnss_1_gnss_ecef_position_flags, 3, 2};
+static const struct mip_names names_gnss_1_ecef_position_flags = {
+    "gnss_1.ecef_position_flags", NULL, bits_gnss_1_ecef_position_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_ned_velocity_flags[] = {
-    {"velocity", 0, 1, NULL},
-    {"speed_3d", 1, 1, NULL},
-    {"ground_speed", 2, 1, NULL},
-    {"heading", 3, 1, NULL},
-    {"speed_accuracy", 4, 1, NULL},
-    {"heading_accuracy", 5, 1, NULL},
+    {"velocity", 0, 1, NULL}, {"speed_3d", 1, 1, NULL},       {"ground_speed", 2, 1, NULL},
+    {"heading", 3, 1, NULL},  {"speed_accuracy", 4, 1, NULL}, {"heading_accuracy", 5, 1, NULL},
     {"flags", 0, 6, NULL},
 };
 static const struct mip_names names_gnss_1_ned_velocity_flags = {
-    "gnss_1.ned_velocity_flags", NULL, bits_gnss_1_ned_velocity_flags, 7, 2};
+    "gnss_1.ned_velocity_flags", NULL, bits_gnss_1_ned_velocity_flags, 7, 2,
+};
 
-static const struct mip_named_bits bits_gnss_1_gnss_ecef_velocity_flags[] = {
+static const struct mip_named_bits bits_gnss_1_ecef_velocity_flags[] = {
     {"velocity", 0, 1, NULL},
     {"velocity_accuracy", 1, 1, NULL},
     {"flags", 0, 2, NULL},
 };
-static const struct mip_names names_gnss_1_gnss_ecef_velocity_flags = {
-    "gnss_1.gnss_ecef_velocity_flags", NULL, bits_gnss_1_gnss_ecef_velocity_flags, 3, 2};
+static const struct mip_names names_gnss_1_ecef_velocity_flags = {
+    "gnss_1.ecef_velocity_flags", NULL, bits_gnss_1_ecef_velocity_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_dop_flags[] = {
-    {"gdop", 0, 1, NULL},
-    {"pdop", 1, 1, NULL},
-    {"hdop", 2, 1, NULL},
-    {"vdop", 3, 1, NULL},
-    {"tdop", 4, 1, NULL},
-    {"ndop", 5, 1, NULL},
-    {"edop", 6, 1, NULL},
-    {"flags", 0, 7, NULL},
+    {"gdop", 0, 1, NULL}, {"pdop", 1, 1, NULL}, {"hdop", 2, 1, NULL}, {"vdop", 3, 1, NULL},
+    {"tdop", 4, 1, NULL}, {"ndop", 5, 1, NULL}, {"edop", 6, 1, NULL}, {"flags", 0, 7, NULL},
 };
 static const struct mip_names names_gnss_1_dop_flags = {
-    "gnss_1.dop_flags", NULL, bits_gnss_1_dop_flags, 8, 2};
+    "gnss_1.dop_flags", NULL, bits_gnss_1_dop_flags, 8, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_utc_time_flags[] = {
     {"gnss_date_time", 0, 1, NULL},
@@ -911,7 +1030,8 @@ static const struct mip_named_bits bits_gnss_1_utc_time_flags[] = {
     {"flags", 0, 2, NULL},
 };
 static const struct mip_names names_gnss_1_utc_time_flags = {
-    "gnss_1.utc_time_flags", NULL, bits_gnss_1_utc_time_flags, 3, 2};
+    "gnss_1.utc_time_flags", NULL, bits_gnss_1_utc_time_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_gps_time_flags[] = {
     {"tow", 0, 1, NULL},
@@ -919,14 +1039,26 @@ static const struct mip_named_bits bits_gnss_1_gps_time_flags[] = {
     {"flags", 0, 2, NULL},
 };
 static const struct mip_names names_gnss_1_gps_time_flags = {
-    "gnss_1.gps_time_flags", NULL, bits_gnss_1_gps_time_flags, 3, 2};
+    "gnss_1.gps_time_flags", NULL, bits_gnss_1_gps_time_flags, 3, 2,
+};
+
+static const struct mip_named_bits bits_gnss_1_clock_info_flags[] = {
+    {"bias", 0, 1, NULL},
+    {"drift", 1, 1, NULL},
+    {"accuracy_estimate", 2, 1, NULL},
+    {"flags", 0, 3, NULL},
+};
+static const struct mip_names names_gnss_1_clock_info_flags = {
+    "gnss_1.clock_info_flags", NULL, bits_gnss_1_clock_info_flags, 4, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_fix_flags[] = {
     {"sbas_used", 0, 1, NULL},
     {"dgnss_used", 1, 1, NULL},
 };
 static const struct mip_names names_gnss_1_fix_flags = {
-    "gnss_1.fix_flags", NULL, bits_gnss_1_fix_flags, 2, 2};
+    "gnss_1.fix_flags", NULL, bits_gnss_1_fix_flags, 2, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_fix_info_flags[] = {
     {"fix_type", 0, 1, NULL},
@@ -935,7 +1067,25 @@ static const struct mip_named_bits bits_gnss_1_fix_info_flags[] = {
     {"flags", 0, 3, NULL},
 };
 static const struct mip_names names_gnss_1_fix_info_flags = {
-    "gnss_1.fix_info_flags", NULL, bits_gnss_1_fix_info_flags, 4, 2};
+    "gnss_1.fix_info_flags", NULL, bits_gnss_1_fix_info_flags, 4, 2,
+};
+
+static const struct mip_named_bits bits_gnss_1_sv_flags[] = {
+    {"used_for_navigation", 0, 1, NULL},
+    {"healthy", 1, 1, NULL},
+};
+static const struct mip_names names_gnss_1_sv_flags = {
+    "gnss_1.sv_flags", NULL, bits_gnss_1_sv_flags, 2, 2,
+};
+
+static const struct mip_named_bits bits_gnss_1_sv_info_flags[] = {
+    {"channel", 0, 1, NULL}, {"satellite_id", 1, 1, NULL}, {"carrier_noise_ratio", 2, 1, NULL},
+    {"azimuth", 3, 1, NULL}, {"elevation", 4, 1, NULL},    {"sv_flags", 5, 1, NULL},
+    {"flags", 0, 6, NULL},
+};
+static const struct mip_names names_gnss_1_sv_info_flags = {
+    "gnss_1.sv_info_flags", NULL, bits_gnss_1_sv_info_flags, 7, 2,
+};
 
 static const struct mip_named_value values_gnss_1_receiver_state[] = {
     {"off", 0},
@@ -943,17 +1093,15 @@ static const struct mip_named_value values_gnss_1_receiver_state[] = {
     {"unknown", 2},
 };
 static const struct mip_names names_gnss_1_receiver_state = {
-    "gnss_1.receiver_state", values_gnss_1_receiver_state, NULL, 3, 1};
+    "gnss_1.receiver_state", values_gnss_1_receiver_state, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_gnss_1_antenna_state[] = {
-    {"init", 1},
-    {"short", 2},
-    {"open", 3},
-    {"good", 4},
-    {"unknown", 5},
+    {"init", 1}, {"short", 2}, {"open", 3}, {"good", 4}, {"unknown", 5},
 };
 static const struct mip_names names_gnss_1_antenna_state = {
-    "gnss_1.antenna_state", values_gnss_1_antenna_state, NULL, 5, 1};
+    "gnss_1.antenna_state", values_gnss_1_antenna_state, NULL, 5, 1,
+};
 
 static const struct mip_named_value values_gnss_1_antenna_power[] = {
     {"off", 0},
@@ -961,42 +1109,59 @@ static const struct mip_named_value values_gnss_1_antenna_power[] = {
     {"unknown", 2},
 };
 static const struct mip_names names_gnss_1_antenna_power = {
-    "gnss_1.antenna_power", values_gnss_1_antenna_power, NULL, 3, 1};
+    "gnss_1.antenna_power", values_gnss_1_antenna_power, NULL, 3, 1,
+};
 
-static const struct mip_named_bits bits_gnss_1_gnss_hardware_status_flags[] = {
+static const struct mip_named_bits bits_gnss_1_hardware_status_flags[] = {
     {"sensor_state", 0, 1, NULL},
     {"antenna_state", 1, 1, NULL},
     {"antenna_power", 2, 1, NULL},
     {"flags", 0, 3, NULL},
 };
-static const struct mip_names names_gnss_1_gnss_hardware_status_flags = {
-    "gnss_1.gnss_hardware_status_flags", NULL, bits_gnss_1_gnss_hardware_status_flags, 4, 2};
+static const struct mip_names names_gnss_1_hardware_status_flags = {
+    "gnss_1.hardware_status_flags", NULL, bits_gnss_1_hardware_status_flags, 4, 2,
+};
 
-static const struct mip_named_bits bits_gnss_1_clock_info_2_flags[] = {
-    {"bias", 0, 1, NULL},
-    {"drift", 1, 1, NULL},
-    {"bias_accuracy", 2, 1, NULL},
-    {"drift_accuracy", 3, 1, NULL},
+static const struct mip_named_bits bits_gnss_1_dgps_info_flags[] = {
+    {"age", 0, 1, NULL},
+    {"base_station_id", 1, 1, NULL},
+    {"base_station_status", 2, 1, NULL},
+    {"num_channels", 3, 1, NULL},
     {"flags", 0, 4, NULL},
 };
+static const struct mip_names names_gnss_1_dgps_info_flags = {
+    "gnss_1.dgps_info_flags", NULL, bits_gnss_1_dgps_info_flags, 5, 2,
+};
+
+static const struct mip_named_bits bits_gnss_1_dgps_channel_flags[] = {
+    {"satellite_id", 0, 1, NULL},          {"age", 1, 1, NULL},   {"range_correction", 2, 1, NULL},
+    {"range_rate_correction", 3, 1, NULL}, {"flags", 0, 4, NULL},
+};
+static const struct mip_names names_gnss_1_dgps_channel_flags = {
+    "gnss_1.dgps_channel_flags", NULL, bits_gnss_1_dgps_channel_flags, 5, 2,
+};
+
+static const struct mip_named_bits bits_gnss_1_clock_info_2_flags[] = {
+    {"bias", 0, 1, NULL},           {"drift", 1, 1, NULL}, {"bias_accuracy", 2, 1, NULL},
+    {"drift_accuracy", 3, 1, NULL}, {"flags", 0, 4, NULL},
+};
 static const struct mip_names names_gnss_1_clock_info_2_flags = {
-    "gnss_1.clock_info_2_flags", NULL, bits_gnss_1_clock_info_2_flags, 5, 2};
+    "gnss_1.clock_info_2_flags", NULL, bits_gnss_1_clock_info_2_flags, 5, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_gps_leap_seconds_flags[] = {
     {"leap_seconds", 1, 1, NULL},
 };
 static const struct mip_names names_gnss_1_gps_leap_seconds_flags = {
-    "gnss_1.gps_leap_seconds_flags", NULL, bits_gnss_1_gps_leap_seconds_flags, 1, 2};
+    "gnss_1.gps_leap_seconds_flags", NULL, bits_gnss_1_gps_leap_seconds_flags, 1, 2,
+};
 
 static const struct mip_named_value values_gnss_1_sbas_system[] = {
-    {"unknown", 0},
-    {"waas", 1},
-    {"egnos", 2},
-    {"msas", 3},
-    {"gagan", 4},
+    {"unknown", 0}, {"waas", 1}, {"egnos", 2}, {"msas", 3}, {"gagan", 4},
 };
 static const struct mip_names names_gnss_1_sbas_system = {
-    "gnss_1.sbas_system", values_gnss_1_sbas_system, NULL, 5, 1};
+    "gnss_1.sbas_system", values_gnss_1_sbas_system, NULL, 5, 1,
+};
 
 static const struct mip_named_bits bits_gnss_1_sbas_status[] = {
     {"range_available", 0, 1, NULL},
@@ -1005,43 +1170,84 @@ static const struct mip_named_bits bits_gnss_1_sbas_status[] = {
     {"test_mode", 3, 1, NULL},
 };
 static const struct mip_names names_gnss_1_sbas_status = {
-    "gnss_1.sbas_status", NULL, bits_gnss_1_sbas_status, 4, 1};
+    "gnss_1.sbas_status", NULL, bits_gnss_1_sbas_status, 4, 1,
+};
 
 static const struct mip_named_bits bits_gnss_1_sbas_info_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"sbas_system", 2, 1, NULL},
-    {"sbas_id", 3, 1, NULL},
-    {"count", 4, 1, NULL},
-    {"sbas_status", 5, 1, NULL},
+    {"tow", 0, 1, NULL},     {"week_number", 1, 1, NULL}, {"sbas_system", 2, 1, NULL},
+    {"sbas_id", 3, 1, NULL}, {"count", 4, 1, NULL},       {"sbas_status", 5, 1, NULL},
     {"flags", 0, 6, NULL},
 };
 static const struct mip_names names_gnss_1_sbas_info_flags = {
-    "gnss_1.sbas_info_flags", NULL, bits_gnss_1_sbas_info_flags, 7, 2};
+    "gnss_1.sbas_info_flags", NULL, bits_gnss_1_sbas_info_flags, 7, 2,
+};
+
+static const struct mip_named_bits bits_gnss_1_sbas_correction_flags[] = {
+    {"udrei", 0, 1, NULL},
+    {"pseudorange_correction", 1, 1, NULL},
+    {"iono_correction", 2, 1, NULL},
+    {"flags", 0, 3, NULL},
+};
+static const struct mip_names names_gnss_1_sbas_correction_flags = {
+    "gnss_1.sbas_correction_flags", NULL, bits_gnss_1_sbas_correction_flags, 4, 2,
+};
+
+static const struct mip_named_value values_gnss_1_rf_band[] = {
+    {"unknown", 0},
+    {"l1", 1},
+    {"l2", 2},
+    {"l5", 5},
+};
+static const struct mip_names names_gnss_1_rf_band = {
+    "gnss_1.rf_band", values_gnss_1_rf_band, NULL, 4, 1,
+};
+
+static const struct mip_named_value values_gnss_1_jamming_state[] = {
+    {"unknown", 0},
+    {"none", 1},
+    {"partial", 2},
+    {"significant", 3},
+};
+static const struct mip_names names_gnss_1_jamming_state = {
+    "gnss_1.jamming_state", values_gnss_1_jamming_state, NULL, 4, 1,
+};
+
+static const struct mip_named_value values_gnss_1_spoofing_state[] = {
+    {"unknown", 0},
+    {"none", 1},
+    {"partial", 2},
+    {"significant", 3},
+};
+static const struct mip_names names_gnss_1_spoofing_state = {
+    "gnss_1.spoofing_state", values_gnss_1_spoofing_state, NULL, 4, 1,
+};
+
+static const struct mip_named_bits bits_gnss_1_rf_error_detection_flags[] = {
+    {"rf_band", 0, 1, NULL},
+    {"jamming_state", 1, 1, NULL},
+    {"spoofing_state", 2, 1, NULL},
+    {"flags", 0, 3, NULL},
+};
+static const struct mip_names names_gnss_1_rf_error_detection_flags = {
+    "gnss_1.rf_error_detection_flags", NULL, bits_gnss_1_rf_error_detection_flags, 4, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_satellite_status_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"gnss_id", 2, 1, NULL},
-    {"satellite_id", 3, 1, NULL},
-    {"elevation", 4, 1, NULL},
-    {"azimuth", 5, 1, NULL},
-    {"health", 6, 1, NULL},
-    {"flags", 0, 7, NULL},
+    {"tow", 0, 1, NULL},          {"week_number", 1, 1, NULL}, {"gnss_id", 2, 1, NULL},
+    {"satellite_id", 3, 1, NULL}, {"elevation", 4, 1, NULL},   {"azimuth", 5, 1, NULL},
+    {"health", 6, 1, NULL},       {"flags", 0, 7, NULL},
 };
 static const struct mip_names names_gnss_1_satellite_status_flags = {
-    "gnss_1.satellite_status_flags", NULL, bits_gnss_1_satellite_status_flags, 8, 2};
+    "gnss_1.satellite_status_flags", NULL, bits_gnss_1_satellite_status_flags, 8, 2,
+};
 
 static const struct mip_named_value values_gnss_1_signal_quality[] = {
-    {"none", 0},
-    {"searching", 1},
-    {"acquired", 2},
-    {"unusable", 3},
-    {"time_locked", 4},
-    {"fully_locked", 5},
+    {"none", 0},     {"searching", 1},   {"acquired", 2},
+    {"unusable", 3}, {"time_locked", 4}, {"fully_locked", 5},
 };
 static const struct mip_names names_gnss_1_signal_quality = {
-    "gnss_1.signal_quality", values_gnss_1_signal_quality, NULL, 6, 1};
+    "gnss_1.signal_quality", values_gnss_1_signal_quality, NULL, 6, 1,
+};
 
 static const struct mip_named_bits bits_gnss_1_raw_flags[] = {
     {"tow", 0, 1, NULL},
@@ -1063,60 +1269,34 @@ static const struct mip_named_bits bits_gnss_1_raw_flags[] = {
     {"flags", 0, 16, NULL},
 };
 static const struct mip_names names_gnss_1_raw_flags = {
-    "gnss_1.raw_flags", NULL, bits_gnss_1_raw_flags, 17, 2};
-
-static const struct mip_named_bits bits_gnss_1_ephemeris_flags[] = {
-    {"ephemeris", 0, 1, NULL},
-    {"modern_data", 1, 1, NULL},
-    {"isc_l5", 2, 1, NULL},
-    {"flags", 0, 3, NULL},
+    "gnss_1.raw_flags", NULL, bits_gnss_1_raw_flags, 17, 2,
 };
-static const struct mip_names names_gnss_1_ephemeris_flags = {
-    "gnss_1.ephemeris_flags", NULL, bits_gnss_1_ephemeris_flags, 4, 2};
 
-static const struct mip_named_value values_gnss_1_glonass_satellite_type[] = {
-    {"glonass", 0},
-    {"glonass_m", 1},
-};
-static const struct mip_names names_gnss_1_glonass_satellite_type = {
-    "gnss_1.glonass_satellite_type", values_gnss_1_glonass_satellite_type, NULL, 2, 1};
-
-static const struct mip_named_bits bits_gnss_1_glonass_ephemeris_flags[] = {
-    {"ephemeris", 0, 1, NULL},
-    {"flags", 0, 1, NULL},
-};
-static const struct mip_names names_gnss_1_glonass_ephemeris_flags = {
-    "gnss_1.glonass_ephemeris_flags", NULL, bits_gnss_1_glonass_ephemeris_flags, 2, 2};
-
-static const struct mip_named_bits bits_gnss_corrections_base_station_indicators[] = {
+static const struct mip_named_bits bits_gnss_1_base_station_indicators[] = {
     {"gps", 0, 1, NULL},
     {"glonass", 1, 1, NULL},
     {"galileo", 2, 1, NULL},
     {"beidou", 3, 1, NULL},
-    {"ref_station", 4, 1, NULL},
+    {"reference_station", 4, 1, NULL},
     {"single_receiver", 5, 1, NULL},
     {"quarter_cycle_bit1", 6, 1, NULL},
     {"quarter_cycle_bit2", 7, 1, NULL},
     {"quarter_cycle_bits", 6, 2, NULL},
 };
-static const struct mip_names names_gnss_corrections_base_station_indicators = {
-    "gnss_corrections.base_station_indicators", NULL, bits_gnss_corrections_base_station_indicators,
-    9, 2};
+static const struct mip_names names_gnss_1_base_station_indicators = {
+    "gnss_1.base_station_indicators", NULL, bits_gnss_1_base_station_indicators, 9, 2,
+};
 
-static const struct mip_named_bits bits_gnss_corrections_base_station_info_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"ecef_position", 2, 1, NULL},
-    {"height", 3, 1, NULL},
-    {"station_id", 4, 1, NULL},
-    {"indicators", 5, 1, NULL},
+static const struct mip_named_bits bits_gnss_1_base_station_info_flags[] = {
+    {"tow", 0, 1, NULL},    {"week_number", 1, 1, NULL}, {"ecef_position", 2, 1, NULL},
+    {"height", 3, 1, NULL}, {"station_id", 4, 1, NULL},  {"indicators", 5, 1, NULL},
     {"flags", 0, 6, NULL},
 };
-static const struct mip_names names_gnss_corrections_base_station_info_flags = {
-    "gnss_corrections.base_station_info_flags", NULL, bits_gnss_corrections_base_station_info_flags,
-    7, 2};
+static const struct mip_names names_gnss_1_base_station_info_flags = {
+    "gnss_1.base_station_info_flags", NULL, bits_gnss_1_base_station_info_flags, 7, 2,
+};
 
-static const struct mip_named_bits bits_gnss_corrections_rtk_epoch_status[] = {
+static const struct mip_named_bits bits_gnss_1_rtk_epoch_status[] = {
     {"antenna_location_received", 0, 1, NULL},
     {"antenna_description_received", 1, 1, NULL},
     {"gps_received", 2, 1, NULL},
@@ -1127,10 +1307,11 @@ static const struct mip_named_bits bits_gnss_corrections_rtk_epoch_status[] = {
     {"using_glonass_msm_messages", 7, 1, NULL},
     {"dongle_status_read_failed", 8, 1, NULL},
 };
-static const struct mip_names names_gnss_corrections_rtk_epoch_status = {
-    "gnss_corrections.rtk_epoch_status", NULL, bits_gnss_corrections_rtk_epoch_status, 9, 2};
+static const struct mip_names names_gnss_1_rtk_epoch_status = {
+    "gnss_1.rtk_epoch_status", NULL, bits_gnss_1_rtk_epoch_status, 9, 2,
+};
 
-static const struct mip_named_bits bits_gnss_corrections_rtk_corrections_status_flags[] = {
+static const struct mip_named_bits bits_gnss_1_rtk_corrections_status_flags[] = {
     {"tow", 0, 1, NULL},
     {"week_number", 1, 1, NULL},
     {"epoch_status", 2, 1, NULL},
@@ -1141,9 +1322,60 @@ static const struct mip_named_bits bits_gnss_corrections_rtk_corrections_status_
     {"beidou_latency", 7, 1, NULL},
     {"flags", 0, 8, NULL},
 };
-static const struct mip_names names_gnss_corrections_rtk_corrections_status_flags = {
-    "gnss_corrections.rtk_corrections_status_flags", NULL,
-    bits_gnss_corrections_rtk_corrections_status_flags, 9, 2};
+static const struct mip_names names_gnss_1_rtk_corrections_status_flags = {
+    "gnss_1.rtk_corrections_status_flags", NULL, bits_gnss_1_rtk_corrections_status_flags, 9, 2,
+};
+
+static const struct mip_named_bits bits_gnss_1_ephemeris_flags[] = {
+    {"ephemeris", 0, 1, NULL},
+    {"modern_data", 1, 1, NULL},
+    {"isc_l5", 2, 1, NULL},
+    {"flags", 0, 3, NULL},
+};
+static const struct mip_names names_gnss_1_ephemeris_flags = {
+    "gnss_1.ephemeris_flags", NULL, bits_gnss_1_ephemeris_flags, 4, 2,
+};
+
+static const struct mip_named_value values_gnss_1_glonass_satellite_type[] = {
+    {"glonass", 0},
+    {"glonass_m", 1},
+};
+static const struct mip_names names_gnss_1_glonass_satellite_type = {
+    "gnss_1.glonass_satellite_type", values_gnss_1_glonass_satellite_type, NULL, 2, 1,
+};
+
+static const struct mip_named_bits bits_gnss_1_glonass_ephemeris_flags[] = {
+    {"ephemeris", 0, 1, NULL},
+    {"flags", 0, 1, NULL},
+};
+static const struct mip_names names_gnss_1_glonass_ephemeris_flags = {
+    "gnss_1.glonass_ephemeris_flags", NULL, bits_gnss_1_glonass_ephemeris_flags, 2, 2,
+};
+
+static const struct mip_named_bits bits_gnss_1_gps_iono_correction_flags[] = {
+    {"tow", 0, 1, NULL},  {"week_number", 1, 1, NULL}, {"alpha", 2, 1, NULL},
+    {"beta", 3, 1, NULL}, {"flags", 0, 4, NULL},
+};
+static const struct mip_names names_gnss_1_gps_iono_correction_flags = {
+    "gnss_1.gps_iono_correction_flags", NULL, bits_gnss_1_gps_iono_correction_flags, 5, 2,
+};
+
+static const struct mip_named_bits bits_gnss_1_galileo_iono_correction_flags[] = {
+    {"tow", 0, 1, NULL},   {"week_number", 1, 1, NULL},
+    {"alpha", 2, 1, NULL}, {"disturbance_flags", 3, 1, NULL},
+    {"flags", 0, 4, NULL},
+};
+static const struct mip_names names_gnss_1_galileo_iono_correction_flags = {
+    "gnss_1.galileo_iono_correction_flags", NULL, bits_gnss_1_galileo_iono_correction_flags, 5, 2,
+};
+
+static const struct mip_named_bits bits_gnss_1_beidou_iono_correction_flags[] = {
+    {"tow", 0, 1, NULL},  {"week_number", 1, 1, NULL},      {"alpha", 2, 1, NULL},
+    {"beta", 3, 1, NULL}, {"alpha_correction", 4, 1, NULL}, {"flags", 0, 5, NULL},
+};
+static const struct mip_names names_gnss_1_beidou_iono_correction_flags = {
+    "gnss_1.beidou_iono_correction_flags", NULL, bits_gnss_1_beidou_iono_correction_flags, 6, 2,
+};
 
 static const struct mip_named_bits bits_system_data_gpio_pin_states[] = {
     {"pin_1", 0, 1, NULL},
@@ -1152,7 +1384,8 @@ static const struct mip_named_bits bits_system_data_gpio_pin_states[] = {
     {"pin_4", 3, 1, NULL},
 };
 static const struct mip_names names_system_data_gpio_pin_states = {
-    "system_data.gpio_pin_states", NULL, bits_system_data_gpio_pin_states, 4, 1};
+    "system_data.gpio_pin_states", NULL, bits_system_data_gpio_pin_states, 4, 1,
+};
 
 static const struct mip_named_bits bits_shared_gps_timestamp_flags[] = {
     {"tow", 0, 1, NULL},
@@ -1160,19 +1393,22 @@ static const struct mip_named_bits bits_shared_gps_timestamp_flags[] = {
     {"time_valid", 0, 2, NULL},
 };
 static const struct mip_names names_shared_gps_timestamp_flags = {
-    "shared.gps_timestamp_flags", NULL, bits_shared_gps_timestamp_flags, 3, 2};
+    "shared.gps_timestamp_flags", NULL, bits_shared_gps_timestamp_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_shared_external_timestamp_flags[] = {
     {"nanoseconds", 0, 1, NULL},
 };
 static const struct mip_names names_shared_external_timestamp_flags = {
-    "shared.external_timestamp_flags", NULL, bits_shared_external_timestamp_flags, 1, 2};
+    "shared.external_timestamp_flags", NULL, bits_shared_external_timestamp_flags, 1, 2,
+};
 
 static const struct mip_named_bits bits_shared_external_time_delta_flags[] = {
     {"dt_nanos", 0, 1, NULL},
 };
 static const struct mip_names names_shared_external_time_delta_flags = {
-    "shared.external_time_delta_flags", NULL, bits_shared_external_time_delta_flags, 1, 2};
+    "shared.external_time_delta_flags", NULL, bits_shared_external_time_delta_flags, 1, 2,
+};
 
 const struct mip_names *const mip_all_names[] = {
     &names_function_selector,
@@ -1199,28 +1435,38 @@ const struct mip_names *const mip_all_names[] = {
     &names_gpio_pin_mode,
     &names_nmea_message_id,
     &names_nmea_talker_id,
+    &names_rtk_status_flags,
+    &names_rtk_status_flags_legacy,
     &names_ack_code,
     &names_sensor_gps_timestamp_flags,
     &names_gx5_sensor_gps_timestamp_flags,
     &names_base_gps_time_field,
     &names_3dm_factory_streaming_action,
-    &names_3dm_legacy_data_stream,
+    &names_3dm_constellation_id,
+    &names_3dm_constellation_options,
     &names_3dm_sbas_options,
+    &names_3dm_assisted_fix_option,
     &names_3dm_pps_source,
-    &names_3dm_supported_events_query,
+    &names_3dm_event_support_query,
     &names_3dm_odometer_mode,
     &names_3dm_sensor_range_type,
     &names_3dm_device_status_selector,
+    &names_3dm_legacy_data_stream,
+    &names_filter_dynamics_mode,
     &names_filter_estimated_states,
     &names_filter_gnss_aiding_source,
     &names_filter_heading_type,
     &names_filter_heading_update_source,
     &names_filter_tare_axes,
     &names_filter_measurement_flags,
-    &names_filter_declination_source,
+    &names_filter_mag_parameter_source,
     &names_filter_adaptive_measurement_selector,
+    &names_filter_altitude_aiding_source,
     &names_filter_pitch_roll_aiding_source,
     &names_filter_aiding_source,
+    &names_filter_accel_constraint,
+    &names_filter_velocity_constraint,
+    &names_filter_angular_constraint,
     &names_filter_initial_condition_source,
     &names_filter_heading_alignment,
     &names_filter_reference_frame,
@@ -1232,15 +1478,28 @@ const struct mip_names *const mip_all_names[] = {
     &names_gnss_galileo_signals,
     &names_gnss_beidou_signals,
     &names_gnss_spartn_connection,
+    &names_rtk_connected_device,
+    &names_rtk_service_flags,
+    &names_rtk_storage_medium,
+    &names_rtk_led_action,
     &names_aiding_frame_format,
     &names_aiding_echo_mode,
     &names_aiding_timebase,
     &names_aiding_axis_flags,
     &names_aiding_llh_axis_flags,
+    &names_system_comm_interface,
+    &names_system_comm_protocols,
     &names_system_protocol_mode,
     &names_sensor_overrange_flags,
     &names_sensor_odometer_flags,
     &names_filter_data_valid_flags,
+    &names_filter_data_heading_source_flags,
+    &names_filter_data_gnss_aiding_status,
+    &names_filter_data_heading_aiding_type,
+    &names_filter_data_aiding_measurement_type,
+    &names_filter_data_aiding_measurement_indicator,
+    &names_filter_data_dual_antenna_fix_type,
+    &names_filter_data_dual_antenna_status_flags,
     &names_filter_data_gx5_filter_state,
     &names_filter_data_cv7_filter_state,
     &names_filter_data_gx5_dynamics_mode,
@@ -1248,40 +1507,47 @@ const struct mip_names *const mip_all_names[] = {
     &names_filter_data_gx5_status_flags,
     &names_filter_data_filter_condition,
     &names_filter_data_cv7_status_flags,
-    &names_filter_data_heading_source_flags,
-    &names_filter_data_gnss_aiding_status,
-    &names_filter_data_aiding_measurement_type,
-    &names_filter_data_aiding_measurement_indicator,
-    &names_filter_data_dual_antenna_fix_type,
-    &names_filter_data_dual_antenna_status_flags,
-    &names_gnss_1_gnss_llh_position_flags,
-    &names_gnss_1_gnss_ecef_position_flags,
+    &names_gnss_1_llh_position_flags,
+    &names_gnss_1_ecef_position_flags,
     &names_gnss_1_ned_velocity_flags,
-    &names_gnss_1_gnss_ecef_velocity_flags,
+    &names_gnss_1_ecef_velocity_flags,
     &names_gnss_1_dop_flags,
     &names_gnss_1_utc_time_flags,
     &names_gnss_1_gps_time_flags,
+    &names_gnss_1_clock_info_flags,
     &names_gnss_1_fix_flags,
     &names_gnss_1_fix_info_flags,
+    &names_gnss_1_sv_flags,
+    &names_gnss_1_sv_info_flags,
     &names_gnss_1_receiver_state,
     &names_gnss_1_antenna_state,
     &names_gnss_1_antenna_power,
-    &names_gnss_1_gnss_hardware_status_flags,
+    &names_gnss_1_hardware_status_flags,
+    &names_gnss_1_dgps_info_flags,
+    &names_gnss_1_dgps_channel_flags,
     &names_gnss_1_clock_info_2_flags,
     &names_gnss_1_gps_leap_seconds_flags,
     &names_gnss_1_sbas_system,
     &names_gnss_1_sbas_status,
     &names_gnss_1_sbas_info_flags,
+    &names_gnss_1_sbas_correction_flags,
+    &names_gnss_1_rf_band,
+    &names_gnss_1_jamming_state,
+    &names_gnss_1_spoofing_state,
+    &names_gnss_1_rf_error_detection_flags,
     &names_gnss_1_satellite_status_flags,
     &names_gnss_1_signal_quality,
     &names_gnss_1_raw_flags,
+    &names_gnss_1_base_station_indicators,
+    &names_gnss_1_base_station_info_flags,
+    &names_gnss_1_rtk_epoch_status,
+    &names_gnss_1_rtk_corrections_status_flags,
     &names_gnss_1_ephemeris_flags,
     &names_gnss_1_glonass_satellite_type,
     &names_gnss_1_glonass_ephemeris_flags,
-    &names_gnss_corrections_base_station_indicators,
-    &names_gnss_corrections_base_station_info_flags,
-    &names_gnss_corrections_rtk_epoch_status,
-    &names_gnss_corrections_rtk_corrections_status_flags,
+    &names_gnss_1_gps_iono_correction_flags,
+    &names_gnss_1_galileo_iono_correction_flags,
+    &names_gnss_1_beidou_iono_correction_flags,
     &names_system_data_gpio_pin_states,
     &names_shared_gps_timestamp_flags,
     &names_shared_external_timestamp_flags,
@@ -1299,25 +1565,34 @@ static const struct mip_parameter parameters_event_trigger_gpio[] = {
      0},
 };
 static const struct mip_record record_event_trigger_gpio = {
-    parameters_event_trigger_gpio, 2, sizeof(struct mip_event_trigger_gpio)};
+    parameters_event_trigger_gpio,
+    2,
+    sizeof(struct mip_event_trigger_gpio),
+};
 
 static const struct mip_parameter parameters_event_threshold_window[] = {
-    {"low_thres", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_threshold_window, low_thres), 0, NULL, NULL, NULL, NULL, 0},
-    {"high_thres", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_threshold_window, high_thres), 0, NULL, NULL, NULL, NULL, 0},
+    {"low_threshold", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_event_threshold_window, low_threshold), 0, NULL, NULL, NULL, NULL, 0},
+    {"high_threshold", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_event_threshold_window, high_threshold), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_event_threshold_window = {
-    parameters_event_threshold_window, 2, sizeof(struct mip_event_threshold_window)};
+    parameters_event_threshold_window,
+    2,
+    sizeof(struct mip_event_threshold_window),
+};
 
 static const struct mip_parameter parameters_event_threshold_interval[] = {
-    {"int_thres", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_threshold_interval, int_thres), 0, NULL, NULL, NULL, NULL, 0},
+    {"interval_threshold", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_event_threshold_interval, interval_threshold), 0, NULL, NULL, NULL, NULL, 0},
     {"interval", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_event_threshold_interval, interval), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_event_threshold_interval = {
-    parameters_event_threshold_interval, 2, sizeof(struct mip_event_threshold_interval)};
+    parameters_event_threshold_interval,
+    2,
+    sizeof(struct mip_event_threshold_interval),
+};
 
 static const struct mip_parameter members_event_trigger_threshold_thresholds[] = {
     {"window", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1332,12 +1607,12 @@ static const struct mip_case cases_event_trigger_threshold_thresholds[] = {
     {2, &members_event_trigger_threshold_thresholds[1]},
 };
 static const struct mip_parameter parameters_event_trigger_threshold[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_trigger_threshold, desc_set), 0, NULL, NULL, NULL, NULL, 0},
-    {"field_desc", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_trigger_threshold, field_desc), 0, NULL, NULL, NULL, NULL, 0},
-    {"param_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_trigger_threshold, param_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_event_trigger_threshold, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"field_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_event_trigger_threshold, field_descriptor), 0, NULL, NULL, NULL, NULL, 0},
+    {"parameter_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_event_trigger_threshold, parameter_id), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_event_trigger_threshold, type), 0, &names_event_threshold_type, NULL, NULL,
      NULL, 0},
@@ -1346,7 +1621,10 @@ static const struct mip_parameter parameters_event_trigger_threshold[] = {
      cases_event_trigger_threshold_thresholds, 2},
 };
 static const struct mip_record record_event_trigger_threshold = {
-    parameters_event_trigger_threshold, 5, sizeof(struct mip_event_trigger_threshold)};
+    parameters_event_trigger_threshold,
+    5,
+    sizeof(struct mip_event_trigger_threshold),
+};
 
 static const struct mip_parameter parameters_event_trigger_combination[] = {
     {"logic_table", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1355,7 +1633,10 @@ static const struct mip_parameter parameters_event_trigger_combination[] = {
      MANY(struct mip_event_trigger_combination, input_triggers), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_event_trigger_combination = {
-    parameters_event_trigger_combination, 2, sizeof(struct mip_event_trigger_combination)};
+    parameters_event_trigger_combination,
+    2,
+    sizeof(struct mip_event_trigger_combination),
+};
 
 static const struct mip_parameter parameters_event_action_gpio[] = {
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1365,11 +1646,14 @@ static const struct mip_parameter parameters_event_action_gpio[] = {
      0},
 };
 static const struct mip_record record_event_action_gpio = {
-    parameters_event_action_gpio, 2, sizeof(struct mip_event_action_gpio)};
+    parameters_event_action_gpio,
+    2,
+    sizeof(struct mip_event_action_gpio),
+};
 
 static const struct mip_parameter parameters_event_action_message[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_action_message, desc_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_event_action_message, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
     {"decimation", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_event_action_message, decimation), 0, NULL, NULL, NULL, NULL, 0},
     {"num_fields", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 0, 0,
@@ -1378,20 +1662,26 @@ static const struct mip_parameter parameters_event_action_message[] = {
      MANY(struct mip_event_action_message, descriptors), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_event_action_message = {
-    parameters_event_action_message, 4, sizeof(struct mip_event_action_message)};
+    parameters_event_action_message,
+    4,
+    sizeof(struct mip_event_action_message),
+};
 
 static const struct mip_parameter parameters_nmea_message[] = {
     {"message_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_nmea_message, message_id), 0, &names_nmea_message_id, NULL, NULL, NULL, 0},
     {"talker_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_nmea_message, talker_id), 0, &names_nmea_talker_id, NULL, NULL, NULL, 0},
-    {"source_desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_nmea_message, source_desc_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"source_descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_nmea_message, source_descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
     {"decimation", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_nmea_message, decimation), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_nmea_message = {
-    parameters_nmea_message, 4, sizeof(struct mip_nmea_message)};
+    parameters_nmea_message,
+    4,
+    sizeof(struct mip_nmea_message),
+};
 
 static const struct mip_parameter parameters_descriptor_rate[] = {
     {"descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1400,7 +1690,10 @@ static const struct mip_parameter parameters_descriptor_rate[] = {
      ONE(struct mip_descriptor_rate, decimation), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_descriptor_rate = {
-    parameters_descriptor_rate, 2, sizeof(struct mip_descriptor_rate)};
+    parameters_descriptor_rate,
+    2,
+    sizeof(struct mip_descriptor_rate),
+};
 
 static const struct mip_parameter parameters_base_device_info[] = {
     {"firmware_version", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1417,7 +1710,10 @@ static const struct mip_parameter parameters_base_device_info[] = {
      MANY(struct mip_base_device_info, device_options), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_base_device_info = {
-    parameters_base_device_info, 6, sizeof(struct mip_base_device_info)};
+    parameters_base_device_info,
+    6,
+    sizeof(struct mip_base_device_info),
+};
 
 static const struct mip_parameter parameters_3dm_poll_entry[] = {
     {"descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1426,16 +1722,43 @@ static const struct mip_parameter parameters_3dm_poll_entry[] = {
      ONE(struct mip_3dm_poll_entry, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_poll_entry = {
-    parameters_3dm_poll_entry, 2, sizeof(struct mip_3dm_poll_entry)};
-
-static const struct mip_parameter parameters_3dm_supported_event_info[] = {
-    {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_supported_event_info, type), 0, NULL, NULL, NULL, NULL, 0},
-    {"count", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_supported_event_info, count), 0, NULL, NULL, NULL, NULL, 0},
+    parameters_3dm_poll_entry,
+    2,
+    sizeof(struct mip_3dm_poll_entry),
 };
-static const struct mip_record record_3dm_supported_event_info = {
-    parameters_3dm_supported_event_info, 2, sizeof(struct mip_3dm_supported_event_info)};
+
+static const struct mip_parameter parameters_3dm_constellation_settings_entry[] = {
+    {"constellation_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_entry, constellation_id), 0,
+     &names_3dm_constellation_id, NULL, NULL, NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_entry, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"reserved_channels", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_entry, reserved_channels), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"max_channels", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_entry, max_channels), 0, NULL, NULL, NULL, NULL, 0},
+    {"option_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_entry, option_flags), 0,
+     &names_3dm_constellation_options, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_constellation_settings_entry = {
+    parameters_3dm_constellation_settings_entry,
+    5,
+    sizeof(struct mip_3dm_constellation_settings_entry),
+};
+
+static const struct mip_parameter parameters_3dm_event_support_info[] = {
+    {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_event_support_info, type), 0, NULL, NULL, NULL, NULL, 0},
+    {"count", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_event_support_info, count), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_event_support_info = {
+    parameters_3dm_event_support_info,
+    2,
+    sizeof(struct mip_3dm_event_support_info),
+};
 
 static const struct mip_parameter parameters_3dm_event_trigger_status_entry[] = {
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1446,8 +1769,10 @@ static const struct mip_parameter parameters_3dm_event_trigger_status_entry[] = 
      NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_event_trigger_status_entry = {
-    parameters_3dm_event_trigger_status_entry, 2,
-    sizeof(struct mip_3dm_event_trigger_status_entry)};
+    parameters_3dm_event_trigger_status_entry,
+    2,
+    sizeof(struct mip_3dm_event_trigger_status_entry),
+};
 
 static const struct mip_parameter parameters_3dm_event_action_status_entry[] = {
     {"action_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1457,7 +1782,10 @@ static const struct mip_parameter parameters_3dm_event_action_status_entry[] = {
      ONE(struct mip_3dm_event_action_status_entry, trigger_id), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_event_action_status_entry = {
-    parameters_3dm_event_action_status_entry, 2, sizeof(struct mip_3dm_event_action_status_entry)};
+    parameters_3dm_event_action_status_entry,
+    2,
+    sizeof(struct mip_3dm_event_action_status_entry),
+};
 
 static const struct mip_parameter parameters_3dm_sensor_range_entry[] = {
     {"setting", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1466,7 +1794,10 @@ static const struct mip_parameter parameters_3dm_sensor_range_entry[] = {
      ONE(struct mip_3dm_sensor_range_entry, range), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_range_entry = {
-    parameters_3dm_sensor_range_entry, 2, sizeof(struct mip_3dm_sensor_range_entry)};
+    parameters_3dm_sensor_range_entry,
+    2,
+    sizeof(struct mip_3dm_sensor_range_entry),
+};
 
 static const struct mip_parameter parameters_gnss_receiver_info_entry[] = {
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1478,7 +1809,10 @@ static const struct mip_parameter parameters_gnss_receiver_info_entry[] = {
      MANY(struct mip_gnss_receiver_info_entry, description), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_receiver_info_entry = {
-    parameters_gnss_receiver_info_entry, 3, sizeof(struct mip_gnss_receiver_info_entry)};
+    parameters_gnss_receiver_info_entry,
+    3,
+    sizeof(struct mip_gnss_receiver_info_entry),
+};
 
 static const struct mip_parameter parameters_aiding_measurement_time[] = {
     {"timebase", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1490,7 +1824,10 @@ static const struct mip_parameter parameters_aiding_measurement_time[] = {
      ONE(struct mip_aiding_measurement_time, nanoseconds), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_measurement_time = {
-    parameters_aiding_measurement_time, 3, sizeof(struct mip_aiding_measurement_time)};
+    parameters_aiding_measurement_time,
+    3,
+    sizeof(struct mip_aiding_measurement_time),
+};
 
 static const struct mip_parameter parameters_protocol_acknowledge[] = {
     {"command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1499,44 +1836,73 @@ static const struct mip_parameter parameters_protocol_acknowledge[] = {
      ONE(struct mip_protocol_acknowledge, code), 0, &names_ack_code, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_protocol_acknowledge = {
-    parameters_protocol_acknowledge, 2, sizeof(struct mip_protocol_acknowledge)};
+    parameters_protocol_acknowledge,
+    2,
+    sizeof(struct mip_protocol_acknowledge),
+};
 
 static const struct mip_record record_base_ping = {
-    NULL, 0, sizeof(struct mip_base_ping)};
+    NULL,
+    0,
+    sizeof(struct mip_base_ping),
+};
 
-static const struct mip_record record_base_set_to_idle = {
-    NULL, 0, sizeof(struct mip_base_set_to_idle)};
+static const struct mip_record record_base_set_idle = {
+    NULL,
+    0,
+    sizeof(struct mip_base_set_idle),
+};
 
-static const struct mip_record record_base_get_device_information = {
-    NULL, 0, sizeof(struct mip_base_get_device_information)};
+static const struct mip_record record_base_get_device_info = {
+    NULL,
+    0,
+    sizeof(struct mip_base_get_device_info),
+};
 
 static const struct mip_record record_base_get_device_descriptors = {
-    NULL, 0, sizeof(struct mip_base_get_device_descriptors)};
+    NULL,
+    0,
+    sizeof(struct mip_base_get_device_descriptors),
+};
 
 static const struct mip_record record_base_built_in_test = {
-    NULL, 0, sizeof(struct mip_base_built_in_test)};
+    NULL,
+    0,
+    sizeof(struct mip_base_built_in_test),
+};
 
 static const struct mip_record record_base_resume = {
-    NULL, 0, sizeof(struct mip_base_resume)};
+    NULL,
+    0,
+    sizeof(struct mip_base_resume),
+};
 
-static const struct mip_record record_base_get_device_descriptors_extended = {
-    NULL, 0, sizeof(struct mip_base_get_device_descriptors_extended)};
+static const struct mip_record record_base_get_extended_descriptors = {
+    NULL,
+    0,
+    sizeof(struct mip_base_get_extended_descriptors),
+};
 
 static const struct mip_record record_base_continuous_built_in_test = {
-    NULL, 0, sizeof(struct mip_base_continuous_built_in_test)};
-
-static const struct mip_parameter parameters_base_comm_port_speed[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_base_comm_port_speed, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
-    {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_base_comm_port_speed, port), 0, NULL, NULL, NULL, NULL, 0},
-    {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_base_comm_port_speed, baud), 0, NULL, NULL, NULL, NULL, 0},
+    NULL,
+    0,
+    sizeof(struct mip_base_continuous_built_in_test),
 };
-static const struct mip_record record_base_comm_port_speed = {
-    parameters_base_comm_port_speed, 3, sizeof(struct mip_base_comm_port_speed)};
-static const uint8_t required_base_comm_port_speed[] = {0, 2, 1, 1, 1, 1};
+
+static const struct mip_parameter parameters_base_comm_speed[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_base_comm_speed, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+    {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_base_comm_speed, port), 0, NULL, NULL, NULL, NULL, 0},
+    {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_base_comm_speed, baud), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_base_comm_speed = {
+    parameters_base_comm_speed,
+    3,
+    sizeof(struct mip_base_comm_speed),
+};
+static const uint8_t required_base_comm_speed[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_base_gps_time_update[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1549,20 +1915,28 @@ static const struct mip_parameter parameters_base_gps_time_update[] = {
      ONE(struct mip_base_gps_time_update, value), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_base_gps_time_update = {
-    parameters_base_gps_time_update, 3, sizeof(struct mip_base_gps_time_update)};
+    parameters_base_gps_time_update,
+    3,
+    sizeof(struct mip_base_gps_time_update),
+};
 static const uint8_t required_base_gps_time_update[] = {0, 2, 1, 0, 0, 0, 2};
 
-static const struct mip_record record_base_reset_device = {
-    NULL, 0, sizeof(struct mip_base_reset_device)};
+static const struct mip_record record_base_soft_reset = {
+    NULL,
+    0,
+    sizeof(struct mip_base_soft_reset),
+};
 
-static const struct mip_parameter parameters_base_get_device_information_response[] = {
+static const struct mip_parameter parameters_base_get_device_info_response[] = {
     {"device_info", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_base_get_device_information_response, device_info), 0, NULL, NULL,
+     ONE(struct mip_base_get_device_info_response, device_info), 0, NULL, NULL,
      &record_base_device_info, NULL, 0},
 };
-static const struct mip_record record_base_get_device_information_response = {
-    parameters_base_get_device_information_response, 1,
-    sizeof(struct mip_base_get_device_information_response)};
+static const struct mip_record record_base_get_device_info_response = {
+    parameters_base_get_device_info_response,
+    1,
+    sizeof(struct mip_base_get_device_info_response),
+};
 
 static const struct mip_parameter parameters_base_get_device_descriptors_response[] = {
     {"descriptors", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_REST, 126, 1, 0, 0, 0,
@@ -1571,12 +1945,14 @@ static const struct mip_parameter parameters_base_get_device_descriptors_respons
      NULL, 0},
 };
 static const struct mip_record record_base_get_device_descriptors_response = {
-    parameters_base_get_device_descriptors_response, 1,
-    sizeof(struct mip_base_get_device_descriptors_response)};
+    parameters_base_get_device_descriptors_response,
+    1,
+    sizeof(struct mip_base_get_device_descriptors_response),
+};
 
 static const struct mip_reading readings_base_built_in_test_response_result[] = {
-    {"3dm-gx5-15", 0, 0, &names_gx5_built_in_test},
     {"3dm-cv7-gnss-ins", 0, 0, &names_cv7_built_in_test},
+    {"3dm-gx5-15", 0, 0, &names_gx5_built_in_test},
 };
 static const struct mip_parameter parameters_base_built_in_test_response[] = {
     {"result", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1584,7 +1960,10 @@ static const struct mip_parameter parameters_base_built_in_test_response[] = {
      readings_base_built_in_test_response_result, NULL, NULL, 2},
 };
 static const struct mip_record record_base_built_in_test_response = {
-    parameters_base_built_in_test_response, 1, sizeof(struct mip_base_built_in_test_response)};
+    parameters_base_built_in_test_response,
+    1,
+    sizeof(struct mip_base_built_in_test_response),
+};
 
 static const struct mip_parameter parameters_base_gps_time_update_week_number_response[] = {
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1592,27 +1971,32 @@ static const struct mip_parameter parameters_base_gps_time_update_week_number_re
      NULL, 0},
 };
 static const struct mip_record record_base_gps_time_update_week_number_response = {
-    parameters_base_gps_time_update_week_number_response, 1,
-    sizeof(struct mip_base_gps_time_update_week_number_response)};
-
-static const struct mip_parameter parameters_base_gps_time_update_time_of_week_response[] = {
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_base_gps_time_update_time_of_week_response, time_of_week), 0, NULL, NULL, NULL,
-     NULL, 0},
+    parameters_base_gps_time_update_week_number_response,
+    1,
+    sizeof(struct mip_base_gps_time_update_week_number_response),
 };
-static const struct mip_record record_base_gps_time_update_time_of_week_response = {
-    parameters_base_gps_time_update_time_of_week_response, 1,
-    sizeof(struct mip_base_gps_time_update_time_of_week_response)};
 
-static const struct mip_parameter parameters_base_get_device_descriptors_extended_response[] = {
+static const struct mip_parameter parameters_base_gps_time_update_tow_response[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_base_gps_time_update_tow_response, tow), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_base_gps_time_update_tow_response = {
+    parameters_base_gps_time_update_tow_response,
+    1,
+    sizeof(struct mip_base_gps_time_update_tow_response),
+};
+
+static const struct mip_parameter parameters_base_get_extended_descriptors_response[] = {
     {"descriptors", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_REST, 126, 1, 0, 0, 0,
-     MANY(struct mip_base_get_device_descriptors_extended_response, descriptors),
-     offsetof(struct mip_base_get_device_descriptors_extended_response, descriptors_count), NULL,
-     NULL, NULL, NULL, 0},
+     MANY(struct mip_base_get_extended_descriptors_response, descriptors),
+     offsetof(struct mip_base_get_extended_descriptors_response, descriptors_count), NULL, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_base_get_device_descriptors_extended_response = {
-    parameters_base_get_device_descriptors_extended_response, 1,
-    sizeof(struct mip_base_get_device_descriptors_extended_response)};
+static const struct mip_record record_base_get_extended_descriptors_response = {
+    parameters_base_get_extended_descriptors_response,
+    1,
+    sizeof(struct mip_base_get_extended_descriptors_response),
+};
 
 static const struct mip_reading readings_base_continuous_built_in_test_response_result[] = {
     {"3dm-cv7-gnss-ins", 0, 0, &names_cv7_continuous_built_in_test},
@@ -1623,17 +2007,22 @@ static const struct mip_parameter parameters_base_continuous_built_in_test_respo
      readings_base_continuous_built_in_test_response_result, NULL, NULL, 1},
 };
 static const struct mip_record record_base_continuous_built_in_test_response = {
-    parameters_base_continuous_built_in_test_response, 1,
-    sizeof(struct mip_base_continuous_built_in_test_response)};
-
-static const struct mip_parameter parameters_base_comm_port_speed_response[] = {
-    {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_base_comm_port_speed_response, port), 0, NULL, NULL, NULL, NULL, 0},
-    {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_base_comm_port_speed_response, baud), 0, NULL, NULL, NULL, NULL, 0},
+    parameters_base_continuous_built_in_test_response,
+    1,
+    sizeof(struct mip_base_continuous_built_in_test_response),
 };
-static const struct mip_record record_base_comm_port_speed_response = {
-    parameters_base_comm_port_speed_response, 2, sizeof(struct mip_base_comm_port_speed_response)};
+
+static const struct mip_parameter parameters_base_comm_speed_response[] = {
+    {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_base_comm_speed_response, port), 0, NULL, NULL, NULL, NULL, 0},
+    {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_base_comm_speed_response, baud), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_base_comm_speed_response = {
+    parameters_base_comm_speed_response,
+    2,
+    sizeof(struct mip_base_comm_speed_response),
+};
 
 static const struct mip_parameter parameters_3dm_poll_imu_data[] = {
     {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1645,21 +2034,40 @@ static const struct mip_parameter parameters_3dm_poll_imu_data[] = {
      0},
 };
 static const struct mip_record record_3dm_poll_imu_data = {
-    parameters_3dm_poll_imu_data, 3, sizeof(struct mip_3dm_poll_imu_data)};
-
-static const struct mip_parameter parameters_3dm_poll_estimation_filter_data[] = {
-    {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_poll_estimation_filter_data, suppress_ack), 0, NULL, NULL, NULL, NULL, 0},
-    {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 0, 0,
-     ONE(struct mip_3dm_poll_estimation_filter_data, num_descriptors), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 83, 1, 1, 0, 0,
-     MANY(struct mip_3dm_poll_estimation_filter_data, descriptors), 0, NULL, NULL,
-     &record_3dm_poll_entry, NULL, 0},
+    parameters_3dm_poll_imu_data,
+    3,
+    sizeof(struct mip_3dm_poll_imu_data),
 };
-static const struct mip_record record_3dm_poll_estimation_filter_data = {
-    parameters_3dm_poll_estimation_filter_data, 3,
-    sizeof(struct mip_3dm_poll_estimation_filter_data)};
+
+static const struct mip_parameter parameters_3dm_poll_gnss_data[] = {
+    {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_poll_gnss_data, suppress_ack), 0, NULL, NULL, NULL, NULL, 0},
+    {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 0, 0,
+     ONE(struct mip_3dm_poll_gnss_data, num_descriptors), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 83, 1, 1, 0, 0,
+     MANY(struct mip_3dm_poll_gnss_data, descriptors), 0, NULL, NULL, &record_3dm_poll_entry, NULL,
+     0},
+};
+static const struct mip_record record_3dm_poll_gnss_data = {
+    parameters_3dm_poll_gnss_data,
+    3,
+    sizeof(struct mip_3dm_poll_gnss_data),
+};
+
+static const struct mip_parameter parameters_3dm_poll_filter_data[] = {
+    {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_poll_filter_data, suppress_ack), 0, NULL, NULL, NULL, NULL, 0},
+    {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 0, 0,
+     ONE(struct mip_3dm_poll_filter_data, num_descriptors), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 83, 1, 1, 0, 0,
+     MANY(struct mip_3dm_poll_filter_data, descriptors), 0, NULL, NULL, &record_3dm_poll_entry,
+     NULL, 0},
+};
+static const struct mip_record record_3dm_poll_filter_data = {
+    parameters_3dm_poll_filter_data,
+    3,
+    sizeof(struct mip_3dm_poll_filter_data),
+};
 
 static const struct mip_parameter parameters_3dm_poll_nmea_data[] = {
     {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1671,10 +2079,22 @@ static const struct mip_parameter parameters_3dm_poll_nmea_data[] = {
      0},
 };
 static const struct mip_record record_3dm_poll_nmea_data = {
-    parameters_3dm_poll_nmea_data, 3, sizeof(struct mip_3dm_poll_nmea_data)};
+    parameters_3dm_poll_nmea_data,
+    3,
+    sizeof(struct mip_3dm_poll_nmea_data),
+};
 
-static const struct mip_record record_3dm_get_imu_data_base_rate = {
-    NULL, 0, sizeof(struct mip_3dm_get_imu_data_base_rate)};
+static const struct mip_record record_3dm_get_imu_base_rate = {
+    NULL,
+    0,
+    sizeof(struct mip_3dm_get_imu_base_rate),
+};
+
+static const struct mip_record record_3dm_get_gnss_base_rate = {
+    NULL,
+    0,
+    sizeof(struct mip_3dm_get_gnss_base_rate),
+};
 
 static const struct mip_parameter parameters_3dm_imu_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1687,27 +2107,51 @@ static const struct mip_parameter parameters_3dm_imu_message_format[] = {
      NULL, 0},
 };
 static const struct mip_record record_3dm_imu_message_format = {
-    parameters_3dm_imu_message_format, 3, sizeof(struct mip_3dm_imu_message_format)};
+    parameters_3dm_imu_message_format,
+    3,
+    sizeof(struct mip_3dm_imu_message_format),
+};
 static const uint8_t required_3dm_imu_message_format[] = {0, 2, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_estimation_filter_message_format[] = {
+static const struct mip_parameter parameters_3dm_gnss_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_estimation_filter_message_format, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
-    {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 2, 0,
-     ONE(struct mip_3dm_estimation_filter_message_format, num_descriptors), 0, NULL, NULL, NULL,
+     ONE(struct mip_3dm_gnss_message_format, function), 0, &names_function_selector, NULL, NULL,
      NULL, 0},
+    {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 2, 0,
+     ONE(struct mip_3dm_gnss_message_format, num_descriptors), 0, NULL, NULL, NULL, NULL, 0},
     {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 83, 1, 1, 2, 0,
-     MANY(struct mip_3dm_estimation_filter_message_format, descriptors), 0, NULL, NULL,
+     MANY(struct mip_3dm_gnss_message_format, descriptors), 0, NULL, NULL, &record_descriptor_rate,
+     NULL, 0},
+};
+static const struct mip_record record_3dm_gnss_message_format = {
+    parameters_3dm_gnss_message_format,
+    3,
+    sizeof(struct mip_3dm_gnss_message_format),
+};
+static const uint8_t required_3dm_gnss_message_format[] = {0, 2, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_3dm_filter_message_format[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_filter_message_format, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 2, 0,
+     ONE(struct mip_3dm_filter_message_format, num_descriptors), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 83, 1, 1, 2, 0,
+     MANY(struct mip_3dm_filter_message_format, descriptors), 0, NULL, NULL,
      &record_descriptor_rate, NULL, 0},
 };
-static const struct mip_record record_3dm_estimation_filter_message_format = {
-    parameters_3dm_estimation_filter_message_format, 3,
-    sizeof(struct mip_3dm_estimation_filter_message_format)};
-static const uint8_t required_3dm_estimation_filter_message_format[] = {0, 2, 0, 0, 0, 0};
+static const struct mip_record record_3dm_filter_message_format = {
+    parameters_3dm_filter_message_format,
+    3,
+    sizeof(struct mip_3dm_filter_message_format),
+};
+static const uint8_t required_3dm_filter_message_format[] = {0, 2, 0, 0, 0, 0};
 
-static const struct mip_record record_3dm_get_estimation_filter_data_base_rate = {
-    NULL, 0, sizeof(struct mip_3dm_get_estimation_filter_data_base_rate)};
+static const struct mip_record record_3dm_get_filter_base_rate = {
+    NULL,
+    0,
+    sizeof(struct mip_3dm_get_filter_base_rate),
+};
 
 static const struct mip_parameter parameters_3dm_nmea_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1720,12 +2164,15 @@ static const struct mip_parameter parameters_3dm_nmea_message_format[] = {
      NULL, 0},
 };
 static const struct mip_record record_3dm_nmea_message_format = {
-    parameters_3dm_nmea_message_format, 3, sizeof(struct mip_3dm_nmea_message_format)};
+    parameters_3dm_nmea_message_format,
+    3,
+    sizeof(struct mip_3dm_nmea_message_format),
+};
 static const uint8_t required_3dm_nmea_message_format[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_poll_data[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_poll_data, desc_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_poll_data, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
     {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_poll_data, suppress_ack), 0, NULL, NULL, NULL, NULL, 0},
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 0, 0,
@@ -1734,21 +2181,27 @@ static const struct mip_parameter parameters_3dm_poll_data[] = {
      MANY(struct mip_3dm_poll_data, descriptors), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_poll_data = {
-    parameters_3dm_poll_data, 4, sizeof(struct mip_3dm_poll_data)};
-
-static const struct mip_parameter parameters_3dm_get_data_base_rate[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_data_base_rate, desc_set), 0, NULL, NULL, NULL, NULL, 0},
+    parameters_3dm_poll_data,
+    4,
+    sizeof(struct mip_3dm_poll_data),
 };
-static const struct mip_record record_3dm_get_data_base_rate = {
-    parameters_3dm_get_data_base_rate, 1, sizeof(struct mip_3dm_get_data_base_rate)};
+
+static const struct mip_parameter parameters_3dm_get_base_rate[] = {
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_get_base_rate, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_get_base_rate = {
+    parameters_3dm_get_base_rate,
+    1,
+    sizeof(struct mip_3dm_get_base_rate),
+};
 
 static const struct mip_parameter parameters_3dm_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_message_format, function), 0, &names_function_selector, NULL, NULL, NULL,
      0},
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_message_format, desc_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_message_format, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 3, 0,
      ONE(struct mip_3dm_message_format, num_descriptors), 0, NULL, NULL, NULL, NULL, 0},
     {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 83, 1, 2, 3, 0,
@@ -1756,7 +2209,10 @@ static const struct mip_parameter parameters_3dm_message_format[] = {
      0},
 };
 static const struct mip_record record_3dm_message_format = {
-    parameters_3dm_message_format, 4, sizeof(struct mip_3dm_message_format)};
+    parameters_3dm_message_format,
+    4,
+    sizeof(struct mip_3dm_message_format),
+};
 static const uint8_t required_3dm_message_format[] = {0, 3, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_factory_streaming[] = {
@@ -1767,24 +2223,49 @@ static const struct mip_parameter parameters_3dm_factory_streaming[] = {
      ONE(struct mip_3dm_factory_streaming, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_factory_streaming = {
-    parameters_3dm_factory_streaming, 2, sizeof(struct mip_3dm_factory_streaming)};
+    parameters_3dm_factory_streaming,
+    2,
+    sizeof(struct mip_3dm_factory_streaming),
+};
 
-static const struct mip_reading readings_3dm_data_stream_control_desc_set[] = {
+static const struct mip_reading readings_3dm_data_stream_control_descriptor_set[] = {
     {"3dm-gx5-15", 0, 0, &names_3dm_legacy_data_stream},
 };
 static const struct mip_parameter parameters_3dm_data_stream_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_data_stream_control, function), 0, &names_function_selector, NULL, NULL,
      NULL, 0},
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_data_stream_control, desc_set), 0, NULL,
-     readings_3dm_data_stream_control_desc_set, NULL, NULL, 1},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_data_stream_control, descriptor_set), 0, NULL,
+     readings_3dm_data_stream_control_descriptor_set, NULL, NULL, 1},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_3dm_data_stream_control, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_data_stream_control = {
-    parameters_3dm_data_stream_control, 3, sizeof(struct mip_3dm_data_stream_control)};
+    parameters_3dm_data_stream_control,
+    3,
+    sizeof(struct mip_3dm_data_stream_control),
+};
 static const uint8_t required_3dm_data_stream_control[] = {0, 2, 1, 1, 1, 1};
+
+static const struct mip_parameter parameters_3dm_constellation_settings[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"max_channels", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_constellation_settings, max_channels), 0, NULL, NULL, NULL, NULL, 0},
+    {"config_count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 3, 0,
+     ONE(struct mip_3dm_constellation_settings, config_count), 0, NULL, NULL, NULL, NULL, 0},
+    {"settings", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 41, 1, 2, 3, 0,
+     MANY(struct mip_3dm_constellation_settings, settings), 0, NULL, NULL,
+     &record_3dm_constellation_settings_entry, NULL, 0},
+};
+static const struct mip_record record_3dm_constellation_settings = {
+    parameters_3dm_constellation_settings,
+    4,
+    sizeof(struct mip_3dm_constellation_settings),
+};
+static const uint8_t required_3dm_constellation_settings[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_gnss_sbas_settings[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1801,8 +2282,46 @@ static const struct mip_parameter parameters_3dm_gnss_sbas_settings[] = {
      MANY(struct mip_3dm_gnss_sbas_settings, included_prns), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gnss_sbas_settings = {
-    parameters_3dm_gnss_sbas_settings, 5, sizeof(struct mip_3dm_gnss_sbas_settings)};
+    parameters_3dm_gnss_sbas_settings,
+    5,
+    sizeof(struct mip_3dm_gnss_sbas_settings),
+};
 static const uint8_t required_3dm_gnss_sbas_settings[] = {0, 4, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_3dm_gnss_assisted_fix[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gnss_assisted_fix, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
+    {"option", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_gnss_assisted_fix, option), 0, &names_3dm_assisted_fix_option, NULL, NULL,
+     NULL, 0},
+    {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_gnss_assisted_fix, flags), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_gnss_assisted_fix = {
+    parameters_3dm_gnss_assisted_fix,
+    3,
+    sizeof(struct mip_3dm_gnss_assisted_fix),
+};
+static const uint8_t required_3dm_gnss_assisted_fix[] = {0, 2, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_3dm_gnss_time_assistance[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gnss_time_assistance, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_gnss_time_assistance, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_gnss_time_assistance, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"accuracy", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_3dm_gnss_time_assistance, accuracy), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_gnss_time_assistance = {
+    parameters_3dm_gnss_time_assistance,
+    4,
+    sizeof(struct mip_3dm_gnss_time_assistance),
+};
+static const uint8_t required_3dm_gnss_time_assistance[] = {0, 3, 0};
 
 static const struct mip_parameter parameters_3dm_pps_source_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1812,16 +2331,22 @@ static const struct mip_parameter parameters_3dm_pps_source_control[] = {
      ONE(struct mip_3dm_pps_source_control, source), 0, &names_3dm_pps_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_pps_source_control = {
-    parameters_3dm_pps_source_control, 2, sizeof(struct mip_3dm_pps_source_control)};
+    parameters_3dm_pps_source_control,
+    2,
+    sizeof(struct mip_3dm_pps_source_control),
+};
 static const uint8_t required_3dm_pps_source_control[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_get_supported_events[] = {
+static const struct mip_parameter parameters_3dm_get_event_support[] = {
     {"query", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_supported_events, query), 0, &names_3dm_supported_events_query, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_get_event_support, query), 0, &names_3dm_event_support_query, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_3dm_get_supported_events = {
-    parameters_3dm_get_supported_events, 1, sizeof(struct mip_3dm_get_supported_events)};
+static const struct mip_record record_3dm_get_event_support = {
+    parameters_3dm_get_event_support,
+    1,
+    sizeof(struct mip_3dm_get_event_support),
+};
 
 static const struct mip_parameter parameters_3dm_event_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1832,7 +2357,10 @@ static const struct mip_parameter parameters_3dm_event_control[] = {
      ONE(struct mip_3dm_event_control, mode), 0, &names_event_trigger_mode, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_event_control = {
-    parameters_3dm_event_control, 3, sizeof(struct mip_3dm_event_control)};
+    parameters_3dm_event_control,
+    3,
+    sizeof(struct mip_3dm_event_control),
+};
 static const uint8_t required_3dm_event_control[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_get_event_trigger_status[] = {
@@ -1843,7 +2371,10 @@ static const struct mip_parameter parameters_3dm_get_event_trigger_status[] = {
      0},
 };
 static const struct mip_record record_3dm_get_event_trigger_status = {
-    parameters_3dm_get_event_trigger_status, 2, sizeof(struct mip_3dm_get_event_trigger_status)};
+    parameters_3dm_get_event_trigger_status,
+    2,
+    sizeof(struct mip_3dm_get_event_trigger_status),
+};
 
 static const struct mip_parameter parameters_3dm_get_event_action_status[] = {
     {"requested_count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -1853,199 +2384,218 @@ static const struct mip_parameter parameters_3dm_get_event_action_status[] = {
      0},
 };
 static const struct mip_record record_3dm_get_event_action_status = {
-    parameters_3dm_get_event_action_status, 2, sizeof(struct mip_3dm_get_event_action_status)};
+    parameters_3dm_get_event_action_status,
+    2,
+    sizeof(struct mip_3dm_get_event_action_status),
+};
 
-static const struct mip_parameter members_3dm_event_trigger_configuration_parameters[] = {
+static const struct mip_parameter members_3dm_event_trigger_config_parameters[] = {
     {"gpio", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_trigger_configuration_parameters, gpio), 0, NULL, NULL,
+     ONE(union mip_3dm_event_trigger_config_parameters, gpio), 0, NULL, NULL,
      &record_event_trigger_gpio, NULL, 0},
     {"threshold", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_trigger_configuration_parameters, threshold), 0, NULL, NULL,
+     ONE(union mip_3dm_event_trigger_config_parameters, threshold), 0, NULL, NULL,
      &record_event_trigger_threshold, NULL, 0},
     {"combination", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_trigger_configuration_parameters, combination), 0, NULL, NULL,
+     ONE(union mip_3dm_event_trigger_config_parameters, combination), 0, NULL, NULL,
      &record_event_trigger_combination, NULL, 0},
 };
-static const struct mip_case cases_3dm_event_trigger_configuration_parameters[] = {
+static const struct mip_case cases_3dm_event_trigger_config_parameters[] = {
     {0, NULL},
-    {1, &members_3dm_event_trigger_configuration_parameters[0]},
-    {2, &members_3dm_event_trigger_configuration_parameters[1]},
-    {3, &members_3dm_event_trigger_configuration_parameters[2]},
+    {1, &members_3dm_event_trigger_config_parameters[0]},
+    {2, &members_3dm_event_trigger_config_parameters[1]},
+    {3, &members_3dm_event_trigger_config_parameters[2]},
 };
-static const struct mip_parameter parameters_3dm_event_trigger_configuration[] = {
+static const struct mip_parameter parameters_3dm_event_trigger_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_trigger_configuration, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_event_trigger_config, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_event_trigger_configuration, instance), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_event_trigger_config, instance), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_event_trigger_configuration, type), 0, &names_event_trigger_type, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_event_trigger_config, type), 0, &names_event_trigger_type, NULL, NULL, NULL,
+     0},
     {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 3, 0,
-     ONE(struct mip_3dm_event_trigger_configuration, parameters), 0, NULL, NULL, NULL,
-     cases_3dm_event_trigger_configuration_parameters, 4},
+     ONE(struct mip_3dm_event_trigger_config, parameters), 0, NULL, NULL, NULL,
+     cases_3dm_event_trigger_config_parameters, 4},
 };
-static const struct mip_record record_3dm_event_trigger_configuration = {
-    parameters_3dm_event_trigger_configuration, 4,
-    sizeof(struct mip_3dm_event_trigger_configuration)};
-static const uint8_t required_3dm_event_trigger_configuration[] = {0, 3, 1, 1, 1, 1};
+static const struct mip_record record_3dm_event_trigger_config = {
+    parameters_3dm_event_trigger_config,
+    4,
+    sizeof(struct mip_3dm_event_trigger_config),
+};
+static const uint8_t required_3dm_event_trigger_config[] = {0, 3, 1, 1, 1, 1};
 
-static const struct mip_parameter members_3dm_event_action_configuration_parameters[] = {
+static const struct mip_parameter members_3dm_event_action_config_parameters[] = {
     {"gpio", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_action_configuration_parameters, gpio), 0, NULL, NULL,
+     ONE(union mip_3dm_event_action_config_parameters, gpio), 0, NULL, NULL,
      &record_event_action_gpio, NULL, 0},
     {"message", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_action_configuration_parameters, message), 0, NULL, NULL,
+     ONE(union mip_3dm_event_action_config_parameters, message), 0, NULL, NULL,
      &record_event_action_message, NULL, 0},
 };
-static const struct mip_case cases_3dm_event_action_configuration_parameters[] = {
+static const struct mip_case cases_3dm_event_action_config_parameters[] = {
     {0, NULL},
-    {1, &members_3dm_event_action_configuration_parameters[0]},
-    {2, &members_3dm_event_action_configuration_parameters[1]},
+    {1, &members_3dm_event_action_config_parameters[0]},
+    {2, &members_3dm_event_action_config_parameters[1]},
 };
-static const struct mip_parameter parameters_3dm_event_action_configuration[] = {
+static const struct mip_parameter parameters_3dm_event_action_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_action_configuration, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_event_action_config, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_event_action_configuration, instance), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_event_action_config, instance), 0, NULL, NULL, NULL, NULL, 0},
     {"trigger", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_event_action_configuration, trigger), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_event_action_config, trigger), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_3dm_event_action_configuration, type), 0, &names_event_action_type, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_event_action_config, type), 0, &names_event_action_type, NULL, NULL, NULL,
+     0},
     {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 4, 0,
-     ONE(struct mip_3dm_event_action_configuration, parameters), 0, NULL, NULL, NULL,
-     cases_3dm_event_action_configuration_parameters, 3},
+     ONE(struct mip_3dm_event_action_config, parameters), 0, NULL, NULL, NULL,
+     cases_3dm_event_action_config_parameters, 3},
 };
-static const struct mip_record record_3dm_event_action_configuration = {
-    parameters_3dm_event_action_configuration, 5,
-    sizeof(struct mip_3dm_event_action_configuration)};
-static const uint8_t required_3dm_event_action_configuration[] = {0, 4, 1, 1, 1, 1};
-
-static const struct mip_parameter parameters_3dm_device_start_up_settings[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_start_up_settings, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+static const struct mip_record record_3dm_event_action_config = {
+    parameters_3dm_event_action_config,
+    5,
+    sizeof(struct mip_3dm_event_action_config),
 };
-static const struct mip_record record_3dm_device_start_up_settings = {
-    parameters_3dm_device_start_up_settings, 1, sizeof(struct mip_3dm_device_start_up_settings)};
-static const uint8_t required_3dm_device_start_up_settings[] = {0, 0, 0, 0, 0, 0};
+static const uint8_t required_3dm_event_action_config[] = {0, 4, 1, 1, 1, 1};
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_frame_transformation_euler[] = {
+static const struct mip_parameter parameters_3dm_device_settings[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_device_settings, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_3dm_device_settings = {
+    parameters_3dm_device_settings,
+    1,
+    sizeof(struct mip_3dm_device_settings),
+};
+static const uint8_t required_3dm_device_settings[] = {0, 0, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_euler[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, function), 0, &names_function_selector,
+     NULL, NULL, NULL, 0},
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler, roll), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, roll), 0, NULL, NULL, NULL, NULL, 0},
     {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler, pitch), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, pitch), 0, NULL, NULL, NULL, NULL, 0},
     {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler, yaw), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, yaw), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_frame_transformation_euler = {
-    parameters_3dm_sensor_to_vehicle_frame_transformation_euler, 4,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler)};
-static const uint8_t required_3dm_sensor_to_vehicle_frame_transformation_euler[] = {
-    0, 3, 0, 0, 0, 0};
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_euler = {
+    parameters_3dm_sensor_to_vehicle_transform_euler,
+    4,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler),
+};
+static const uint8_t required_3dm_sensor_to_vehicle_transform_euler[] = {0, 3, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion[] = {
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_quaternion[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion, function), 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion, function), 0,
      &names_function_selector, NULL, NULL, NULL, 0},
     {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 1, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion, q), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_frame_transformation_quaternion = {
-    parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion, 2,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion)};
-static const uint8_t required_3dm_sensor_to_vehicle_frame_transformation_quaternion[] = {
-    0, 1, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, function),
-     0, &names_function_selector, NULL, NULL, NULL, 0},
-    {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, dcm), 0,
-     NULL, NULL, NULL, NULL, 0},
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_quaternion = {
+    parameters_3dm_sensor_to_vehicle_transform_quaternion,
+    2,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion),
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix = {
-    parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, 2,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix)};
-static const uint8_t required_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix[] = {
-    0, 1, 0, 0, 0, 0};
+static const uint8_t required_3dm_sensor_to_vehicle_transform_quaternion[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_accelerometer_bias_configuration[] = {
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_dcm[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_accelerometer_bias_configuration, function), 0, &names_function_selector,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm, function), 0, &names_function_selector,
      NULL, NULL, NULL, 0},
+    {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_dcm = {
+    parameters_3dm_sensor_to_vehicle_transform_dcm,
+    2,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm),
+};
+static const uint8_t required_3dm_sensor_to_vehicle_transform_dcm[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_3dm_accel_bias[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_accel_bias, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
     {"bias", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_3dm_accelerometer_bias_configuration, bias), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_accel_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_accelerometer_bias_configuration = {
-    parameters_3dm_accelerometer_bias_configuration, 2,
-    sizeof(struct mip_3dm_accelerometer_bias_configuration)};
-static const uint8_t required_3dm_accelerometer_bias_configuration[] = {0, 1, 0, 0, 0, 0, 1};
+static const struct mip_record record_3dm_accel_bias = {
+    parameters_3dm_accel_bias,
+    2,
+    sizeof(struct mip_3dm_accel_bias),
+};
+static const uint8_t required_3dm_accel_bias[] = {0, 1, 0, 0, 0, 0, 1};
 
-static const struct mip_parameter parameters_3dm_gyroscope_bias_configuration[] = {
+static const struct mip_parameter parameters_3dm_gyro_bias[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gyroscope_bias_configuration, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_gyro_bias, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
     {"bias", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_3dm_gyroscope_bias_configuration, bias), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_gyro_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_gyroscope_bias_configuration = {
-    parameters_3dm_gyroscope_bias_configuration, 2,
-    sizeof(struct mip_3dm_gyroscope_bias_configuration)};
-static const uint8_t required_3dm_gyroscope_bias_configuration[] = {0, 1, 0, 0, 0, 0, 1};
+static const struct mip_record record_3dm_gyro_bias = {
+    parameters_3dm_gyro_bias,
+    2,
+    sizeof(struct mip_3dm_gyro_bias),
+};
+static const uint8_t required_3dm_gyro_bias[] = {0, 1, 0, 0, 0, 0, 1};
 
-static const struct mip_parameter parameters_3dm_capture_gyroscope_bias[] = {
+static const struct mip_parameter parameters_3dm_capture_gyro_bias[] = {
     {"averaging_time_ms", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_capture_gyroscope_bias, averaging_time_ms), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_capture_gyro_bias, averaging_time_ms), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_capture_gyroscope_bias = {
-    parameters_3dm_capture_gyroscope_bias, 1, sizeof(struct mip_3dm_capture_gyroscope_bias)};
+static const struct mip_record record_3dm_capture_gyro_bias = {
+    parameters_3dm_capture_gyro_bias,
+    1,
+    sizeof(struct mip_3dm_capture_gyro_bias),
+};
 
-static const struct mip_parameter parameters_3dm_magnetometer_hard_iron_offset[] = {
+static const struct mip_parameter parameters_3dm_mag_hard_iron_offset[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_magnetometer_hard_iron_offset, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_mag_hard_iron_offset, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"offset", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_3dm_magnetometer_hard_iron_offset, offset), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_mag_hard_iron_offset, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_magnetometer_hard_iron_offset = {
-    parameters_3dm_magnetometer_hard_iron_offset, 2,
-    sizeof(struct mip_3dm_magnetometer_hard_iron_offset)};
-static const uint8_t required_3dm_magnetometer_hard_iron_offset[] = {0, 1, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_3dm_magnetometer_soft_iron_matrix[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_magnetometer_soft_iron_matrix, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
-    {"offset", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
-     ONE(struct mip_3dm_magnetometer_soft_iron_matrix, offset), 0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_record record_3dm_mag_hard_iron_offset = {
+    parameters_3dm_mag_hard_iron_offset,
+    2,
+    sizeof(struct mip_3dm_mag_hard_iron_offset),
 };
-static const struct mip_record record_3dm_magnetometer_soft_iron_matrix = {
-    parameters_3dm_magnetometer_soft_iron_matrix, 2,
-    sizeof(struct mip_3dm_magnetometer_soft_iron_matrix)};
-static const uint8_t required_3dm_magnetometer_soft_iron_matrix[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_3dm_mag_hard_iron_offset[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_coning_and_sculling_enable[] = {
+static const struct mip_parameter parameters_3dm_mag_soft_iron_matrix[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_coning_and_sculling_enable, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_mag_soft_iron_matrix, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"matrix", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
+     ONE(struct mip_3dm_mag_soft_iron_matrix, matrix), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_mag_soft_iron_matrix = {
+    parameters_3dm_mag_soft_iron_matrix,
+    2,
+    sizeof(struct mip_3dm_mag_soft_iron_matrix),
+};
+static const uint8_t required_3dm_mag_soft_iron_matrix[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_3dm_coning_sculling_enable[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_coning_sculling_enable, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_coning_and_sculling_enable, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_coning_sculling_enable, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_coning_and_sculling_enable = {
-    parameters_3dm_coning_and_sculling_enable, 2,
-    sizeof(struct mip_3dm_coning_and_sculling_enable)};
-static const uint8_t required_3dm_coning_and_sculling_enable[] = {0, 1, 0, 0, 0, 0};
+static const struct mip_record record_3dm_coning_sculling_enable = {
+    parameters_3dm_coning_sculling_enable,
+    2,
+    sizeof(struct mip_3dm_coning_sculling_enable),
+};
+static const uint8_t required_3dm_coning_sculling_enable[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_uart_baud_rate[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2055,35 +2605,36 @@ static const struct mip_parameter parameters_3dm_uart_baud_rate[] = {
      ONE(struct mip_3dm_uart_baud_rate, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_uart_baud_rate = {
-    parameters_3dm_uart_baud_rate, 2, sizeof(struct mip_3dm_uart_baud_rate)};
+    parameters_3dm_uart_baud_rate,
+    2,
+    sizeof(struct mip_3dm_uart_baud_rate),
+};
 static const uint8_t required_3dm_uart_baud_rate[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_reading readings_3dm_gpio_configuration_behavior[] = {
-    {NULL, 2, 0, &names_gpio_unused_behavior},
-    {NULL, 2, 1, &names_gpio_behavior},
-    {NULL, 2, 2, &names_gpio_pps_behavior},
-    {NULL, 2, 3, &names_gpio_encoder_behavior},
-    {NULL, 2, 4, &names_gpio_timestamp_behavior},
-    {NULL, 2, 5, &names_gpio_uart_behavior},
+static const struct mip_reading readings_3dm_gpio_config_behavior[] = {
+    {NULL, 2, 0, &names_gpio_unused_behavior},    {NULL, 2, 1, &names_gpio_behavior},
+    {NULL, 2, 2, &names_gpio_pps_behavior},       {NULL, 2, 3, &names_gpio_encoder_behavior},
+    {NULL, 2, 4, &names_gpio_timestamp_behavior}, {NULL, 2, 5, &names_gpio_uart_behavior},
 };
-static const struct mip_parameter parameters_3dm_gpio_configuration[] = {
+static const struct mip_parameter parameters_3dm_gpio_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gpio_configuration, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_gpio_config, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_gpio_configuration, pin), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_gpio_config, pin), 0, NULL, NULL, NULL, NULL, 0},
     {"feature", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_gpio_configuration, feature), 0, &names_gpio_feature, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_gpio_config, feature), 0, &names_gpio_feature, NULL, NULL, NULL, 0},
     {"behavior", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_3dm_gpio_configuration, behavior), 0, NULL,
-     readings_3dm_gpio_configuration_behavior, NULL, NULL, 6},
+     ONE(struct mip_3dm_gpio_config, behavior), 0, NULL, readings_3dm_gpio_config_behavior, NULL,
+     NULL, 6},
     {"pin_mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_3dm_gpio_configuration, pin_mode), 0, &names_gpio_pin_mode, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_gpio_config, pin_mode), 0, &names_gpio_pin_mode, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_gpio_configuration = {
-    parameters_3dm_gpio_configuration, 5, sizeof(struct mip_3dm_gpio_configuration)};
-static const uint8_t required_3dm_gpio_configuration[] = {0, 4, 1, 1, 1, 1};
+static const struct mip_record record_3dm_gpio_config = {
+    parameters_3dm_gpio_config,
+    5,
+    sizeof(struct mip_3dm_gpio_config),
+};
+static const uint8_t required_3dm_gpio_config[] = {0, 4, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_gpio_state[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2094,68 +2645,72 @@ static const struct mip_parameter parameters_3dm_gpio_state[] = {
      ONE(struct mip_3dm_gpio_state, state), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gpio_state = {
-    parameters_3dm_gpio_state, 3, sizeof(struct mip_3dm_gpio_state)};
+    parameters_3dm_gpio_state,
+    3,
+    sizeof(struct mip_3dm_gpio_state),
+};
 static const uint8_t required_3dm_gpio_state[] = {0, 2, 1};
 
-static const struct mip_parameter parameters_3dm_odometer_configuration[] = {
+static const struct mip_parameter parameters_3dm_odometer_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_odometer_configuration, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
-    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_odometer_configuration, mode), 0, &names_3dm_odometer_mode, NULL, NULL,
-     NULL, 0},
-    {"scaling", "pulse/m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_odometer_configuration, scaling), 0, NULL, NULL, NULL, NULL, 0},
-    {"uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_3dm_odometer_configuration, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_3dm_odometer_configuration = {
-    parameters_3dm_odometer_configuration, 4, sizeof(struct mip_3dm_odometer_configuration)};
-static const uint8_t required_3dm_odometer_configuration[] = {0, 3, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_3dm_advanced_low_pass_filter_settings[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
-    {"target_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings, target_descriptor), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings, enable), 0, NULL, NULL, NULL, NULL, 0},
-    {"manual", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings, manual), 0, NULL, NULL, NULL, NULL, 0},
-    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings, frequency), 0, NULL, NULL, NULL, NULL,
+     ONE(struct mip_3dm_odometer_config, function), 0, &names_function_selector, NULL, NULL, NULL,
      0},
-    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings, reserved), 0, NULL, NULL, NULL, NULL, 0},
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_odometer_config, mode), 0, &names_3dm_odometer_mode, NULL, NULL, NULL, 0},
+    {"scaling", "pulse/m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_odometer_config, scaling), 0, NULL, NULL, NULL, NULL, 0},
+    {"uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_3dm_odometer_config, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_advanced_low_pass_filter_settings = {
-    parameters_3dm_advanced_low_pass_filter_settings, 6,
-    sizeof(struct mip_3dm_advanced_low_pass_filter_settings)};
-static const uint8_t required_3dm_advanced_low_pass_filter_settings[] = {0, 5, 1, 1, 1, 1};
+static const struct mip_record record_3dm_odometer_config = {
+    parameters_3dm_odometer_config,
+    4,
+    sizeof(struct mip_3dm_odometer_config),
+};
+static const uint8_t required_3dm_odometer_config[] = {0, 3, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_complementary_filter_configuration[] = {
+static const struct mip_parameter parameters_3dm_imu_low_pass_filter[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_complementary_filter_configuration, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
-    {"pitch_roll_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_complementary_filter_configuration, pitch_roll_enable), 0, NULL, NULL, NULL,
+     ONE(struct mip_3dm_imu_low_pass_filter, function), 0, &names_function_selector, NULL, NULL,
      NULL, 0},
-    {"heading_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_complementary_filter_configuration, heading_enable), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"pitch_roll_time_constant", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3,
-     0, ONE(struct mip_3dm_complementary_filter_configuration, pitch_roll_time_constant), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"heading_time_constant", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_3dm_complementary_filter_configuration, heading_time_constant), 0, NULL, NULL,
-     NULL, NULL, 0},
+    {"target_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_imu_low_pass_filter, target_descriptor), 0, NULL, NULL, NULL, NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_imu_low_pass_filter, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"manual", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_3dm_imu_low_pass_filter, manual), 0, NULL, NULL, NULL, NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+     ONE(struct mip_3dm_imu_low_pass_filter, frequency), 0, NULL, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
+     ONE(struct mip_3dm_imu_low_pass_filter, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_complementary_filter_configuration = {
-    parameters_3dm_complementary_filter_configuration, 5,
-    sizeof(struct mip_3dm_complementary_filter_configuration)};
-static const uint8_t required_3dm_complementary_filter_configuration[] = {0, 4, 0, 0, 0, 0};
+static const struct mip_record record_3dm_imu_low_pass_filter = {
+    parameters_3dm_imu_low_pass_filter,
+    6,
+    sizeof(struct mip_3dm_imu_low_pass_filter),
+};
+static const uint8_t required_3dm_imu_low_pass_filter[] = {0, 5, 1, 1, 1, 1};
+
+static const struct mip_parameter parameters_3dm_complementary_filter[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_complementary_filter, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"pitch_roll_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_complementary_filter, pitch_roll_enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"heading_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_complementary_filter, heading_enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"pitch_roll_time_constant", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3,
+     0, ONE(struct mip_3dm_complementary_filter, pitch_roll_time_constant), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"heading_time_constant", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+     ONE(struct mip_3dm_complementary_filter, heading_time_constant), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_complementary_filter = {
+    parameters_3dm_complementary_filter,
+    5,
+    sizeof(struct mip_3dm_complementary_filter),
+};
+static const uint8_t required_3dm_complementary_filter[] = {0, 4, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_sensor_range[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2167,7 +2722,10 @@ static const struct mip_parameter parameters_3dm_sensor_range[] = {
      ONE(struct mip_3dm_sensor_range, setting), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_range = {
-    parameters_3dm_sensor_range, 3, sizeof(struct mip_3dm_sensor_range)};
+    parameters_3dm_sensor_range,
+    3,
+    sizeof(struct mip_3dm_sensor_range),
+};
 static const uint8_t required_3dm_sensor_range[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_get_calibrated_sensor_ranges[] = {
@@ -2176,28 +2734,32 @@ static const struct mip_parameter parameters_3dm_get_calibrated_sensor_ranges[] 
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_get_calibrated_sensor_ranges = {
-    parameters_3dm_get_calibrated_sensor_ranges, 1,
-    sizeof(struct mip_3dm_get_calibrated_sensor_ranges)};
-
-static const struct mip_parameter parameters_3dm_low_pass_anti_aliasing_filter[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter, desc_set), 0, NULL, NULL, NULL, NULL, 0},
-    {"field_desc", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter, field_desc), 0, NULL, NULL, NULL, NULL, 0},
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter, enable), 0, NULL, NULL, NULL, NULL, 0},
-    {"manual", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter, manual), 0, NULL, NULL, NULL, NULL, 0},
-    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter, frequency), 0, NULL, NULL, NULL, NULL, 0},
+    parameters_3dm_get_calibrated_sensor_ranges,
+    1,
+    sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
 };
-static const struct mip_record record_3dm_low_pass_anti_aliasing_filter = {
-    parameters_3dm_low_pass_anti_aliasing_filter, 6,
-    sizeof(struct mip_3dm_low_pass_anti_aliasing_filter)};
-static const uint8_t required_3dm_low_pass_anti_aliasing_filter[] = {0, 5, 2, 2, 2, 2};
+
+static const struct mip_parameter parameters_3dm_low_pass_filter[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_low_pass_filter, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_low_pass_filter, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"field_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_low_pass_filter, field_descriptor), 0, NULL, NULL, NULL, NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_3dm_low_pass_filter, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"manual", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+     ONE(struct mip_3dm_low_pass_filter, manual), 0, NULL, NULL, NULL, NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
+     ONE(struct mip_3dm_low_pass_filter, frequency), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_low_pass_filter = {
+    parameters_3dm_low_pass_filter,
+    6,
+    sizeof(struct mip_3dm_low_pass_filter),
+};
+static const uint8_t required_3dm_low_pass_filter[] = {0, 5, 2, 2, 2, 2};
 
 static const struct mip_parameter parameters_3dm_device_status[] = {
     {"model_number", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 6254, 0, 0,
@@ -2207,7 +2769,10 @@ static const struct mip_parameter parameters_3dm_device_status[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_device_status = {
-    parameters_3dm_device_status, 2, sizeof(struct mip_3dm_device_status)};
+    parameters_3dm_device_status,
+    2,
+    sizeof(struct mip_3dm_device_status),
+};
 
 static const struct mip_parameter parameters_3dm_imu_message_format_response[] = {
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2218,79 +2783,113 @@ static const struct mip_parameter parameters_3dm_imu_message_format_response[] =
      &record_descriptor_rate, NULL, 0},
 };
 static const struct mip_record record_3dm_imu_message_format_response = {
-    parameters_3dm_imu_message_format_response, 2,
-    sizeof(struct mip_3dm_imu_message_format_response)};
+    parameters_3dm_imu_message_format_response,
+    2,
+    sizeof(struct mip_3dm_imu_message_format_response),
+};
 
-static const struct mip_parameter parameters_3dm_estimation_filter_message_format_response[] = {
+static const struct mip_parameter parameters_3dm_gnss_message_format_response[] = {
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
-     ONE(struct mip_3dm_estimation_filter_message_format_response, num_descriptors), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_gnss_message_format_response, num_descriptors), 0, NULL, NULL, NULL, NULL,
+     0},
     {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 84, 1, 0, 0, 0,
-     MANY(struct mip_3dm_estimation_filter_message_format_response, descriptors), 0, NULL, NULL,
+     MANY(struct mip_3dm_gnss_message_format_response, descriptors), 0, NULL, NULL,
      &record_descriptor_rate, NULL, 0},
 };
-static const struct mip_record record_3dm_estimation_filter_message_format_response = {
-    parameters_3dm_estimation_filter_message_format_response, 2,
-    sizeof(struct mip_3dm_estimation_filter_message_format_response)};
-
-static const struct mip_parameter parameters_3dm_get_imu_data_base_rate_response[] = {
-    {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_imu_data_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_record record_3dm_gnss_message_format_response = {
+    parameters_3dm_gnss_message_format_response,
+    2,
+    sizeof(struct mip_3dm_gnss_message_format_response),
 };
-static const struct mip_record record_3dm_get_imu_data_base_rate_response = {
-    parameters_3dm_get_imu_data_base_rate_response, 1,
-    sizeof(struct mip_3dm_get_imu_data_base_rate_response)};
 
-static const struct mip_reading readings_3dm_data_stream_control_response_desc_set[] = {
+static const struct mip_parameter parameters_3dm_filter_message_format_response[] = {
+    {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
+     ONE(struct mip_3dm_filter_message_format_response, num_descriptors), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 84, 1, 0, 0, 0,
+     MANY(struct mip_3dm_filter_message_format_response, descriptors), 0, NULL, NULL,
+     &record_descriptor_rate, NULL, 0},
+};
+static const struct mip_record record_3dm_filter_message_format_response = {
+    parameters_3dm_filter_message_format_response,
+    2,
+    sizeof(struct mip_3dm_filter_message_format_response),
+};
+
+static const struct mip_parameter parameters_3dm_get_imu_base_rate_response[] = {
+    {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_get_imu_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_get_imu_base_rate_response = {
+    parameters_3dm_get_imu_base_rate_response,
+    1,
+    sizeof(struct mip_3dm_get_imu_base_rate_response),
+};
+
+static const struct mip_parameter parameters_3dm_get_gnss_base_rate_response[] = {
+    {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_get_gnss_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_get_gnss_base_rate_response = {
+    parameters_3dm_get_gnss_base_rate_response,
+    1,
+    sizeof(struct mip_3dm_get_gnss_base_rate_response),
+};
+
+static const struct mip_reading readings_3dm_data_stream_control_response_descriptor_set[] = {
     {"3dm-gx5-15", 0, 0, &names_3dm_legacy_data_stream},
 };
 static const struct mip_parameter parameters_3dm_data_stream_control_response[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_data_stream_control_response, desc_set), 0, NULL,
-     readings_3dm_data_stream_control_response_desc_set, NULL, NULL, 1},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_data_stream_control_response, descriptor_set), 0, NULL,
+     readings_3dm_data_stream_control_response_descriptor_set, NULL, NULL, 1},
     {"enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_data_stream_control_response, enabled), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_data_stream_control_response = {
-    parameters_3dm_data_stream_control_response, 2,
-    sizeof(struct mip_3dm_data_stream_control_response)};
+    parameters_3dm_data_stream_control_response,
+    2,
+    sizeof(struct mip_3dm_data_stream_control_response),
+};
 
 static const struct mip_parameter parameters_3dm_uart_baud_rate_response[] = {
     {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_uart_baud_rate_response, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_uart_baud_rate_response = {
-    parameters_3dm_uart_baud_rate_response, 1, sizeof(struct mip_3dm_uart_baud_rate_response)};
+    parameters_3dm_uart_baud_rate_response,
+    1,
+    sizeof(struct mip_3dm_uart_baud_rate_response),
+};
 
-static const struct mip_parameter parameters_3dm_get_estimation_filter_data_base_rate_response[] = {
+static const struct mip_parameter parameters_3dm_get_filter_base_rate_response[] = {
     {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_estimation_filter_data_base_rate_response, rate), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_get_filter_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_get_estimation_filter_data_base_rate_response = {
-    parameters_3dm_get_estimation_filter_data_base_rate_response, 1,
-    sizeof(struct mip_3dm_get_estimation_filter_data_base_rate_response)};
+static const struct mip_record record_3dm_get_filter_base_rate_response = {
+    parameters_3dm_get_filter_base_rate_response,
+    1,
+    sizeof(struct mip_3dm_get_filter_base_rate_response),
+};
 
-static const struct mip_parameter parameters_3dm_advanced_low_pass_filter_settings_response[] = {
+static const struct mip_parameter parameters_3dm_imu_low_pass_filter_response[] = {
     {"target_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings_response, target_descriptor), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_imu_low_pass_filter_response, target_descriptor), 0, NULL, NULL, NULL, NULL,
+     0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings_response, enable), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_imu_low_pass_filter_response, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"manual", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings_response, manual), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_imu_low_pass_filter_response, manual), 0, NULL, NULL, NULL, NULL, 0},
     {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings_response, frequency), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_imu_low_pass_filter_response, frequency), 0, NULL, NULL, NULL, NULL, 0},
     {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings_response, reserved), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_imu_low_pass_filter_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_advanced_low_pass_filter_settings_response = {
-    parameters_3dm_advanced_low_pass_filter_settings_response, 5,
-    sizeof(struct mip_3dm_advanced_low_pass_filter_settings_response)};
+static const struct mip_record record_3dm_imu_low_pass_filter_response = {
+    parameters_3dm_imu_low_pass_filter_response,
+    5,
+    sizeof(struct mip_3dm_imu_low_pass_filter_response),
+};
 
 static const struct mip_parameter parameters_3dm_nmea_message_format_response[] = {
     {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2300,22 +2899,26 @@ static const struct mip_parameter parameters_3dm_nmea_message_format_response[] 
      &record_nmea_message, NULL, 0},
 };
 static const struct mip_record record_3dm_nmea_message_format_response = {
-    parameters_3dm_nmea_message_format_response, 2,
-    sizeof(struct mip_3dm_nmea_message_format_response)};
-
-static const struct mip_parameter parameters_3dm_get_data_base_rate_response[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_data_base_rate_response, desc_set), 0, NULL, NULL, NULL, NULL, 0},
-    {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_data_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
+    parameters_3dm_nmea_message_format_response,
+    2,
+    sizeof(struct mip_3dm_nmea_message_format_response),
 };
-static const struct mip_record record_3dm_get_data_base_rate_response = {
-    parameters_3dm_get_data_base_rate_response, 2,
-    sizeof(struct mip_3dm_get_data_base_rate_response)};
+
+static const struct mip_parameter parameters_3dm_get_base_rate_response[] = {
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_get_base_rate_response, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_get_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_get_base_rate_response = {
+    parameters_3dm_get_base_rate_response,
+    2,
+    sizeof(struct mip_3dm_get_base_rate_response),
+};
 
 static const struct mip_parameter parameters_3dm_message_format_response[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_message_format_response, desc_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_message_format_response, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 0, 0,
      ONE(struct mip_3dm_message_format_response, num_descriptors), 0, NULL, NULL, NULL, NULL, 0},
     {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 83, 1, 1, 0, 0,
@@ -2323,7 +2926,10 @@ static const struct mip_parameter parameters_3dm_message_format_response[] = {
      &record_descriptor_rate, NULL, 0},
 };
 static const struct mip_record record_3dm_message_format_response = {
-    parameters_3dm_message_format_response, 3, sizeof(struct mip_3dm_message_format_response)};
+    parameters_3dm_message_format_response,
+    3,
+    sizeof(struct mip_3dm_message_format_response),
+};
 
 static const struct mip_parameter parameters_3dm_device_status_basic_response[] = {
     {"model_number", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 6254, 0, 0,
@@ -2338,8 +2944,10 @@ static const struct mip_parameter parameters_3dm_device_status_basic_response[] 
      ONE(struct mip_3dm_device_status_basic_response, system_timer), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_device_status_basic_response = {
-    parameters_3dm_device_status_basic_response, 5,
-    sizeof(struct mip_3dm_device_status_basic_response)};
+    parameters_3dm_device_status_basic_response,
+    5,
+    sizeof(struct mip_3dm_device_status_basic_response),
+};
 
 static const struct mip_parameter parameters_3dm_device_status_diagnostic_response[] = {
     {"model_number", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 6254, 0, 0,
@@ -2367,17 +2975,17 @@ static const struct mip_parameter parameters_3dm_device_status_diagnostic_respon
     {"filter_dropped_packets", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_response, filter_dropped_packets), 0, NULL, NULL,
      NULL, NULL, 0},
-    {"com_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0, ONE(struct mip_3dm_device_status_diagnostic_response, com_port_bytes_written), 0, NULL,
+    {"comm_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_response, comm_port_bytes_written), 0, NULL,
      NULL, NULL, NULL, 0},
-    {"com_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_response, com_port_bytes_read), 0, NULL, NULL,
+    {"comm_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_response, comm_port_bytes_read), 0, NULL, NULL,
      NULL, NULL, 0},
-    {"com_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_response, com_port_write_overruns), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"com_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_response, com_port_read_overruns), 0, NULL, NULL,
+    {"comm_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_response, comm_port_write_overruns), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"comm_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_response, comm_port_read_overruns), 0, NULL, NULL,
      NULL, NULL, 0},
     {"imu_parser_errors", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_response, imu_parser_errors), 0, NULL, NULL, NULL,
@@ -2390,69 +2998,100 @@ static const struct mip_parameter parameters_3dm_device_status_diagnostic_respon
      NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_device_status_diagnostic_response = {
-    parameters_3dm_device_status_diagnostic_response, 16,
-    sizeof(struct mip_3dm_device_status_diagnostic_response)};
+    parameters_3dm_device_status_diagnostic_response,
+    16,
+    sizeof(struct mip_3dm_device_status_diagnostic_response),
+};
 
-static const struct mip_parameter parameters_3dm_complementary_filter_configuration_response[] = {
+static const struct mip_parameter parameters_3dm_complementary_filter_response[] = {
     {"pitch_roll_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_complementary_filter_configuration_response, pitch_roll_enable), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_complementary_filter_response, pitch_roll_enable), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"heading_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_complementary_filter_configuration_response, heading_enable), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_complementary_filter_response, heading_enable), 0, NULL, NULL, NULL, NULL,
+     0},
     {"pitch_roll_time_constant", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0, ONE(struct mip_3dm_complementary_filter_configuration_response, pitch_roll_time_constant),
-     0, NULL, NULL, NULL, NULL, 0},
+     0, ONE(struct mip_3dm_complementary_filter_response, pitch_roll_time_constant), 0, NULL, NULL,
+     NULL, NULL, 0},
     {"heading_time_constant", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_complementary_filter_configuration_response, heading_time_constant), 0,
-     NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_complementary_filter_response, heading_time_constant), 0, NULL, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_3dm_complementary_filter_configuration_response = {
-    parameters_3dm_complementary_filter_configuration_response, 4,
-    sizeof(struct mip_3dm_complementary_filter_configuration_response)};
+static const struct mip_record record_3dm_complementary_filter_response = {
+    parameters_3dm_complementary_filter_response,
+    4,
+    sizeof(struct mip_3dm_complementary_filter_response),
+};
 
-static const struct mip_parameter parameters_3dm_accelerometer_bias_configuration_response[] = {
+static const struct mip_parameter parameters_3dm_accel_bias_response[] = {
     {"bias", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_3dm_accelerometer_bias_configuration_response, bias), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_accel_bias_response, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_accelerometer_bias_configuration_response = {
-    parameters_3dm_accelerometer_bias_configuration_response, 1,
-    sizeof(struct mip_3dm_accelerometer_bias_configuration_response)};
+static const struct mip_record record_3dm_accel_bias_response = {
+    parameters_3dm_accel_bias_response,
+    1,
+    sizeof(struct mip_3dm_accel_bias_response),
+};
 
-static const struct mip_parameter parameters_3dm_gyroscope_bias_configuration_response[] = {
+static const struct mip_parameter parameters_3dm_gyro_bias_response[] = {
     {"bias", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_3dm_gyroscope_bias_configuration_response, bias), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_gyro_bias_response, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_gyroscope_bias_configuration_response = {
-    parameters_3dm_gyroscope_bias_configuration_response, 1,
-    sizeof(struct mip_3dm_gyroscope_bias_configuration_response)};
+static const struct mip_record record_3dm_gyro_bias_response = {
+    parameters_3dm_gyro_bias_response,
+    1,
+    sizeof(struct mip_3dm_gyro_bias_response),
+};
 
-static const struct mip_parameter parameters_3dm_magnetometer_hard_iron_offset_response[] = {
+static const struct mip_parameter parameters_3dm_mag_hard_iron_offset_response[] = {
     {"offset", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_3dm_magnetometer_hard_iron_offset_response, offset), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_mag_hard_iron_offset_response, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_magnetometer_hard_iron_offset_response = {
-    parameters_3dm_magnetometer_hard_iron_offset_response, 1,
-    sizeof(struct mip_3dm_magnetometer_hard_iron_offset_response)};
-
-static const struct mip_parameter parameters_3dm_magnetometer_soft_iron_matrix_response[] = {
-    {"offset", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
-     ONE(struct mip_3dm_magnetometer_soft_iron_matrix_response, offset), 0, NULL, NULL, NULL, NULL,
-     0},
+static const struct mip_record record_3dm_mag_hard_iron_offset_response = {
+    parameters_3dm_mag_hard_iron_offset_response,
+    1,
+    sizeof(struct mip_3dm_mag_hard_iron_offset_response),
 };
-static const struct mip_record record_3dm_magnetometer_soft_iron_matrix_response = {
-    parameters_3dm_magnetometer_soft_iron_matrix_response, 1,
-    sizeof(struct mip_3dm_magnetometer_soft_iron_matrix_response)};
 
-static const struct mip_parameter parameters_3dm_coning_and_sculling_enable_response[] = {
+static const struct mip_parameter parameters_3dm_mag_soft_iron_matrix_response[] = {
+    {"matrix", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_3dm_mag_soft_iron_matrix_response, matrix), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_mag_soft_iron_matrix_response = {
+    parameters_3dm_mag_soft_iron_matrix_response,
+    1,
+    sizeof(struct mip_3dm_mag_soft_iron_matrix_response),
+};
+
+static const struct mip_parameter parameters_3dm_coning_sculling_enable_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_coning_and_sculling_enable_response, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_coning_sculling_enable_response, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_coning_and_sculling_enable_response = {
-    parameters_3dm_coning_and_sculling_enable_response, 1,
-    sizeof(struct mip_3dm_coning_and_sculling_enable_response)};
+static const struct mip_record record_3dm_coning_sculling_enable_response = {
+    parameters_3dm_coning_sculling_enable_response,
+    1,
+    sizeof(struct mip_3dm_coning_sculling_enable_response),
+};
+
+static const struct mip_parameter parameters_3dm_constellation_settings_response[] = {
+    {"max_channels_available", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_response, max_channels_available), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"max_channels_use", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_response, max_channels_use), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"config_count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_response, config_count), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"settings", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 41, 1, 2, 0, 0,
+     MANY(struct mip_3dm_constellation_settings_response, settings), 0, NULL, NULL,
+     &record_3dm_constellation_settings_entry, NULL, 0},
+};
+static const struct mip_record record_3dm_constellation_settings_response = {
+    parameters_3dm_constellation_settings_response,
+    4,
+    sizeof(struct mip_3dm_constellation_settings_response),
+};
 
 static const struct mip_parameter parameters_3dm_gnss_sbas_settings_response[] = {
     {"enable_sbas", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2467,8 +3106,37 @@ static const struct mip_parameter parameters_3dm_gnss_sbas_settings_response[] =
      MANY(struct mip_3dm_gnss_sbas_settings_response, included_prns), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gnss_sbas_settings_response = {
-    parameters_3dm_gnss_sbas_settings_response, 4,
-    sizeof(struct mip_3dm_gnss_sbas_settings_response)};
+    parameters_3dm_gnss_sbas_settings_response,
+    4,
+    sizeof(struct mip_3dm_gnss_sbas_settings_response),
+};
+
+static const struct mip_parameter parameters_3dm_gnss_assisted_fix_response[] = {
+    {"option", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gnss_assisted_fix_response, option), 0, &names_3dm_assisted_fix_option,
+     NULL, NULL, NULL, 0},
+    {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gnss_assisted_fix_response, flags), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_gnss_assisted_fix_response = {
+    parameters_3dm_gnss_assisted_fix_response,
+    2,
+    sizeof(struct mip_3dm_gnss_assisted_fix_response),
+};
+
+static const struct mip_parameter parameters_3dm_gnss_time_assistance_response[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gnss_time_assistance_response, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gnss_time_assistance_response, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"accuracy", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gnss_time_assistance_response, accuracy), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_gnss_time_assistance_response = {
+    parameters_3dm_gnss_time_assistance_response,
+    3,
+    sizeof(struct mip_3dm_gnss_time_assistance_response),
+};
 
 static const struct mip_parameter parameters_3dm_pps_source_control_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2476,58 +3144,68 @@ static const struct mip_parameter parameters_3dm_pps_source_control_response[] =
      NULL, 0},
 };
 static const struct mip_record record_3dm_pps_source_control_response = {
-    parameters_3dm_pps_source_control_response, 1,
-    sizeof(struct mip_3dm_pps_source_control_response)};
+    parameters_3dm_pps_source_control_response,
+    1,
+    sizeof(struct mip_3dm_pps_source_control_response),
+};
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_frame_transformation_euler_response[] = {
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_euler_response[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response, roll), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler_response, roll), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response, pitch), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler_response, pitch), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response, yaw), 0, NULL, NULL,
-     NULL, NULL, 0},
-};
-static const struct mip_record record_3dm_sensor_to_vehicle_frame_transformation_euler_response = {
-    parameters_3dm_sensor_to_vehicle_frame_transformation_euler_response, 3,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response)};
-
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion_response[] = {
-    {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response, q), 0, NULL,
-     NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_3dm_sensor_to_vehicle_frame_transformation_quaternion_response = {
-    parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion_response, 1,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response)};
-
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response[] = {
-    {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response, dcm),
-     0, NULL, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response = {
-    parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response, 1,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response)};
-
-static const struct mip_parameter parameters_3dm_get_supported_events_response[] = {
-    {"query", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_supported_events_response, query), 0, &names_3dm_supported_events_query,
-     NULL, NULL, NULL, 0},
-    {"max_instances", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_supported_events_response, max_instances), 0, NULL, NULL, NULL, NULL,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler_response, yaw), 0, NULL, NULL, NULL, NULL,
      0},
-    {"num_entries", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 0, 0,
-     ONE(struct mip_3dm_get_supported_events_response, num_entries), 0, NULL, NULL, NULL, NULL, 0},
-    {"entries", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 125, 1, 2, 0, 0,
-     MANY(struct mip_3dm_get_supported_events_response, entries), 0, NULL, NULL,
-     &record_3dm_supported_event_info, NULL, 0},
 };
-static const struct mip_record record_3dm_get_supported_events_response = {
-    parameters_3dm_get_supported_events_response, 4,
-    sizeof(struct mip_3dm_get_supported_events_response)};
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_euler_response = {
+    parameters_3dm_sensor_to_vehicle_transform_euler_response,
+    3,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler_response),
+};
+
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_quaternion_response[] =
+    {
+        {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+         ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response, q), 0, NULL, NULL,
+         NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_quaternion_response = {
+    parameters_3dm_sensor_to_vehicle_transform_quaternion_response,
+    1,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response),
+};
+
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_dcm_response[] = {
+    {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm_response, dcm), 0, NULL, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_dcm_response = {
+    parameters_3dm_sensor_to_vehicle_transform_dcm_response,
+    1,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm_response),
+};
+
+static const struct mip_parameter parameters_3dm_get_event_support_response[] = {
+    {"query", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_get_event_support_response, query), 0, &names_3dm_event_support_query, NULL,
+     NULL, NULL, 0},
+    {"max_instances", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_get_event_support_response, max_instances), 0, NULL, NULL, NULL, NULL, 0},
+    {"num_entries", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 0, 0,
+     ONE(struct mip_3dm_get_event_support_response, num_entries), 0, NULL, NULL, NULL, NULL, 0},
+    {"entries", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 125, 1, 2, 0, 0,
+     MANY(struct mip_3dm_get_event_support_response, entries), 0, NULL, NULL,
+     &record_3dm_event_support_info, NULL, 0},
+};
+static const struct mip_record record_3dm_get_event_support_response = {
+    parameters_3dm_get_event_support_response,
+    4,
+    sizeof(struct mip_3dm_get_event_support_response),
+};
 
 static const struct mip_parameter parameters_3dm_event_control_response[] = {
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2537,7 +3215,10 @@ static const struct mip_parameter parameters_3dm_event_control_response[] = {
      NULL, 0},
 };
 static const struct mip_record record_3dm_event_control_response = {
-    parameters_3dm_event_control_response, 2, sizeof(struct mip_3dm_event_control_response)};
+    parameters_3dm_event_control_response,
+    2,
+    sizeof(struct mip_3dm_event_control_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_event_trigger_status_response[] = {
     {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2547,8 +3228,10 @@ static const struct mip_parameter parameters_3dm_get_event_trigger_status_respon
      &record_3dm_event_trigger_status_entry, NULL, 0},
 };
 static const struct mip_record record_3dm_get_event_trigger_status_response = {
-    parameters_3dm_get_event_trigger_status_response, 2,
-    sizeof(struct mip_3dm_get_event_trigger_status_response)};
+    parameters_3dm_get_event_trigger_status_response,
+    2,
+    sizeof(struct mip_3dm_get_event_trigger_status_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_event_action_status_response[] = {
     {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2558,96 +3241,98 @@ static const struct mip_parameter parameters_3dm_get_event_action_status_respons
      &record_3dm_event_action_status_entry, NULL, 0},
 };
 static const struct mip_record record_3dm_get_event_action_status_response = {
-    parameters_3dm_get_event_action_status_response, 2,
-    sizeof(struct mip_3dm_get_event_action_status_response)};
+    parameters_3dm_get_event_action_status_response,
+    2,
+    sizeof(struct mip_3dm_get_event_action_status_response),
+};
 
-static const struct mip_parameter members_3dm_event_trigger_configuration_response_parameters[] = {
+static const struct mip_parameter members_3dm_event_trigger_config_response_parameters[] = {
     {"gpio", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_trigger_configuration_response_parameters, gpio), 0, NULL, NULL,
+     ONE(union mip_3dm_event_trigger_config_response_parameters, gpio), 0, NULL, NULL,
      &record_event_trigger_gpio, NULL, 0},
     {"threshold", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_trigger_configuration_response_parameters, threshold), 0, NULL, NULL,
+     ONE(union mip_3dm_event_trigger_config_response_parameters, threshold), 0, NULL, NULL,
      &record_event_trigger_threshold, NULL, 0},
     {"combination", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_trigger_configuration_response_parameters, combination), 0, NULL, NULL,
+     ONE(union mip_3dm_event_trigger_config_response_parameters, combination), 0, NULL, NULL,
      &record_event_trigger_combination, NULL, 0},
 };
-static const struct mip_case cases_3dm_event_trigger_configuration_response_parameters[] = {
+static const struct mip_case cases_3dm_event_trigger_config_response_parameters[] = {
     {0, NULL},
-    {1, &members_3dm_event_trigger_configuration_response_parameters[0]},
-    {2, &members_3dm_event_trigger_configuration_response_parameters[1]},
-    {3, &members_3dm_event_trigger_configuration_response_parameters[2]},
+    {1, &members_3dm_event_trigger_config_response_parameters[0]},
+    {2, &members_3dm_event_trigger_config_response_parameters[1]},
+    {3, &members_3dm_event_trigger_config_response_parameters[2]},
 };
-static const struct mip_parameter parameters_3dm_event_trigger_configuration_response[] = {
+static const struct mip_parameter parameters_3dm_event_trigger_config_response[] = {
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_trigger_configuration_response, instance), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_event_trigger_config_response, instance), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_trigger_configuration_response, type), 0, &names_event_trigger_type,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_event_trigger_config_response, type), 0, &names_event_trigger_type, NULL,
+     NULL, NULL, 0},
     {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
-     ONE(struct mip_3dm_event_trigger_configuration_response, parameters), 0, NULL, NULL, NULL,
-     cases_3dm_event_trigger_configuration_response_parameters, 4},
+     ONE(struct mip_3dm_event_trigger_config_response, parameters), 0, NULL, NULL, NULL,
+     cases_3dm_event_trigger_config_response_parameters, 4},
 };
-static const struct mip_record record_3dm_event_trigger_configuration_response = {
-    parameters_3dm_event_trigger_configuration_response, 3,
-    sizeof(struct mip_3dm_event_trigger_configuration_response)};
+static const struct mip_record record_3dm_event_trigger_config_response = {
+    parameters_3dm_event_trigger_config_response,
+    3,
+    sizeof(struct mip_3dm_event_trigger_config_response),
+};
 
-static const struct mip_parameter members_3dm_event_action_configuration_response_parameters[] = {
+static const struct mip_parameter members_3dm_event_action_config_response_parameters[] = {
     {"gpio", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_action_configuration_response_parameters, gpio), 0, NULL, NULL,
+     ONE(union mip_3dm_event_action_config_response_parameters, gpio), 0, NULL, NULL,
      &record_event_action_gpio, NULL, 0},
     {"message", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_action_configuration_response_parameters, message), 0, NULL, NULL,
+     ONE(union mip_3dm_event_action_config_response_parameters, message), 0, NULL, NULL,
      &record_event_action_message, NULL, 0},
 };
-static const struct mip_case cases_3dm_event_action_configuration_response_parameters[] = {
+static const struct mip_case cases_3dm_event_action_config_response_parameters[] = {
     {0, NULL},
-    {1, &members_3dm_event_action_configuration_response_parameters[0]},
-    {2, &members_3dm_event_action_configuration_response_parameters[1]},
+    {1, &members_3dm_event_action_config_response_parameters[0]},
+    {2, &members_3dm_event_action_config_response_parameters[1]},
 };
-static const struct mip_parameter parameters_3dm_event_action_configuration_response[] = {
+static const struct mip_parameter parameters_3dm_event_action_config_response[] = {
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_action_configuration_response, instance), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_event_action_config_response, instance), 0, NULL, NULL, NULL, NULL, 0},
     {"trigger", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_action_configuration_response, trigger), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_event_action_config_response, trigger), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_action_configuration_response, type), 0, &names_event_action_type,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_event_action_config_response, type), 0, &names_event_action_type, NULL,
+     NULL, NULL, 0},
     {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 0, 0,
-     ONE(struct mip_3dm_event_action_configuration_response, parameters), 0, NULL, NULL, NULL,
-     cases_3dm_event_action_configuration_response_parameters, 3},
+     ONE(struct mip_3dm_event_action_config_response, parameters), 0, NULL, NULL, NULL,
+     cases_3dm_event_action_config_response_parameters, 3},
 };
-static const struct mip_record record_3dm_event_action_configuration_response = {
-    parameters_3dm_event_action_configuration_response, 4,
-    sizeof(struct mip_3dm_event_action_configuration_response)};
+static const struct mip_record record_3dm_event_action_config_response = {
+    parameters_3dm_event_action_config_response,
+    4,
+    sizeof(struct mip_3dm_event_action_config_response),
+};
 
-static const struct mip_reading readings_3dm_gpio_configuration_response_behavior[] = {
-    {NULL, 1, 0, &names_gpio_unused_behavior},
-    {NULL, 1, 1, &names_gpio_behavior},
-    {NULL, 1, 2, &names_gpio_pps_behavior},
-    {NULL, 1, 3, &names_gpio_encoder_behavior},
-    {NULL, 1, 4, &names_gpio_timestamp_behavior},
-    {NULL, 1, 5, &names_gpio_uart_behavior},
+static const struct mip_reading readings_3dm_gpio_config_response_behavior[] = {
+    {NULL, 1, 0, &names_gpio_unused_behavior},    {NULL, 1, 1, &names_gpio_behavior},
+    {NULL, 1, 2, &names_gpio_pps_behavior},       {NULL, 1, 3, &names_gpio_encoder_behavior},
+    {NULL, 1, 4, &names_gpio_timestamp_behavior}, {NULL, 1, 5, &names_gpio_uart_behavior},
 };
-static const struct mip_parameter parameters_3dm_gpio_configuration_response[] = {
+static const struct mip_parameter parameters_3dm_gpio_config_response[] = {
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gpio_configuration_response, pin), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_gpio_config_response, pin), 0, NULL, NULL, NULL, NULL, 0},
     {"feature", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gpio_configuration_response, feature), 0, &names_gpio_feature, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_gpio_config_response, feature), 0, &names_gpio_feature, NULL, NULL, NULL,
+     0},
     {"behavior", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gpio_configuration_response, behavior), 0, NULL,
-     readings_3dm_gpio_configuration_response_behavior, NULL, NULL, 6},
+     ONE(struct mip_3dm_gpio_config_response, behavior), 0, NULL,
+     readings_3dm_gpio_config_response_behavior, NULL, NULL, 6},
     {"pin_mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gpio_configuration_response, pin_mode), 0, &names_gpio_pin_mode, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_gpio_config_response, pin_mode), 0, &names_gpio_pin_mode, NULL, NULL, NULL,
+     0},
 };
-static const struct mip_record record_3dm_gpio_configuration_response = {
-    parameters_3dm_gpio_configuration_response, 4,
-    sizeof(struct mip_3dm_gpio_configuration_response)};
+static const struct mip_record record_3dm_gpio_config_response = {
+    parameters_3dm_gpio_config_response,
+    4,
+    sizeof(struct mip_3dm_gpio_config_response),
+};
 
 static const struct mip_parameter parameters_3dm_gpio_state_response[] = {
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2656,21 +3341,25 @@ static const struct mip_parameter parameters_3dm_gpio_state_response[] = {
      ONE(struct mip_3dm_gpio_state_response, state), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gpio_state_response = {
-    parameters_3dm_gpio_state_response, 2, sizeof(struct mip_3dm_gpio_state_response)};
-
-static const struct mip_parameter parameters_3dm_odometer_configuration_response[] = {
-    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_odometer_configuration_response, mode), 0, &names_3dm_odometer_mode, NULL,
-     NULL, NULL, 0},
-    {"scaling", "pulse/m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_odometer_configuration_response, scaling), 0, NULL, NULL, NULL, NULL, 0},
-    {"uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_odometer_configuration_response, uncertainty), 0, NULL, NULL, NULL, NULL,
-     0},
+    parameters_3dm_gpio_state_response,
+    2,
+    sizeof(struct mip_3dm_gpio_state_response),
 };
-static const struct mip_record record_3dm_odometer_configuration_response = {
-    parameters_3dm_odometer_configuration_response, 3,
-    sizeof(struct mip_3dm_odometer_configuration_response)};
+
+static const struct mip_parameter parameters_3dm_odometer_config_response[] = {
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_odometer_config_response, mode), 0, &names_3dm_odometer_mode, NULL, NULL,
+     NULL, 0},
+    {"scaling", "pulse/m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_odometer_config_response, scaling), 0, NULL, NULL, NULL, NULL, 0},
+    {"uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_odometer_config_response, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_odometer_config_response = {
+    parameters_3dm_odometer_config_response,
+    3,
+    sizeof(struct mip_3dm_odometer_config_response),
+};
 
 static const struct mip_parameter parameters_3dm_sensor_range_response[] = {
     {"sensor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2680,7 +3369,10 @@ static const struct mip_parameter parameters_3dm_sensor_range_response[] = {
      ONE(struct mip_3dm_sensor_range_response, setting), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_range_response = {
-    parameters_3dm_sensor_range_response, 2, sizeof(struct mip_3dm_sensor_range_response)};
+    parameters_3dm_sensor_range_response,
+    2,
+    sizeof(struct mip_3dm_sensor_range_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_calibrated_sensor_ranges_response[] = {
     {"sensor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2694,32 +3386,34 @@ static const struct mip_parameter parameters_3dm_get_calibrated_sensor_ranges_re
      &record_3dm_sensor_range_entry, NULL, 0},
 };
 static const struct mip_record record_3dm_get_calibrated_sensor_ranges_response = {
-    parameters_3dm_get_calibrated_sensor_ranges_response, 3,
-    sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response)};
-
-static const struct mip_parameter parameters_3dm_low_pass_anti_aliasing_filter_response[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter_response, desc_set), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"field_desc", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter_response, field_desc), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter_response, enable), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"manual", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter_response, manual), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter_response, frequency), 0, NULL, NULL, NULL,
-     NULL, 0},
+    parameters_3dm_get_calibrated_sensor_ranges_response,
+    3,
+    sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
 };
-static const struct mip_record record_3dm_low_pass_anti_aliasing_filter_response = {
-    parameters_3dm_low_pass_anti_aliasing_filter_response, 5,
-    sizeof(struct mip_3dm_low_pass_anti_aliasing_filter_response)};
 
-static const struct mip_record record_filter_reset_navigation_filter = {
-    NULL, 0, sizeof(struct mip_filter_reset_navigation_filter)};
+static const struct mip_parameter parameters_3dm_low_pass_filter_response[] = {
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_low_pass_filter_response, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"field_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_low_pass_filter_response, field_descriptor), 0, NULL, NULL, NULL, NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_low_pass_filter_response, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"manual", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_low_pass_filter_response, manual), 0, NULL, NULL, NULL, NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_low_pass_filter_response, frequency), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_low_pass_filter_response = {
+    parameters_3dm_low_pass_filter_response,
+    5,
+    sizeof(struct mip_3dm_low_pass_filter_response),
+};
+
+static const struct mip_record record_filter_reset = {
+    NULL,
+    0,
+    sizeof(struct mip_filter_reset),
+};
 
 static const struct mip_parameter parameters_filter_set_initial_attitude[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2730,75 +3424,143 @@ static const struct mip_parameter parameters_filter_set_initial_attitude[] = {
      ONE(struct mip_filter_set_initial_attitude, heading), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_set_initial_attitude = {
-    parameters_filter_set_initial_attitude, 3, sizeof(struct mip_filter_set_initial_attitude)};
+    parameters_filter_set_initial_attitude,
+    3,
+    sizeof(struct mip_filter_set_initial_attitude),
+};
 
-static const struct mip_parameter parameters_filter_set_initial_heading_control[] = {
+static const struct mip_parameter parameters_filter_set_initial_heading[] = {
     {"heading", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_set_initial_heading_control, heading), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_set_initial_heading, heading), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_set_initial_heading_control = {
-    parameters_filter_set_initial_heading_control, 1,
-    sizeof(struct mip_filter_set_initial_heading_control)};
+static const struct mip_record record_filter_set_initial_heading = {
+    parameters_filter_set_initial_heading,
+    1,
+    sizeof(struct mip_filter_set_initial_heading),
+};
 
-static const struct mip_record record_filter_run_navigation_filter = {
-    NULL, 0, sizeof(struct mip_filter_run_navigation_filter)};
+static const struct mip_record record_filter_run = {
+    NULL,
+    0,
+    sizeof(struct mip_filter_run),
+};
 
-static const struct mip_parameter parameters_filter_sensor_to_vehicle_frame_transformation[] = {
+static const struct mip_parameter parameters_filter_vehicle_dynamics_mode[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_frame_transformation, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
-    {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_frame_transformation, roll), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_frame_transformation, pitch), 0, NULL, NULL, NULL,
+     ONE(struct mip_filter_vehicle_dynamics_mode, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_vehicle_dynamics_mode, mode), 0, &names_filter_dynamics_mode, NULL, NULL,
      NULL, 0},
+};
+static const struct mip_record record_filter_vehicle_dynamics_mode = {
+    parameters_filter_vehicle_dynamics_mode,
+    2,
+    sizeof(struct mip_filter_vehicle_dynamics_mode),
+};
+static const uint8_t required_filter_vehicle_dynamics_mode[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_euler[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, function), 0, &names_function_selector,
+     NULL, NULL, NULL, 0},
+    {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, roll), 0, NULL, NULL, NULL, NULL, 0},
+    {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, pitch), 0, NULL, NULL, NULL, NULL, 0},
     {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_frame_transformation, yaw), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, yaw), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_sensor_to_vehicle_frame_transformation = {
-    parameters_filter_sensor_to_vehicle_frame_transformation, 4,
-    sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation)};
-static const uint8_t required_filter_sensor_to_vehicle_frame_transformation[] = {0, 3, 0, 0, 0, 0};
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_euler = {
+    parameters_filter_sensor_to_vehicle_rotation_euler,
+    4,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler),
+};
+static const uint8_t required_filter_sensor_to_vehicle_rotation_euler[] = {0, 3, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gnss_antenna_offset_control[] = {
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_offset[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_control, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_offset, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
     {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_control, offset), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_offset, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gnss_antenna_offset_control = {
-    parameters_filter_gnss_antenna_offset_control, 2,
-    sizeof(struct mip_filter_gnss_antenna_offset_control)};
-static const uint8_t required_filter_gnss_antenna_offset_control[] = {0, 1, 0, 0, 0, 0};
+static const struct mip_record record_filter_sensor_to_vehicle_offset = {
+    parameters_filter_sensor_to_vehicle_offset,
+    2,
+    sizeof(struct mip_filter_sensor_to_vehicle_offset),
+};
+static const uint8_t required_filter_sensor_to_vehicle_offset[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_estimation_control_flags[] = {
+static const struct mip_parameter parameters_filter_antenna_offset[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_estimation_control_flags, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_antenna_offset, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
+    {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
+     ONE(struct mip_filter_antenna_offset, offset), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_antenna_offset = {
+    parameters_filter_antenna_offset,
+    2,
+    sizeof(struct mip_filter_antenna_offset),
+};
+static const uint8_t required_filter_antenna_offset[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_estimation_control[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_estimation_control, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_estimation_control_flags, flags), 0, &names_filter_estimated_states,
-     NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_filter_estimation_control_flags = {
-    parameters_filter_estimation_control_flags, 2,
-    sizeof(struct mip_filter_estimation_control_flags)};
-static const uint8_t required_filter_estimation_control_flags[] = {0, 1, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_filter_gnss_aiding_source_control[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_aiding_source_control, function), 0, &names_function_selector, NULL,
+     ONE(struct mip_filter_estimation_control, flags), 0, &names_filter_estimated_states, NULL,
      NULL, NULL, 0},
-    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_gnss_aiding_source_control, source), 0, &names_filter_gnss_aiding_source,
-     NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gnss_aiding_source_control = {
-    parameters_filter_gnss_aiding_source_control, 2,
-    sizeof(struct mip_filter_gnss_aiding_source_control)};
-static const uint8_t required_filter_gnss_aiding_source_control[] = {0, 1, 0, 0, 0, 0};
+static const struct mip_record record_filter_estimation_control = {
+    parameters_filter_estimation_control,
+    2,
+    sizeof(struct mip_filter_estimation_control),
+};
+static const uint8_t required_filter_estimation_control[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_gnss_source[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_gnss_source, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_gnss_source, source), 0, &names_filter_gnss_aiding_source, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_gnss_source = {
+    parameters_filter_gnss_source,
+    2,
+    sizeof(struct mip_filter_gnss_source),
+};
+static const uint8_t required_filter_gnss_source[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_external_gnss_update[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_external_gnss_update, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_external_gnss_update, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"latitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_external_gnss_update, latitude), 0, NULL, NULL, NULL, NULL, 0},
+    {"longitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_external_gnss_update, longitude), 0, NULL, NULL, NULL, NULL, 0},
+    {"height", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_external_gnss_update, height), 0, NULL, NULL, NULL, NULL, 0},
+    {"velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_external_gnss_update, velocity), 0, NULL, NULL, NULL, NULL, 0},
+    {"position_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_external_gnss_update, position_uncertainty), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"velocity_uncertainty", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+     0, ONE(struct mip_filter_external_gnss_update, velocity_uncertainty), 0, NULL, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_external_gnss_update = {
+    parameters_filter_external_gnss_update,
+    8,
+    sizeof(struct mip_filter_external_gnss_update),
+};
 
 static const struct mip_parameter parameters_filter_external_heading_update[] = {
     {"heading", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2811,20 +3573,25 @@ static const struct mip_parameter parameters_filter_external_heading_update[] = 
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_external_heading_update = {
-    parameters_filter_external_heading_update, 3,
-    sizeof(struct mip_filter_external_heading_update)};
-
-static const struct mip_parameter parameters_filter_heading_update_control[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_heading_update_control, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_heading_update_control, enable), 0, &names_filter_heading_update_source,
-     NULL, NULL, NULL, 0},
+    parameters_filter_external_heading_update,
+    3,
+    sizeof(struct mip_filter_external_heading_update),
 };
-static const struct mip_record record_filter_heading_update_control = {
-    parameters_filter_heading_update_control, 2, sizeof(struct mip_filter_heading_update_control)};
-static const uint8_t required_filter_heading_update_control[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_heading_source[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_heading_source, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_heading_source, source), 0, &names_filter_heading_update_source, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_filter_heading_source = {
+    parameters_filter_heading_source,
+    2,
+    sizeof(struct mip_filter_heading_source),
+};
+static const uint8_t required_filter_heading_source[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_auto_initialization_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2834,73 +3601,92 @@ static const struct mip_parameter parameters_filter_auto_initialization_control[
      ONE(struct mip_filter_auto_initialization_control, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_auto_initialization_control = {
-    parameters_filter_auto_initialization_control, 2,
-    sizeof(struct mip_filter_auto_initialization_control)};
+    parameters_filter_auto_initialization_control,
+    2,
+    sizeof(struct mip_filter_auto_initialization_control),
+};
 static const uint8_t required_filter_auto_initialization_control[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_accelerometer_noise_standard_deviation[] = {
+static const struct mip_parameter parameters_filter_accel_noise[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_accelerometer_noise_standard_deviation, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_accel_noise, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
     {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_filter_accelerometer_noise_standard_deviation, noise), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_accel_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_accelerometer_noise_standard_deviation = {
-    parameters_filter_accelerometer_noise_standard_deviation, 2,
-    sizeof(struct mip_filter_accelerometer_noise_standard_deviation)};
-static const uint8_t required_filter_accelerometer_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
+static const struct mip_record record_filter_accel_noise = {
+    parameters_filter_accel_noise,
+    2,
+    sizeof(struct mip_filter_accel_noise),
+};
+static const uint8_t required_filter_accel_noise[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gyroscope_noise_standard_deviation[] = {
+static const struct mip_parameter parameters_filter_gyro_noise[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gyroscope_noise_standard_deviation, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gyro_noise, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
     {"noise", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_filter_gyroscope_noise_standard_deviation, noise), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_gyro_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gyroscope_noise_standard_deviation = {
-    parameters_filter_gyroscope_noise_standard_deviation, 2,
-    sizeof(struct mip_filter_gyroscope_noise_standard_deviation)};
-static const uint8_t required_filter_gyroscope_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
+static const struct mip_record record_filter_gyro_noise = {
+    parameters_filter_gyro_noise,
+    2,
+    sizeof(struct mip_filter_gyro_noise),
+};
+static const uint8_t required_filter_gyro_noise[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_accelerometer_bias_model_parameters[] = {
+static const struct mip_parameter parameters_filter_accel_bias_model[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_accelerometer_bias_model_parameters, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_accel_bias_model, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_filter_accelerometer_bias_model_parameters, beta), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_accel_bias_model, beta), 0, NULL, NULL, NULL, NULL, 0},
     {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 2, 0,
-     ONE(struct mip_filter_accelerometer_bias_model_parameters, noise), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_accel_bias_model, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_accelerometer_bias_model_parameters = {
-    parameters_filter_accelerometer_bias_model_parameters, 3,
-    sizeof(struct mip_filter_accelerometer_bias_model_parameters)};
-static const uint8_t required_filter_accelerometer_bias_model_parameters[] = {0, 2, 0, 0, 0, 0};
+static const struct mip_record record_filter_accel_bias_model = {
+    parameters_filter_accel_bias_model,
+    3,
+    sizeof(struct mip_filter_accel_bias_model),
+};
+static const uint8_t required_filter_accel_bias_model[] = {0, 2, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gyroscope_bias_model_parameters[] = {
+static const struct mip_parameter parameters_filter_gyro_bias_model[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gyroscope_bias_model_parameters, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gyro_bias_model, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_filter_gyroscope_bias_model_parameters, beta), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gyro_bias_model, beta), 0, NULL, NULL, NULL, NULL, 0},
     {"noise", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 2, 0,
-     ONE(struct mip_filter_gyroscope_bias_model_parameters, noise), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gyro_bias_model, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gyroscope_bias_model_parameters = {
-    parameters_filter_gyroscope_bias_model_parameters, 3,
-    sizeof(struct mip_filter_gyroscope_bias_model_parameters)};
-static const uint8_t required_filter_gyroscope_bias_model_parameters[] = {0, 2, 0, 0, 0, 0};
+static const struct mip_record record_filter_gyro_bias_model = {
+    parameters_filter_gyro_bias_model,
+    3,
+    sizeof(struct mip_filter_gyro_bias_model),
+};
+static const uint8_t required_filter_gyro_bias_model[] = {0, 2, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_auto_zupt[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_auto_zupt, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_auto_zupt, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"threshold", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_auto_zupt, threshold), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_auto_zupt = {
+    parameters_filter_auto_zupt,
+    3,
+    sizeof(struct mip_filter_auto_zupt),
+};
+static const uint8_t required_filter_auto_zupt[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_external_heading_update_with_time[] = {
-    {"gps_time", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_external_heading_update_with_time, gps_time), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"gps_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_external_heading_update_with_time, gps_week), 0, NULL, NULL, NULL, NULL,
-     0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_external_heading_update_with_time, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_external_heading_update_with_time, week_number), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"heading", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_external_heading_update_with_time, heading), 0, NULL, NULL, NULL, NULL,
      0},
@@ -2912,23 +3698,26 @@ static const struct mip_parameter parameters_filter_external_heading_update_with
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_external_heading_update_with_time = {
-    parameters_filter_external_heading_update_with_time, 5,
-    sizeof(struct mip_filter_external_heading_update_with_time)};
-
-static const struct mip_parameter parameters_filter_zero_angular_rate_update_control[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_zero_angular_rate_update_control, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_zero_angular_rate_update_control, enable), 0, NULL, NULL, NULL, NULL, 0},
-    {"threshold", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_zero_angular_rate_update_control, threshold), 0, NULL, NULL, NULL, NULL,
-     0},
+    parameters_filter_external_heading_update_with_time,
+    5,
+    sizeof(struct mip_filter_external_heading_update_with_time),
 };
-static const struct mip_record record_filter_zero_angular_rate_update_control = {
-    parameters_filter_zero_angular_rate_update_control, 3,
-    sizeof(struct mip_filter_zero_angular_rate_update_control)};
-static const uint8_t required_filter_zero_angular_rate_update_control[] = {0, 2, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_auto_angular_zupt[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_auto_angular_zupt, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_auto_angular_zupt, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"threshold", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_auto_angular_zupt, threshold), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_auto_angular_zupt = {
+    parameters_filter_auto_angular_zupt,
+    3,
+    sizeof(struct mip_filter_auto_angular_zupt),
+};
+static const uint8_t required_filter_auto_angular_zupt[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_tare_orientation[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2939,250 +3728,535 @@ static const struct mip_parameter parameters_filter_tare_orientation[] = {
      0},
 };
 static const struct mip_record record_filter_tare_orientation = {
-    parameters_filter_tare_orientation, 2, sizeof(struct mip_filter_tare_orientation)};
+    parameters_filter_tare_orientation,
+    2,
+    sizeof(struct mip_filter_tare_orientation),
+};
 static const uint8_t required_filter_tare_orientation[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_record record_filter_commanded_zero_angular_rate_update = {
-    NULL, 0, sizeof(struct mip_filter_commanded_zero_angular_rate_update)};
+static const struct mip_record record_filter_commanded_zupt = {
+    NULL,
+    0,
+    sizeof(struct mip_filter_commanded_zupt),
+};
 
-static const struct mip_parameter parameters_filter_set_reference_position[] = {
+static const struct mip_record record_filter_commanded_angular_zupt = {
+    NULL,
+    0,
+    sizeof(struct mip_filter_commanded_angular_zupt),
+};
+
+static const struct mip_parameter parameters_filter_reference_position[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_set_reference_position, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_reference_position, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_set_reference_position, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_reference_position, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"latitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_set_reference_position, latitude), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_reference_position, latitude), 0, NULL, NULL, NULL, NULL, 0},
     {"longitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_filter_set_reference_position, longitude), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_reference_position, longitude), 0, NULL, NULL, NULL, NULL, 0},
     {"altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_filter_set_reference_position, altitude), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_reference_position, altitude), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_set_reference_position = {
-    parameters_filter_set_reference_position, 5, sizeof(struct mip_filter_set_reference_position)};
-static const uint8_t required_filter_set_reference_position[] = {0, 4, 0, 0, 0, 0};
+static const struct mip_record record_filter_reference_position = {
+    parameters_filter_reference_position,
+    5,
+    sizeof(struct mip_filter_reference_position),
+};
+static const uint8_t required_filter_reference_position[] = {0, 4, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gravity_noise_standard_deviation[] = {
+static const struct mip_parameter parameters_filter_mag_capture_auto_calibration[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gravity_noise_standard_deviation, function), 0, &names_function_selector,
+     ONE(struct mip_filter_mag_capture_auto_calibration, function), 0, &names_function_selector,
      NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_mag_capture_auto_calibration = {
+    parameters_filter_mag_capture_auto_calibration,
+    1,
+    sizeof(struct mip_filter_mag_capture_auto_calibration),
+};
+static const uint8_t required_filter_mag_capture_auto_calibration[] = {0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_gravity_noise[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_gravity_noise, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
     {"noise", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_filter_gravity_noise_standard_deviation, noise), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gravity_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gravity_noise_standard_deviation = {
-    parameters_filter_gravity_noise_standard_deviation, 2,
-    sizeof(struct mip_filter_gravity_noise_standard_deviation)};
-static const uint8_t required_filter_gravity_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
+static const struct mip_record record_filter_gravity_noise = {
+    parameters_filter_gravity_noise,
+    2,
+    sizeof(struct mip_filter_gravity_noise),
+};
+static const uint8_t required_filter_gravity_noise[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_enable_disable_measurements[] = {
+static const struct mip_parameter parameters_filter_pressure_altitude_noise[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_enable_disable_measurements, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_pressure_altitude_noise, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"noise", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_pressure_altitude_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_pressure_altitude_noise = {
+    parameters_filter_pressure_altitude_noise,
+    2,
+    sizeof(struct mip_filter_pressure_altitude_noise),
+};
+static const uint8_t required_filter_pressure_altitude_noise[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_hard_iron_offset_noise[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_hard_iron_offset_noise, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"noise", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
+     ONE(struct mip_filter_hard_iron_offset_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_hard_iron_offset_noise = {
+    parameters_filter_hard_iron_offset_noise,
+    2,
+    sizeof(struct mip_filter_hard_iron_offset_noise),
+};
+static const uint8_t required_filter_hard_iron_offset_noise[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_soft_iron_matrix_noise[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_soft_iron_matrix_noise, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"noise", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
+     ONE(struct mip_filter_soft_iron_matrix_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_soft_iron_matrix_noise = {
+    parameters_filter_soft_iron_matrix_noise,
+    2,
+    sizeof(struct mip_filter_soft_iron_matrix_noise),
+};
+static const uint8_t required_filter_soft_iron_matrix_noise[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_enable_measurements[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_enable_measurements, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"control", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_enable_disable_measurements, control), 0,
-     &names_filter_measurement_flags, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_filter_enable_disable_measurements = {
-    parameters_filter_enable_disable_measurements, 2,
-    sizeof(struct mip_filter_enable_disable_measurements)};
-static const uint8_t required_filter_enable_disable_measurements[] = {0, 1, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_filter_magnetic_field_declination_source_control[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_magnetic_field_declination_source_control, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
-    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_magnetic_field_declination_source_control, source), 0,
-     &names_filter_declination_source, NULL, NULL, NULL, 0},
-    {"declination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_magnetic_field_declination_source_control, declination), 0, NULL, NULL,
+     ONE(struct mip_filter_enable_measurements, control), 0, &names_filter_measurement_flags, NULL,
      NULL, NULL, 0},
 };
-static const struct mip_record record_filter_magnetic_field_declination_source_control = {
-    parameters_filter_magnetic_field_declination_source_control, 3,
-    sizeof(struct mip_filter_magnetic_field_declination_source_control)};
-static const uint8_t required_filter_magnetic_field_declination_source_control[] = {
-    0, 2, 0, 0, 0, 0};
+static const struct mip_record record_filter_enable_measurements = {
+    parameters_filter_enable_measurements,
+    2,
+    sizeof(struct mip_filter_enable_measurements),
+};
+static const uint8_t required_filter_enable_measurements[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gravity_magnitude_error_adaptive_measurement[] = {
+static const struct mip_parameter parameters_filter_mag_noise[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, function), 0,
+     ONE(struct mip_filter_mag_noise, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+    {"noise", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
+     ONE(struct mip_filter_mag_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_mag_noise = {
+    parameters_filter_mag_noise,
+    2,
+    sizeof(struct mip_filter_mag_noise),
+};
+static const uint8_t required_filter_mag_noise[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_magnetic_declination_source[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_magnetic_declination_source, function), 0, &names_function_selector,
+     NULL, NULL, NULL, 0},
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_magnetic_declination_source, source), 0,
+     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+    {"declination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_magnetic_declination_source, declination), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_magnetic_declination_source = {
+    parameters_filter_magnetic_declination_source,
+    3,
+    sizeof(struct mip_filter_magnetic_declination_source),
+};
+static const uint8_t required_filter_magnetic_declination_source[] = {0, 2, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_accel_magnitude_error_adaptive_measurement[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, function), 0,
      &names_function_selector, NULL, NULL, NULL, 0},
     {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, adaptive_measurement), 0,
+     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, adaptive_measurement), 0,
      &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
     {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, frequency), 0, NULL, NULL,
+     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, frequency), 0, NULL, NULL,
      NULL, NULL, 0},
     {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, low_limit), 0, NULL, NULL,
+     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, low_limit), 0, NULL, NULL,
      NULL, NULL, 0},
     {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, high_limit), 0, NULL, NULL,
+     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, high_limit), 0, NULL, NULL,
      NULL, NULL, 0},
     {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     5, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, low_limit_uncertainty), 0,
-     NULL, NULL, NULL, NULL, 0},
+     5, 0, ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, low_limit_uncertainty),
+     0, NULL, NULL, NULL, NULL, 0},
     {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
      6, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, high_limit_uncertainty), 0,
+     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, high_limit_uncertainty), 0,
      NULL, NULL, NULL, NULL, 0},
     {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 7,
-     0, ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, minimum_uncertainty), 0,
+     0, ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, minimum_uncertainty), 0,
      NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gravity_magnitude_error_adaptive_measurement = {
-    parameters_filter_gravity_magnitude_error_adaptive_measurement, 8,
-    sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement)};
-static const uint8_t required_filter_gravity_magnitude_error_adaptive_measurement[] = {
-    0, 1, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_filter_pitch_roll_aiding_control[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_pitch_roll_aiding_control, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
-    {"aiding", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_pitch_roll_aiding_control, aiding), 0,
-     &names_filter_pitch_roll_aiding_source, NULL, NULL, NULL, 0},
+static const struct mip_record record_filter_accel_magnitude_error_adaptive_measurement = {
+    parameters_filter_accel_magnitude_error_adaptive_measurement,
+    8,
+    sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement),
 };
-static const struct mip_record record_filter_pitch_roll_aiding_control = {
-    parameters_filter_pitch_roll_aiding_control, 2,
-    sizeof(struct mip_filter_pitch_roll_aiding_control)};
-static const uint8_t required_filter_pitch_roll_aiding_control[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_filter_accel_magnitude_error_adaptive_measurement[] = {0, 1, 0,
+                                                                                     0, 0, 0};
 
-static const struct mip_parameter parameters_filter_aiding_measurement_control[] = {
+static const struct mip_parameter parameters_filter_mag_magnitude_error_adaptive_measurement[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_aiding_measurement_control, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
-    {"aiding_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_aiding_measurement_control, aiding_source), 0,
-     &names_filter_aiding_source, NULL, NULL, NULL, 0},
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_aiding_measurement_control, enable), 0, NULL, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_filter_aiding_measurement_control = {
-    parameters_filter_aiding_measurement_control, 3,
-    sizeof(struct mip_filter_aiding_measurement_control)};
-static const uint8_t required_filter_aiding_measurement_control[] = {0, 2, 1, 1, 1, 1};
-
-static const struct mip_parameter parameters_filter_navigation_filter_initialization[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
-    {"wait_for_run_command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, wait_for_run_command), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"initial_cond_src", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, initial_cond_src), 0,
-     &names_filter_initial_condition_source, NULL, NULL, NULL, 0},
-    {"auto_heading_alignment_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0,
-     3, 0, ONE(struct mip_filter_navigation_filter_initialization, auto_heading_alignment_selector),
-     0, &names_filter_heading_alignment, NULL, NULL, NULL, 0},
-    {"initial_heading", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, initial_heading), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"initial_pitch", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, initial_pitch), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"initial_roll", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 6, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, initial_roll), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"initial_position", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 7, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, initial_position), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"initial_velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 8, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, initial_velocity), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"reference_frame_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 9, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, reference_frame_selector), 0,
-     &names_filter_reference_frame, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_filter_navigation_filter_initialization = {
-    parameters_filter_navigation_filter_initialization, 10,
-    sizeof(struct mip_filter_navigation_filter_initialization)};
-static const uint8_t required_filter_navigation_filter_initialization[] = {0, 9, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_filter_adaptive_filter_control[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_adaptive_filter_control, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
-    {"level", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_adaptive_filter_control, level), 0, &names_filter_adaptive_level, NULL,
-     NULL, NULL, 0},
-    {"time_limit", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_adaptive_filter_control, time_limit), 0, NULL, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_filter_adaptive_filter_control = {
-    parameters_filter_adaptive_filter_control, 3,
-    sizeof(struct mip_filter_adaptive_filter_control)};
-static const uint8_t required_filter_adaptive_filter_control[] = {0, 2, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_filter_gnss_multi_antenna_offset_control[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_multi_antenna_offset_control, function), 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, function), 0,
      &names_function_selector, NULL, NULL, NULL, 0},
-    {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_gnss_multi_antenna_offset_control, receiver_id), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"antenna_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 2, 0,
-     ONE(struct mip_filter_gnss_multi_antenna_offset_control, antenna_offset), 0, NULL, NULL, NULL,
-     NULL, 0},
+    {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, adaptive_measurement), 0,
+     &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, frequency), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"low_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, low_limit), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"high_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, high_limit), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"low_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     5, 0, ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, low_limit_uncertainty),
+     0, NULL, NULL, NULL, NULL, 0},
+    {"high_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     6, 0, ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, high_limit_uncertainty),
+     0, NULL, NULL, NULL, NULL, 0},
+    {"minimum_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 7,
+     0, ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, minimum_uncertainty), 0,
+     NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gnss_multi_antenna_offset_control = {
-    parameters_filter_gnss_multi_antenna_offset_control, 3,
-    sizeof(struct mip_filter_gnss_multi_antenna_offset_control)};
-static const uint8_t required_filter_gnss_multi_antenna_offset_control[] = {0, 2, 1, 1, 1, 1};
+static const struct mip_record record_filter_mag_magnitude_error_adaptive_measurement = {
+    parameters_filter_mag_magnitude_error_adaptive_measurement,
+    8,
+    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement),
+};
+static const uint8_t required_filter_mag_magnitude_error_adaptive_measurement[] = {0, 7, 0,
+                                                                                   0, 0, 0};
 
-static const struct mip_parameter parameters_filter_relative_position_configuration[] = {
+static const struct mip_parameter parameters_filter_mag_dip_angle_error_adaptive_measurement[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_relative_position_configuration, function), 0, &names_function_selector,
+     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, function), 0,
+     &names_function_selector, NULL, NULL, NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, enable), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, frequency), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"high_limit", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, high_limit), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"high_limit_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4,
+     0, ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, high_limit_uncertainty), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"minimum_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
+     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, minimum_uncertainty), 0, NULL,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_mag_dip_angle_error_adaptive_measurement = {
+    parameters_filter_mag_dip_angle_error_adaptive_measurement,
+    6,
+    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement),
+};
+static const uint8_t required_filter_mag_dip_angle_error_adaptive_measurement[] = {0, 5, 0,
+                                                                                   0, 0, 0};
+
+static const struct mip_parameter parameters_filter_altitude_aiding[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_altitude_aiding, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_altitude_aiding, selector), 0, &names_filter_altitude_aiding_source,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_altitude_aiding = {
+    parameters_filter_altitude_aiding,
+    2,
+    sizeof(struct mip_filter_altitude_aiding),
+};
+static const uint8_t required_filter_altitude_aiding[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_pitch_roll_aiding[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_pitch_roll_aiding, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"aiding", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_pitch_roll_aiding, aiding), 0, &names_filter_pitch_roll_aiding_source,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_pitch_roll_aiding = {
+    parameters_filter_pitch_roll_aiding,
+    2,
+    sizeof(struct mip_filter_pitch_roll_aiding),
+};
+static const uint8_t required_filter_pitch_roll_aiding[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_magnetic_inclination_source[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_magnetic_inclination_source, function), 0, &names_function_selector,
      NULL, NULL, NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_relative_position_configuration, source), 0,
+     ONE(struct mip_filter_magnetic_inclination_source, source), 0,
+     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+    {"inclination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_magnetic_inclination_source, inclination), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_magnetic_inclination_source = {
+    parameters_filter_magnetic_inclination_source,
+    3,
+    sizeof(struct mip_filter_magnetic_inclination_source),
+};
+static const uint8_t required_filter_magnetic_inclination_source[] = {0, 2, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_magnetic_magnitude_source[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_magnetic_magnitude_source, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_magnetic_magnitude_source, source), 0,
+     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+    {"magnitude", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_magnetic_magnitude_source, magnitude), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_magnetic_magnitude_source = {
+    parameters_filter_magnetic_magnitude_source,
+    3,
+    sizeof(struct mip_filter_magnetic_magnitude_source),
+};
+static const uint8_t required_filter_magnetic_magnitude_source[] = {0, 2, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_dcm[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm, function), 0, &names_function_selector,
+     NULL, NULL, NULL, 0},
+    {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_dcm = {
+    parameters_filter_sensor_to_vehicle_rotation_dcm,
+    2,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm),
+};
+static const uint8_t required_filter_sensor_to_vehicle_rotation_dcm[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_quaternion[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion, function), 0,
+     &names_function_selector, NULL, NULL, NULL, 0},
+    {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 1, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_quaternion = {
+    parameters_filter_sensor_to_vehicle_rotation_quaternion,
+    2,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion),
+};
+static const uint8_t required_filter_sensor_to_vehicle_rotation_quaternion[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_aiding_measurement_enable[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_aiding_measurement_enable, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"aiding_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_aiding_measurement_enable, aiding_source), 0,
+     &names_filter_aiding_source, NULL, NULL, NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_aiding_measurement_enable, enable), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_aiding_measurement_enable = {
+    parameters_filter_aiding_measurement_enable,
+    3,
+    sizeof(struct mip_filter_aiding_measurement_enable),
+};
+static const uint8_t required_filter_aiding_measurement_enable[] = {0, 2, 1, 1, 1, 1};
+
+static const struct mip_parameter parameters_filter_kinematic_constraint[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_kinematic_constraint, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"accel_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_kinematic_constraint, accel_constraint), 0,
+     &names_filter_accel_constraint, NULL, NULL, NULL, 0},
+    {"velocity_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_kinematic_constraint, velocity_constraint), 0,
+     &names_filter_velocity_constraint, NULL, NULL, NULL, 0},
+    {"angular_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_filter_kinematic_constraint, angular_constraint), 0,
+     &names_filter_angular_constraint, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_kinematic_constraint = {
+    parameters_filter_kinematic_constraint,
+    4,
+    sizeof(struct mip_filter_kinematic_constraint),
+};
+static const uint8_t required_filter_kinematic_constraint[] = {0, 3, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_initialization_config[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_initialization_config, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"wait_for_run_command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_initialization_config, wait_for_run_command), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"initial_condition_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_initialization_config, initial_condition_source), 0,
+     &names_filter_initial_condition_source, NULL, NULL, NULL, 0},
+    {"auto_heading_alignment_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0,
+     3, 0, ONE(struct mip_filter_initialization_config, auto_heading_alignment_selector), 0,
+     &names_filter_heading_alignment, NULL, NULL, NULL, 0},
+    {"initial_heading", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+     ONE(struct mip_filter_initialization_config, initial_heading), 0, NULL, NULL, NULL, NULL, 0},
+    {"initial_pitch", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
+     ONE(struct mip_filter_initialization_config, initial_pitch), 0, NULL, NULL, NULL, NULL, 0},
+    {"initial_roll", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 6, 0,
+     ONE(struct mip_filter_initialization_config, initial_roll), 0, NULL, NULL, NULL, NULL, 0},
+    {"initial_position", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 7, 0,
+     ONE(struct mip_filter_initialization_config, initial_position), 0, NULL, NULL, NULL, NULL, 0},
+    {"initial_velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 8, 0,
+     ONE(struct mip_filter_initialization_config, initial_velocity), 0, NULL, NULL, NULL, NULL, 0},
+    {"reference_frame_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 9, 0,
+     ONE(struct mip_filter_initialization_config, reference_frame_selector), 0,
+     &names_filter_reference_frame, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_initialization_config = {
+    parameters_filter_initialization_config,
+    10,
+    sizeof(struct mip_filter_initialization_config),
+};
+static const uint8_t required_filter_initialization_config[] = {0, 9, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_adaptive_filter_options[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_adaptive_filter_options, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"level", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_adaptive_filter_options, level), 0, &names_filter_adaptive_level, NULL,
+     NULL, NULL, 0},
+    {"time_limit", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_adaptive_filter_options, time_limit), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_adaptive_filter_options = {
+    parameters_filter_adaptive_filter_options,
+    3,
+    sizeof(struct mip_filter_adaptive_filter_options),
+};
+static const uint8_t required_filter_adaptive_filter_options[] = {0, 2, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_multi_antenna_offset[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_multi_antenna_offset, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_multi_antenna_offset, receiver_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"antenna_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 2, 0,
+     ONE(struct mip_filter_multi_antenna_offset, antenna_offset), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_multi_antenna_offset = {
+    parameters_filter_multi_antenna_offset,
+    3,
+    sizeof(struct mip_filter_multi_antenna_offset),
+};
+static const uint8_t required_filter_multi_antenna_offset[] = {0, 2, 1, 1, 1, 1};
+
+static const struct mip_parameter parameters_filter_relative_position_config[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_relative_position_config, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_relative_position_config, source), 0,
      &names_filter_relative_position_source, NULL, NULL, NULL, 0},
     {"reference_frame_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_relative_position_configuration, reference_frame_selector), 0,
+     ONE(struct mip_filter_relative_position_config, reference_frame_selector), 0,
      &names_filter_reference_frame, NULL, NULL, NULL, 0},
     {"reference_coordinates", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 3, 0,
-     ONE(struct mip_filter_relative_position_configuration, reference_coordinates), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_relative_position_config, reference_coordinates), 0, NULL, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_filter_relative_position_configuration = {
-    parameters_filter_relative_position_configuration, 4,
-    sizeof(struct mip_filter_relative_position_configuration)};
-static const uint8_t required_filter_relative_position_configuration[] = {0, 3, 0, 0, 0, 0};
+static const struct mip_record record_filter_relative_position_config = {
+    parameters_filter_relative_position_config,
+    4,
+    sizeof(struct mip_filter_relative_position_config),
+};
+static const uint8_t required_filter_relative_position_config[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_reference_point_lever_arm[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_reference_point_lever_arm, function), 0, &names_function_selector, NULL,
      NULL, NULL, 0},
-    {"ref_point_sel", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_reference_point_lever_arm, ref_point_sel), 0,
+    {"reference_point", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_reference_point_lever_arm, reference_point), 0,
      &names_filter_reference_point, NULL, NULL, NULL, 0},
     {"lever_arm_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 2, 0,
      ONE(struct mip_filter_reference_point_lever_arm, lever_arm_offset), 0, NULL, NULL, NULL, NULL,
      0},
 };
 static const struct mip_record record_filter_reference_point_lever_arm = {
-    parameters_filter_reference_point_lever_arm, 3,
-    sizeof(struct mip_filter_reference_point_lever_arm)};
+    parameters_filter_reference_point_lever_arm,
+    3,
+    sizeof(struct mip_filter_reference_point_lever_arm),
+};
 static const uint8_t required_filter_reference_point_lever_arm[] = {0, 2, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_measurement_speed_lever_arm[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_measurement_speed_lever_arm, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
-    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_measurement_speed_lever_arm, source), 0, NULL, NULL, NULL, NULL, 0},
-    {"lever_arm_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 2, 0,
-     ONE(struct mip_filter_measurement_speed_lever_arm, lever_arm_offset), 0, NULL, NULL, NULL,
-     NULL, 0},
+static const struct mip_parameter parameters_filter_speed_measurement[] = {
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_speed_measurement, source), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_speed_measurement, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"speed", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_speed_measurement, speed), 0, NULL, NULL, NULL, NULL, 0},
+    {"speed_uncertainty", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_speed_measurement, speed_uncertainty), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_measurement_speed_lever_arm = {
-    parameters_filter_measurement_speed_lever_arm, 3,
-    sizeof(struct mip_filter_measurement_speed_lever_arm)};
-static const uint8_t required_filter_measurement_speed_lever_arm[] = {0, 2, 1, 1, 1, 1};
+static const struct mip_record record_filter_speed_measurement = {
+    parameters_filter_speed_measurement,
+    4,
+    sizeof(struct mip_filter_speed_measurement),
+};
+
+static const struct mip_parameter parameters_filter_speed_lever_arm[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_speed_lever_arm, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_speed_lever_arm, source), 0, NULL, NULL, NULL, NULL, 0},
+    {"lever_arm_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 2, 0,
+     ONE(struct mip_filter_speed_lever_arm, lever_arm_offset), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_speed_lever_arm = {
+    parameters_filter_speed_lever_arm,
+    3,
+    sizeof(struct mip_filter_speed_lever_arm),
+};
+static const uint8_t required_filter_speed_lever_arm[] = {0, 2, 1, 1, 1, 1};
+
+static const struct mip_parameter parameters_filter_vertical_gyro_constraint_control[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_vertical_gyro_constraint_control, function), 0, &names_function_selector,
+     NULL, NULL, NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_vertical_gyro_constraint_control, enable), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_vertical_gyro_constraint_control = {
+    parameters_filter_vertical_gyro_constraint_control,
+    2,
+    sizeof(struct mip_filter_vertical_gyro_constraint_control),
+};
+static const uint8_t required_filter_vertical_gyro_constraint_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3193,76 +4267,110 @@ static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_c
      0},
 };
 static const struct mip_record record_filter_wheeled_vehicle_constraint_control = {
-    parameters_filter_wheeled_vehicle_constraint_control, 2,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint_control)};
+    parameters_filter_wheeled_vehicle_constraint_control,
+    2,
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_control),
+};
 static const uint8_t required_filter_wheeled_vehicle_constraint_control[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gnss_antenna_offset_calibration_control[] = {
+static const struct mip_parameter parameters_filter_gnss_antenna_calibration_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_calibration_control, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gnss_antenna_calibration_control, function), 0, &names_function_selector,
+     NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_calibration_control, enable), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_gnss_antenna_calibration_control, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"max_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_calibration_control, max_offset), 0, NULL, NULL,
-     NULL, NULL, 0},
-};
-static const struct mip_record record_filter_gnss_antenna_offset_calibration_control = {
-    parameters_filter_gnss_antenna_offset_calibration_control, 3,
-    sizeof(struct mip_filter_gnss_antenna_offset_calibration_control)};
-static const uint8_t required_filter_gnss_antenna_offset_calibration_control[] = {0, 2, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_filter_sensor_to_vehicle_frame_transformation_response[] = {
-    {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_frame_transformation_response, roll), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_frame_transformation_response, pitch), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_frame_transformation_response, yaw), 0, NULL, NULL,
-     NULL, NULL, 0},
-};
-static const struct mip_record record_filter_sensor_to_vehicle_frame_transformation_response = {
-    parameters_filter_sensor_to_vehicle_frame_transformation_response, 3,
-    sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation_response)};
-
-static const struct mip_parameter parameters_filter_gnss_antenna_offset_control_response[] = {
-    {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_control_response, offset), 0, NULL, NULL, NULL, NULL,
+     ONE(struct mip_filter_gnss_antenna_calibration_control, max_offset), 0, NULL, NULL, NULL, NULL,
      0},
 };
-static const struct mip_record record_filter_gnss_antenna_offset_control_response = {
-    parameters_filter_gnss_antenna_offset_control_response, 1,
-    sizeof(struct mip_filter_gnss_antenna_offset_control_response)};
+static const struct mip_record record_filter_gnss_antenna_calibration_control = {
+    parameters_filter_gnss_antenna_calibration_control,
+    3,
+    sizeof(struct mip_filter_gnss_antenna_calibration_control),
+};
+static const uint8_t required_filter_gnss_antenna_calibration_control[] = {0, 2, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_estimation_control_flags_response[] = {
+static const struct mip_parameter parameters_filter_vehicle_dynamics_mode_response[] = {
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_vehicle_dynamics_mode_response, mode), 0, &names_filter_dynamics_mode,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_vehicle_dynamics_mode_response = {
+    parameters_filter_vehicle_dynamics_mode_response,
+    1,
+    sizeof(struct mip_filter_vehicle_dynamics_mode_response),
+};
+
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_euler_response[] = {
+    {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler_response, roll), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler_response, pitch), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler_response, yaw), 0, NULL, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_euler_response = {
+    parameters_filter_sensor_to_vehicle_rotation_euler_response,
+    3,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler_response),
+};
+
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_offset_response[] = {
+    {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_offset_response, offset), 0, NULL, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_filter_sensor_to_vehicle_offset_response = {
+    parameters_filter_sensor_to_vehicle_offset_response,
+    1,
+    sizeof(struct mip_filter_sensor_to_vehicle_offset_response),
+};
+
+static const struct mip_parameter parameters_filter_antenna_offset_response[] = {
+    {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_antenna_offset_response, offset), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_antenna_offset_response = {
+    parameters_filter_antenna_offset_response,
+    1,
+    sizeof(struct mip_filter_antenna_offset_response),
+};
+
+static const struct mip_parameter parameters_filter_estimation_control_response[] = {
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_estimation_control_flags_response, flags), 0,
-     &names_filter_estimated_states, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_estimation_control_response, flags), 0, &names_filter_estimated_states,
+     NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_estimation_control_flags_response = {
-    parameters_filter_estimation_control_flags_response, 1,
-    sizeof(struct mip_filter_estimation_control_flags_response)};
+static const struct mip_record record_filter_estimation_control_response = {
+    parameters_filter_estimation_control_response,
+    1,
+    sizeof(struct mip_filter_estimation_control_response),
+};
 
-static const struct mip_parameter parameters_filter_gnss_aiding_source_control_response[] = {
+static const struct mip_parameter parameters_filter_gnss_source_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_aiding_source_control_response, source), 0,
-     &names_filter_gnss_aiding_source, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gnss_source_response, source), 0, &names_filter_gnss_aiding_source, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gnss_aiding_source_control_response = {
-    parameters_filter_gnss_aiding_source_control_response, 1,
-    sizeof(struct mip_filter_gnss_aiding_source_control_response)};
+static const struct mip_record record_filter_gnss_source_response = {
+    parameters_filter_gnss_source_response,
+    1,
+    sizeof(struct mip_filter_gnss_source_response),
+};
 
-static const struct mip_parameter parameters_filter_heading_update_control_response[] = {
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_heading_update_control_response, enable), 0,
-     &names_filter_heading_update_source, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_heading_source_response[] = {
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_heading_source_response, source), 0, &names_filter_heading_update_source,
+     NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_heading_update_control_response = {
-    parameters_filter_heading_update_control_response, 1,
-    sizeof(struct mip_filter_heading_update_control_response)};
+static const struct mip_record record_filter_heading_source_response = {
+    parameters_filter_heading_source_response,
+    1,
+    sizeof(struct mip_filter_heading_source_response),
+};
 
 static const struct mip_parameter parameters_filter_auto_initialization_control_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3270,330 +4378,607 @@ static const struct mip_parameter parameters_filter_auto_initialization_control_
      0},
 };
 static const struct mip_record record_filter_auto_initialization_control_response = {
-    parameters_filter_auto_initialization_control_response, 1,
-    sizeof(struct mip_filter_auto_initialization_control_response)};
+    parameters_filter_auto_initialization_control_response,
+    1,
+    sizeof(struct mip_filter_auto_initialization_control_response),
+};
 
-static const struct mip_parameter parameters_filter_accelerometer_noise_standard_deviation_response[] = {
+static const struct mip_parameter parameters_filter_accel_noise_response[] = {
     {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_accelerometer_noise_standard_deviation_response, noise), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_accel_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_accelerometer_noise_standard_deviation_response = {
-    parameters_filter_accelerometer_noise_standard_deviation_response, 1,
-    sizeof(struct mip_filter_accelerometer_noise_standard_deviation_response)};
+static const struct mip_record record_filter_accel_noise_response = {
+    parameters_filter_accel_noise_response,
+    1,
+    sizeof(struct mip_filter_accel_noise_response),
+};
 
-static const struct mip_parameter parameters_filter_gyroscope_noise_standard_deviation_response[] = {
+static const struct mip_parameter parameters_filter_gyro_noise_response[] = {
     {"noise", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_gyroscope_noise_standard_deviation_response, noise), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_gyro_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gyroscope_noise_standard_deviation_response = {
-    parameters_filter_gyroscope_noise_standard_deviation_response, 1,
-    sizeof(struct mip_filter_gyroscope_noise_standard_deviation_response)};
+static const struct mip_record record_filter_gyro_noise_response = {
+    parameters_filter_gyro_noise_response,
+    1,
+    sizeof(struct mip_filter_gyro_noise_response),
+};
 
-static const struct mip_parameter parameters_filter_accelerometer_bias_model_parameters_response[] = {
+static const struct mip_parameter parameters_filter_accel_bias_model_response[] = {
     {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_accelerometer_bias_model_parameters_response, beta), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_accel_bias_model_response, beta), 0, NULL, NULL, NULL, NULL, 0},
     {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_accelerometer_bias_model_parameters_response, noise), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_accel_bias_model_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_accelerometer_bias_model_parameters_response = {
-    parameters_filter_accelerometer_bias_model_parameters_response, 2,
-    sizeof(struct mip_filter_accelerometer_bias_model_parameters_response)};
+static const struct mip_record record_filter_accel_bias_model_response = {
+    parameters_filter_accel_bias_model_response,
+    2,
+    sizeof(struct mip_filter_accel_bias_model_response),
+};
 
-static const struct mip_parameter parameters_filter_gyroscope_bias_model_parameters_response[] = {
+static const struct mip_parameter parameters_filter_gyro_bias_model_response[] = {
     {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_gyroscope_bias_model_parameters_response, beta), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_gyro_bias_model_response, beta), 0, NULL, NULL, NULL, NULL, 0},
     {"noise", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_gyroscope_bias_model_parameters_response, noise), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_gyro_bias_model_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gyroscope_bias_model_parameters_response = {
-    parameters_filter_gyroscope_bias_model_parameters_response, 2,
-    sizeof(struct mip_filter_gyroscope_bias_model_parameters_response)};
+static const struct mip_record record_filter_gyro_bias_model_response = {
+    parameters_filter_gyro_bias_model_response,
+    2,
+    sizeof(struct mip_filter_gyro_bias_model_response),
+};
 
-static const struct mip_parameter parameters_filter_zero_angular_rate_update_control_response[] = {
+static const struct mip_parameter parameters_filter_auto_zupt_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_zero_angular_rate_update_control_response, enable), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_auto_zupt_response, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"threshold", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_auto_zupt_response, threshold), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_auto_zupt_response = {
+    parameters_filter_auto_zupt_response,
+    2,
+    sizeof(struct mip_filter_auto_zupt_response),
+};
+
+static const struct mip_parameter parameters_filter_auto_angular_zupt_response[] = {
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_auto_angular_zupt_response, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"threshold", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_zero_angular_rate_update_control_response, threshold), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_auto_angular_zupt_response, threshold), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_zero_angular_rate_update_control_response = {
-    parameters_filter_zero_angular_rate_update_control_response, 2,
-    sizeof(struct mip_filter_zero_angular_rate_update_control_response)};
+static const struct mip_record record_filter_auto_angular_zupt_response = {
+    parameters_filter_auto_angular_zupt_response,
+    2,
+    sizeof(struct mip_filter_auto_angular_zupt_response),
+};
 
-static const struct mip_parameter parameters_filter_set_reference_position_response[] = {
+static const struct mip_parameter parameters_filter_reference_position_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_set_reference_position_response, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_reference_position_response, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"latitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_set_reference_position_response, latitude), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_reference_position_response, latitude), 0, NULL, NULL, NULL, NULL, 0},
     {"longitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_set_reference_position_response, longitude), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_reference_position_response, longitude), 0, NULL, NULL, NULL, NULL, 0},
     {"altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_set_reference_position_response, altitude), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_reference_position_response, altitude), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_set_reference_position_response = {
-    parameters_filter_set_reference_position_response, 4,
-    sizeof(struct mip_filter_set_reference_position_response)};
+static const struct mip_record record_filter_reference_position_response = {
+    parameters_filter_reference_position_response,
+    4,
+    sizeof(struct mip_filter_reference_position_response),
+};
 
-static const struct mip_parameter parameters_filter_gravity_noise_standard_deviation_response[] = {
+static const struct mip_parameter parameters_filter_gravity_noise_response[] = {
     {"noise", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_gravity_noise_standard_deviation_response, noise), 0, NULL, NULL, NULL,
+     ONE(struct mip_filter_gravity_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_gravity_noise_response = {
+    parameters_filter_gravity_noise_response,
+    1,
+    sizeof(struct mip_filter_gravity_noise_response),
+};
+
+static const struct mip_parameter parameters_filter_pressure_altitude_noise_response[] = {
+    {"noise", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_pressure_altitude_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_pressure_altitude_noise_response = {
+    parameters_filter_pressure_altitude_noise_response,
+    1,
+    sizeof(struct mip_filter_pressure_altitude_noise_response),
+};
+
+static const struct mip_parameter parameters_filter_hard_iron_offset_noise_response[] = {
+    {"noise", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_hard_iron_offset_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_hard_iron_offset_noise_response = {
+    parameters_filter_hard_iron_offset_noise_response,
+    1,
+    sizeof(struct mip_filter_hard_iron_offset_noise_response),
+};
+
+static const struct mip_parameter parameters_filter_soft_iron_matrix_noise_response[] = {
+    {"noise", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_filter_soft_iron_matrix_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_soft_iron_matrix_noise_response = {
+    parameters_filter_soft_iron_matrix_noise_response,
+    1,
+    sizeof(struct mip_filter_soft_iron_matrix_noise_response),
+};
+
+static const struct mip_parameter parameters_filter_tare_orientation_response[] = {
+    {"axes", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_tare_orientation_response, axes), 0, &names_filter_tare_axes, NULL, NULL,
      NULL, 0},
 };
-static const struct mip_record record_filter_gravity_noise_standard_deviation_response = {
-    parameters_filter_gravity_noise_standard_deviation_response, 1,
-    sizeof(struct mip_filter_gravity_noise_standard_deviation_response)};
+static const struct mip_record record_filter_tare_orientation_response = {
+    parameters_filter_tare_orientation_response,
+    1,
+    sizeof(struct mip_filter_tare_orientation_response),
+};
 
-static const struct mip_parameter parameters_filter_enable_disable_measurements_response[] = {
+static const struct mip_parameter parameters_filter_enable_measurements_response[] = {
     {"control", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_enable_disable_measurements_response, control), 0,
+     ONE(struct mip_filter_enable_measurements_response, control), 0,
      &names_filter_measurement_flags, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_enable_disable_measurements_response = {
-    parameters_filter_enable_disable_measurements_response, 1,
-    sizeof(struct mip_filter_enable_disable_measurements_response)};
+static const struct mip_record record_filter_enable_measurements_response = {
+    parameters_filter_enable_measurements_response,
+    1,
+    sizeof(struct mip_filter_enable_measurements_response),
+};
 
-static const struct mip_parameter parameters_filter_magnetic_field_declination_source_control_response[] = {
+static const struct mip_parameter parameters_filter_mag_noise_response[] = {
+    {"noise", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_mag_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_mag_noise_response = {
+    parameters_filter_mag_noise_response,
+    1,
+    sizeof(struct mip_filter_mag_noise_response),
+};
+
+static const struct mip_parameter parameters_filter_magnetic_declination_source_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_magnetic_field_declination_source_control_response, source), 0,
-     &names_filter_declination_source, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_magnetic_declination_source_response, source), 0,
+     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
     {"declination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_magnetic_field_declination_source_control_response, declination), 0,
-     NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_magnetic_declination_source_response, declination), 0, NULL, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_filter_magnetic_field_declination_source_control_response = {
-    parameters_filter_magnetic_field_declination_source_control_response, 2,
-    sizeof(struct mip_filter_magnetic_field_declination_source_control_response)};
-
-static const struct mip_parameter parameters_filter_gravity_magnitude_error_adaptive_measurement_response[] = {
-    {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, adaptive_measurement),
-     0, &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
-    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, frequency), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, low_limit), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, high_limit), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, low_limit_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, high_limit_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, minimum_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_record record_filter_magnetic_declination_source_response = {
+    parameters_filter_magnetic_declination_source_response,
+    2,
+    sizeof(struct mip_filter_magnetic_declination_source_response),
 };
-static const struct mip_record record_filter_gravity_magnitude_error_adaptive_measurement_response = {
-    parameters_filter_gravity_magnitude_error_adaptive_measurement_response, 7,
-    sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response)};
 
-static const struct mip_parameter parameters_filter_pitch_roll_aiding_control_response[] = {
+static const struct mip_parameter
+    parameters_filter_accel_magnitude_error_adaptive_measurement_response[] = {
+        {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
+             adaptive_measurement),
+         0, &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+        {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, frequency), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, low_limit), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, high_limit), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
+         0, 0, 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
+             low_limit_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
+         0, 0, 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
+             high_limit_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+         0, 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
+             minimum_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_accel_magnitude_error_adaptive_measurement_response = {
+    parameters_filter_accel_magnitude_error_adaptive_measurement_response,
+    7,
+    sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement_response),
+};
+
+static const struct mip_parameter
+    parameters_filter_mag_magnitude_error_adaptive_measurement_response[] = {
+        {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response,
+             adaptive_measurement),
+         0, &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+        {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, frequency), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"low_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, low_limit), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"high_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, high_limit), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"low_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
+         0, 0, 0,
+         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response,
+             low_limit_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"high_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
+         0, 0, 0,
+         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response,
+             high_limit_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"minimum_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+         0, 0,
+         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response,
+             minimum_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_mag_magnitude_error_adaptive_measurement_response = {
+    parameters_filter_mag_magnitude_error_adaptive_measurement_response,
+    7,
+    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement_response),
+};
+
+static const struct mip_parameter
+    parameters_filter_mag_dip_angle_error_adaptive_measurement_response[] = {
+        {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, enable), 0, NULL,
+         NULL, NULL, NULL, 0},
+        {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, frequency), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"high_limit", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, high_limit), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"high_limit_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
+         0, 0, 0,
+         ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response,
+             high_limit_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"minimum_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+         0, 0,
+         ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response,
+             minimum_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_mag_dip_angle_error_adaptive_measurement_response = {
+    parameters_filter_mag_dip_angle_error_adaptive_measurement_response,
+    5,
+    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response),
+};
+
+static const struct mip_parameter parameters_filter_altitude_aiding_response[] = {
+    {"selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_altitude_aiding_response, selector), 0,
+     &names_filter_altitude_aiding_source, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_altitude_aiding_response = {
+    parameters_filter_altitude_aiding_response,
+    1,
+    sizeof(struct mip_filter_altitude_aiding_response),
+};
+
+static const struct mip_parameter parameters_filter_pitch_roll_aiding_response[] = {
     {"aiding", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_pitch_roll_aiding_control_response, aiding), 0,
+     ONE(struct mip_filter_pitch_roll_aiding_response, aiding), 0,
      &names_filter_pitch_roll_aiding_source, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_pitch_roll_aiding_control_response = {
-    parameters_filter_pitch_roll_aiding_control_response, 1,
-    sizeof(struct mip_filter_pitch_roll_aiding_control_response)};
+static const struct mip_record record_filter_pitch_roll_aiding_response = {
+    parameters_filter_pitch_roll_aiding_response,
+    1,
+    sizeof(struct mip_filter_pitch_roll_aiding_response),
+};
 
-static const struct mip_parameter parameters_filter_aiding_measurement_control_response[] = {
+static const struct mip_parameter parameters_filter_magnetic_inclination_source_response[] = {
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_magnetic_inclination_source_response, source), 0,
+     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+    {"inclination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_magnetic_inclination_source_response, inclination), 0, NULL, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_magnetic_inclination_source_response = {
+    parameters_filter_magnetic_inclination_source_response,
+    2,
+    sizeof(struct mip_filter_magnetic_inclination_source_response),
+};
+
+static const struct mip_parameter parameters_filter_magnetic_magnitude_source_response[] = {
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_magnetic_magnitude_source_response, source), 0,
+     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+    {"magnitude", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_magnetic_magnitude_source_response, magnitude), 0, NULL, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_magnetic_magnitude_source_response = {
+    parameters_filter_magnetic_magnitude_source_response,
+    2,
+    sizeof(struct mip_filter_magnetic_magnitude_source_response),
+};
+
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_dcm_response[] = {
+    {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm_response, dcm), 0, NULL, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_dcm_response = {
+    parameters_filter_sensor_to_vehicle_rotation_dcm_response,
+    1,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm_response),
+};
+
+static const struct mip_parameter
+    parameters_filter_sensor_to_vehicle_rotation_quaternion_response[] = {
+        {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+         ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response, q), 0, NULL, NULL,
+         NULL, NULL, 0},
+};
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_quaternion_response = {
+    parameters_filter_sensor_to_vehicle_rotation_quaternion_response,
+    1,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response),
+};
+
+static const struct mip_parameter parameters_filter_aiding_measurement_enable_response[] = {
     {"aiding_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_aiding_measurement_control_response, aiding_source), 0,
+     ONE(struct mip_filter_aiding_measurement_enable_response, aiding_source), 0,
      &names_filter_aiding_source, NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_aiding_measurement_control_response, enable), 0, NULL, NULL, NULL, NULL,
+     ONE(struct mip_filter_aiding_measurement_enable_response, enable), 0, NULL, NULL, NULL, NULL,
      0},
 };
-static const struct mip_record record_filter_aiding_measurement_control_response = {
-    parameters_filter_aiding_measurement_control_response, 2,
-    sizeof(struct mip_filter_aiding_measurement_control_response)};
+static const struct mip_record record_filter_aiding_measurement_enable_response = {
+    parameters_filter_aiding_measurement_enable_response,
+    2,
+    sizeof(struct mip_filter_aiding_measurement_enable_response),
+};
 
-static const struct mip_parameter parameters_filter_navigation_filter_initialization_response[] = {
+static const struct mip_parameter parameters_filter_kinematic_constraint_response[] = {
+    {"accel_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_kinematic_constraint_response, accel_constraint), 0,
+     &names_filter_accel_constraint, NULL, NULL, NULL, 0},
+    {"velocity_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_kinematic_constraint_response, velocity_constraint), 0,
+     &names_filter_velocity_constraint, NULL, NULL, NULL, 0},
+    {"angular_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_kinematic_constraint_response, angular_constraint), 0,
+     &names_filter_angular_constraint, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_kinematic_constraint_response = {
+    parameters_filter_kinematic_constraint_response,
+    3,
+    sizeof(struct mip_filter_kinematic_constraint_response),
+};
+
+static const struct mip_parameter parameters_filter_initialization_config_response[] = {
     {"wait_for_run_command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, wait_for_run_command), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"initial_cond_src", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, initial_cond_src), 0,
+     ONE(struct mip_filter_initialization_config_response, wait_for_run_command), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"initial_condition_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_initialization_config_response, initial_condition_source), 0,
      &names_filter_initial_condition_source, NULL, NULL, NULL, 0},
     {"auto_heading_alignment_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, auto_heading_alignment_selector),
+     0, 0, ONE(struct mip_filter_initialization_config_response, auto_heading_alignment_selector),
      0, &names_filter_heading_alignment, NULL, NULL, NULL, 0},
     {"initial_heading", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, initial_heading), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_initialization_config_response, initial_heading), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"initial_pitch", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, initial_pitch), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_initialization_config_response, initial_pitch), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"initial_roll", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, initial_roll), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_initialization_config_response, initial_roll), 0, NULL, NULL, NULL, NULL,
+     0},
     {"initial_position", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, initial_position), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_initialization_config_response, initial_position), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"initial_velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, initial_velocity), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_initialization_config_response, initial_velocity), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"reference_frame_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, reference_frame_selector), 0,
+     ONE(struct mip_filter_initialization_config_response, reference_frame_selector), 0,
      &names_filter_reference_frame, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_navigation_filter_initialization_response = {
-    parameters_filter_navigation_filter_initialization_response, 9,
-    sizeof(struct mip_filter_navigation_filter_initialization_response)};
+static const struct mip_record record_filter_initialization_config_response = {
+    parameters_filter_initialization_config_response,
+    9,
+    sizeof(struct mip_filter_initialization_config_response),
+};
 
-static const struct mip_parameter parameters_filter_adaptive_filter_control_response[] = {
+static const struct mip_parameter parameters_filter_adaptive_filter_options_response[] = {
     {"level", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_adaptive_filter_control_response, level), 0,
+     ONE(struct mip_filter_adaptive_filter_options_response, level), 0,
      &names_filter_adaptive_level, NULL, NULL, NULL, 0},
     {"time_limit", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_adaptive_filter_control_response, time_limit), 0, NULL, NULL, NULL, NULL,
+     ONE(struct mip_filter_adaptive_filter_options_response, time_limit), 0, NULL, NULL, NULL, NULL,
      0},
 };
-static const struct mip_record record_filter_adaptive_filter_control_response = {
-    parameters_filter_adaptive_filter_control_response, 2,
-    sizeof(struct mip_filter_adaptive_filter_control_response)};
-
-static const struct mip_parameter parameters_filter_gnss_multi_antenna_offset_control_response[] = {
-    {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_multi_antenna_offset_control_response, receiver_id), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"antenna_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_gnss_multi_antenna_offset_control_response, antenna_offset), 0, NULL,
-     NULL, NULL, NULL, 0},
+static const struct mip_record record_filter_adaptive_filter_options_response = {
+    parameters_filter_adaptive_filter_options_response,
+    2,
+    sizeof(struct mip_filter_adaptive_filter_options_response),
 };
-static const struct mip_record record_filter_gnss_multi_antenna_offset_control_response = {
-    parameters_filter_gnss_multi_antenna_offset_control_response, 2,
-    sizeof(struct mip_filter_gnss_multi_antenna_offset_control_response)};
 
-static const struct mip_parameter parameters_filter_relative_position_configuration_response[] = {
+static const struct mip_parameter parameters_filter_multi_antenna_offset_response[] = {
+    {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_multi_antenna_offset_response, receiver_id), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"antenna_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_multi_antenna_offset_response, antenna_offset), 0, NULL, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_multi_antenna_offset_response = {
+    parameters_filter_multi_antenna_offset_response,
+    2,
+    sizeof(struct mip_filter_multi_antenna_offset_response),
+};
+
+static const struct mip_parameter parameters_filter_relative_position_config_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_relative_position_configuration_response, source), 0,
+     ONE(struct mip_filter_relative_position_config_response, source), 0,
      &names_filter_relative_position_source, NULL, NULL, NULL, 0},
     {"reference_frame_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_relative_position_configuration_response, reference_frame_selector), 0,
+     ONE(struct mip_filter_relative_position_config_response, reference_frame_selector), 0,
      &names_filter_reference_frame, NULL, NULL, NULL, 0},
     {"reference_coordinates", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_relative_position_configuration_response, reference_coordinates), 0,
-     NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_relative_position_config_response, reference_coordinates), 0, NULL, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_filter_relative_position_configuration_response = {
-    parameters_filter_relative_position_configuration_response, 3,
-    sizeof(struct mip_filter_relative_position_configuration_response)};
+static const struct mip_record record_filter_relative_position_config_response = {
+    parameters_filter_relative_position_config_response,
+    3,
+    sizeof(struct mip_filter_relative_position_config_response),
+};
 
 static const struct mip_parameter parameters_filter_reference_point_lever_arm_response[] = {
-    {"ref_point_sel", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_reference_point_lever_arm_response, ref_point_sel), 0,
+    {"reference_point", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_reference_point_lever_arm_response, reference_point), 0,
      &names_filter_reference_point, NULL, NULL, NULL, 0},
     {"lever_arm_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_reference_point_lever_arm_response, lever_arm_offset), 0, NULL, NULL,
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_reference_point_lever_arm_response = {
-    parameters_filter_reference_point_lever_arm_response, 2,
-    sizeof(struct mip_filter_reference_point_lever_arm_response)};
-
-static const struct mip_parameter parameters_filter_measurement_speed_lever_arm_response[] = {
-    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_measurement_speed_lever_arm_response, source), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"lever_arm_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_measurement_speed_lever_arm_response, lever_arm_offset), 0, NULL, NULL,
-     NULL, NULL, 0},
+    parameters_filter_reference_point_lever_arm_response,
+    2,
+    sizeof(struct mip_filter_reference_point_lever_arm_response),
 };
-static const struct mip_record record_filter_measurement_speed_lever_arm_response = {
-    parameters_filter_measurement_speed_lever_arm_response, 2,
-    sizeof(struct mip_filter_measurement_speed_lever_arm_response)};
 
-static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control_response[] = {
+static const struct mip_parameter parameters_filter_speed_lever_arm_response[] = {
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_speed_lever_arm_response, source), 0, NULL, NULL, NULL, NULL, 0},
+    {"lever_arm_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_speed_lever_arm_response, lever_arm_offset), 0, NULL, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_filter_speed_lever_arm_response = {
+    parameters_filter_speed_lever_arm_response,
+    2,
+    sizeof(struct mip_filter_speed_lever_arm_response),
+};
+
+static const struct mip_parameter parameters_filter_vertical_gyro_constraint_control_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_wheeled_vehicle_constraint_control_response, enable), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_vertical_gyro_constraint_control_response, enable), 0, NULL, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_vertical_gyro_constraint_control_response = {
+    parameters_filter_vertical_gyro_constraint_control_response,
+    1,
+    sizeof(struct mip_filter_vertical_gyro_constraint_control_response),
+};
+
+static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control_response[] =
+    {
+        {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_wheeled_vehicle_constraint_control_response, enable), 0, NULL, NULL,
+         NULL, NULL, 0},
 };
 static const struct mip_record record_filter_wheeled_vehicle_constraint_control_response = {
-    parameters_filter_wheeled_vehicle_constraint_control_response, 1,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response)};
-
-static const struct mip_parameter parameters_filter_gnss_antenna_offset_calibration_control_response[] = {
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_calibration_control_response, enable), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"max_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_calibration_control_response, max_offset), 0, NULL,
-     NULL, NULL, NULL, 0},
+    parameters_filter_wheeled_vehicle_constraint_control_response,
+    1,
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response),
 };
-static const struct mip_record record_filter_gnss_antenna_offset_calibration_control_response = {
-    parameters_filter_gnss_antenna_offset_calibration_control_response, 2,
-    sizeof(struct mip_filter_gnss_antenna_offset_calibration_control_response)};
+
+static const struct mip_parameter parameters_filter_gnss_antenna_calibration_control_response[] = {
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_gnss_antenna_calibration_control_response, enable), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"max_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_gnss_antenna_calibration_control_response, max_offset), 0, NULL, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_filter_gnss_antenna_calibration_control_response = {
+    parameters_filter_gnss_antenna_calibration_control_response,
+    2,
+    sizeof(struct mip_filter_gnss_antenna_calibration_control_response),
+};
 
 static const struct mip_record record_gnss_receiver_info = {
-    NULL, 0, sizeof(struct mip_gnss_receiver_info)};
-
-static const struct mip_parameter parameters_gnss_signal_configuration[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_signal_configuration, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
-    {"gps_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_gnss_signal_configuration, gps_enable), 0, &names_gnss_gps_signals, NULL, NULL,
-     NULL, 0},
-    {"glonass_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_gnss_signal_configuration, glonass_enable), 0, &names_gnss_glonass_signals,
-     NULL, NULL, NULL, 0},
-    {"galileo_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_gnss_signal_configuration, galileo_enable), 0, &names_gnss_galileo_signals,
-     NULL, NULL, NULL, 0},
-    {"beidou_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_gnss_signal_configuration, beidou_enable), 0, &names_gnss_beidou_signals, NULL,
-     NULL, NULL, 0},
-    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 5, 0,
-     MANY(struct mip_gnss_signal_configuration, reserved), 0, NULL, NULL, NULL, NULL, 0},
+    NULL,
+    0,
+    sizeof(struct mip_gnss_receiver_info),
 };
-static const struct mip_record record_gnss_signal_configuration = {
-    parameters_gnss_signal_configuration, 6, sizeof(struct mip_gnss_signal_configuration)};
-static const uint8_t required_gnss_signal_configuration[] = {0, 5, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_gnss_spartn_configuration[] = {
+static const struct mip_parameter parameters_gnss_signal_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_configuration, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_gnss_signal_config, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
+    {"gps_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_gnss_signal_config, gps_enable), 0, &names_gnss_gps_signals, NULL, NULL, NULL,
+     0},
+    {"glonass_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_gnss_signal_config, glonass_enable), 0, &names_gnss_glonass_signals, NULL, NULL,
+     NULL, 0},
+    {"galileo_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_gnss_signal_config, galileo_enable), 0, &names_gnss_galileo_signals, NULL, NULL,
+     NULL, 0},
+    {"beidou_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+     ONE(struct mip_gnss_signal_config, beidou_enable), 0, &names_gnss_beidou_signals, NULL, NULL,
+     NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 5, 0,
+     MANY(struct mip_gnss_signal_config, reserved), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_signal_config = {
+    parameters_gnss_signal_config,
+    6,
+    sizeof(struct mip_gnss_signal_config),
+};
+static const uint8_t required_gnss_signal_config[] = {0, 5, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_gnss_rtk_dongle_config[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_rtk_dongle_config, function), 0, &names_function_selector, NULL, NULL,
      NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_gnss_spartn_configuration, enable), 0, NULL, NULL, NULL, NULL, 0},
-    {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_gnss_spartn_configuration, type), 0, &names_gnss_spartn_connection, NULL, NULL,
-     NULL, 0},
-    {"current_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_gnss_spartn_configuration, current_key_tow), 0, NULL, NULL, NULL, NULL, 0},
-    {"current_key_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_gnss_spartn_configuration, current_key_week), 0, NULL, NULL, NULL, NULL, 0},
-    {"current_key", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 5, 0,
-     MANY(struct mip_gnss_spartn_configuration, current_key), 0, NULL, NULL, NULL, NULL, 0},
-    {"next_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 6, 0,
-     ONE(struct mip_gnss_spartn_configuration, next_key_tow), 0, NULL, NULL, NULL, NULL, 0},
-    {"next_key_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 7, 0,
-     ONE(struct mip_gnss_spartn_configuration, next_key_week), 0, NULL, NULL, NULL, NULL, 0},
-    {"next_key", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 8, 0,
-     MANY(struct mip_gnss_spartn_configuration, next_key), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_rtk_dongle_config, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 2, 0,
+     MANY(struct mip_gnss_rtk_dongle_config, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_gnss_spartn_configuration = {
-    parameters_gnss_spartn_configuration, 9, sizeof(struct mip_gnss_spartn_configuration)};
-static const uint8_t required_gnss_spartn_configuration[] = {0, 8, 0, 0, 0, 0};
+static const struct mip_record record_gnss_rtk_dongle_config = {
+    parameters_gnss_rtk_dongle_config,
+    3,
+    sizeof(struct mip_gnss_rtk_dongle_config),
+};
+static const uint8_t required_gnss_rtk_dongle_config[] = {0, 2, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_gnss_spartn_config[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_spartn_config, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_gnss_spartn_config, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_gnss_spartn_config, type), 0, &names_gnss_spartn_connection, NULL, NULL, NULL,
+     0},
+    {"current_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_gnss_spartn_config, current_key_tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"current_key_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+     ONE(struct mip_gnss_spartn_config, current_key_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"current_key", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 5, 0,
+     MANY(struct mip_gnss_spartn_config, current_key), 0, NULL, NULL, NULL, NULL, 0},
+    {"next_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 6, 0,
+     ONE(struct mip_gnss_spartn_config, next_key_tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"next_key_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 7, 0,
+     ONE(struct mip_gnss_spartn_config, next_key_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"next_key", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 8, 0,
+     MANY(struct mip_gnss_spartn_config, next_key), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_spartn_config = {
+    parameters_gnss_spartn_config,
+    9,
+    sizeof(struct mip_gnss_spartn_config),
+};
+static const uint8_t required_gnss_spartn_config[] = {0, 8, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_gnss_receiver_info_response[] = {
     {"num_receivers", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -3603,86 +4988,309 @@ static const struct mip_parameter parameters_gnss_receiver_info_response[] = {
      &record_gnss_receiver_info_entry, NULL, 0},
 };
 static const struct mip_record record_gnss_receiver_info_response = {
-    parameters_gnss_receiver_info_response, 2, sizeof(struct mip_gnss_receiver_info_response)};
+    parameters_gnss_receiver_info_response,
+    2,
+    sizeof(struct mip_gnss_receiver_info_response),
+};
 
-static const struct mip_parameter parameters_gnss_signal_configuration_response[] = {
+static const struct mip_parameter parameters_gnss_signal_config_response[] = {
     {"gps_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_signal_configuration_response, gps_enable), 0, &names_gnss_gps_signals,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_signal_config_response, gps_enable), 0, &names_gnss_gps_signals, NULL,
+     NULL, NULL, 0},
     {"glonass_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_signal_configuration_response, glonass_enable), 0,
-     &names_gnss_glonass_signals, NULL, NULL, NULL, 0},
-    {"galileo_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_signal_configuration_response, galileo_enable), 0,
-     &names_gnss_galileo_signals, NULL, NULL, NULL, 0},
-    {"beidou_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_signal_configuration_response, beidou_enable), 0,
-     &names_gnss_beidou_signals, NULL, NULL, NULL, 0},
-    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
-     MANY(struct mip_gnss_signal_configuration_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_gnss_signal_configuration_response = {
-    parameters_gnss_signal_configuration_response, 5,
-    sizeof(struct mip_gnss_signal_configuration_response)};
-
-static const struct mip_parameter parameters_gnss_spartn_configuration_response[] = {
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_configuration_response, enable), 0, NULL, NULL, NULL, NULL, 0},
-    {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_configuration_response, type), 0, &names_gnss_spartn_connection,
+     ONE(struct mip_gnss_signal_config_response, glonass_enable), 0, &names_gnss_glonass_signals,
      NULL, NULL, NULL, 0},
-    {"current_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_configuration_response, current_key_tow), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"current_key_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_configuration_response, current_key_week), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"current_key", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
-     MANY(struct mip_gnss_spartn_configuration_response, current_key), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"next_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_configuration_response, next_key_tow), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"next_key_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_configuration_response, next_key_week), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"next_key", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
-     MANY(struct mip_gnss_spartn_configuration_response, next_key), 0, NULL, NULL, NULL, NULL, 0},
+    {"galileo_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_signal_config_response, galileo_enable), 0, &names_gnss_galileo_signals,
+     NULL, NULL, NULL, 0},
+    {"beidou_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_signal_config_response, beidou_enable), 0, &names_gnss_beidou_signals,
+     NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_signal_config_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_gnss_spartn_configuration_response = {
-    parameters_gnss_spartn_configuration_response, 8,
-    sizeof(struct mip_gnss_spartn_configuration_response)};
+static const struct mip_record record_gnss_signal_config_response = {
+    parameters_gnss_signal_config_response,
+    5,
+    sizeof(struct mip_gnss_signal_config_response),
+};
 
-static const struct mip_parameter members_aiding_frame_configuration_rotation[] = {
-    {"euler", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(union mip_aiding_frame_configuration_rotation, euler), 0, NULL, NULL, NULL, NULL, 0},
-    {"quaternion", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-     ONE(union mip_aiding_frame_configuration_rotation, quaternion), 0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_gnss_rtk_dongle_config_response[] = {
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_rtk_dongle_config_response, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 0, 0,
+     MANY(struct mip_gnss_rtk_dongle_config_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_case cases_aiding_frame_configuration_rotation[] = {
-    {1, &members_aiding_frame_configuration_rotation[0]},
-    {2, &members_aiding_frame_configuration_rotation[1]},
+static const struct mip_record record_gnss_rtk_dongle_config_response = {
+    parameters_gnss_rtk_dongle_config_response,
+    2,
+    sizeof(struct mip_gnss_rtk_dongle_config_response),
 };
-static const struct mip_parameter parameters_aiding_frame_configuration[] = {
+
+static const struct mip_parameter parameters_gnss_spartn_config_response[] = {
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_spartn_config_response, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_spartn_config_response, type), 0, &names_gnss_spartn_connection, NULL,
+     NULL, NULL, 0},
+    {"current_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_spartn_config_response, current_key_tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"current_key_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_spartn_config_response, current_key_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"current_key", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
+     MANY(struct mip_gnss_spartn_config_response, current_key), 0, NULL, NULL, NULL, NULL, 0},
+    {"next_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_spartn_config_response, next_key_tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"next_key_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_spartn_config_response, next_key_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"next_key", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
+     MANY(struct mip_gnss_spartn_config_response, next_key), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_spartn_config_response = {
+    parameters_gnss_spartn_config_response,
+    8,
+    sizeof(struct mip_gnss_spartn_config_response),
+};
+
+static const struct mip_record record_rtk_get_status_flags = {
+    NULL,
+    0,
+    sizeof(struct mip_rtk_get_status_flags),
+};
+
+static const struct mip_record record_rtk_get_imei = {
+    NULL,
+    0,
+    sizeof(struct mip_rtk_get_imei),
+};
+
+static const struct mip_record record_rtk_get_imsi = {
+    NULL,
+    0,
+    sizeof(struct mip_rtk_get_imsi),
+};
+
+static const struct mip_record record_rtk_get_iccid = {
+    NULL,
+    0,
+    sizeof(struct mip_rtk_get_iccid),
+};
+
+static const struct mip_record record_rtk_get_rssi = {
+    NULL,
+    0,
+    sizeof(struct mip_rtk_get_rssi),
+};
+
+static const struct mip_parameter parameters_rtk_connected_device_type[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_frame_configuration, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_rtk_connected_device_type, function), 0, &names_function_selector, NULL, NULL,
      NULL, 0},
-    {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_aiding_frame_configuration, frame_id), 0, NULL, NULL, NULL, NULL, 0},
-    {"format", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_aiding_frame_configuration, format), 0, &names_aiding_frame_format, NULL, NULL,
-     NULL, 0},
-    {"tracking_enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_aiding_frame_configuration, tracking_enabled), 0, NULL, NULL, NULL, NULL, 0},
-    {"translation", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 4, 0,
-     ONE(struct mip_aiding_frame_configuration, translation), 0, NULL, NULL, NULL, NULL, 0},
-    {"rotation", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 5, 0,
-     ONE(struct mip_aiding_frame_configuration, rotation), 0, NULL, NULL, NULL,
-     cases_aiding_frame_configuration_rotation, 2},
+    {"device_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_rtk_connected_device_type, device_type), 0, &names_rtk_connected_device, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_aiding_frame_configuration = {
-    parameters_aiding_frame_configuration, 6, sizeof(struct mip_aiding_frame_configuration)};
-static const uint8_t required_aiding_frame_configuration[] = {0, 5, 2, 1, 1, 1};
+static const struct mip_record record_rtk_connected_device_type = {
+    parameters_rtk_connected_device_type,
+    2,
+    sizeof(struct mip_rtk_connected_device_type),
+};
+static const uint8_t required_rtk_connected_device_type[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_record record_rtk_get_activation_code = {
+    NULL,
+    0,
+    sizeof(struct mip_rtk_get_activation_code),
+};
+
+static const struct mip_record record_rtk_get_modem_firmware_version = {
+    NULL,
+    0,
+    sizeof(struct mip_rtk_get_modem_firmware_version),
+};
+
+static const struct mip_parameter parameters_rtk_service_status[] = {
+    {"reserved1", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_service_status, reserved1), 0, NULL, NULL, NULL, NULL, 0},
+    {"reserved2", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_service_status, reserved2), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_service_status = {
+    parameters_rtk_service_status,
+    2,
+    sizeof(struct mip_rtk_service_status),
+};
+
+static const struct mip_parameter parameters_rtk_erase_storage[] = {
+    {"media", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_erase_storage, media), 0, &names_rtk_storage_medium, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_erase_storage = {
+    parameters_rtk_erase_storage,
+    1,
+    sizeof(struct mip_rtk_erase_storage),
+};
+
+static const struct mip_parameter parameters_rtk_led_control[] = {
+    {"primary_color", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 0, 0,
+     MANY(struct mip_rtk_led_control, primary_color), 0, NULL, NULL, NULL, NULL, 0},
+    {"alternate_color", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 0, 0,
+     MANY(struct mip_rtk_led_control, alternate_color), 0, NULL, NULL, NULL, NULL, 0},
+    {"action", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_led_control, action), 0, &names_rtk_led_action, NULL, NULL, NULL, 0},
+    {"period", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_led_control, period), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_led_control = {
+    parameters_rtk_led_control,
+    4,
+    sizeof(struct mip_rtk_led_control),
+};
+
+static const struct mip_record record_rtk_modem_hard_reset = {
+    NULL,
+    0,
+    sizeof(struct mip_rtk_modem_hard_reset),
+};
+
+static const struct mip_parameter parameters_rtk_get_status_flags_response[] = {
+    {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_get_status_flags_response, flags), 0, &names_rtk_status_flags, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_rtk_get_status_flags_response = {
+    parameters_rtk_get_status_flags_response,
+    1,
+    sizeof(struct mip_rtk_get_status_flags_response),
+};
+
+static const struct mip_parameter parameters_rtk_get_imei_response[] = {
+    {"imei", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
+     MANY(struct mip_rtk_get_imei_response, imei), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_get_imei_response = {
+    parameters_rtk_get_imei_response,
+    1,
+    sizeof(struct mip_rtk_get_imei_response),
+};
+
+static const struct mip_parameter parameters_rtk_get_imsi_response[] = {
+    {"imsi", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
+     MANY(struct mip_rtk_get_imsi_response, imsi), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_get_imsi_response = {
+    parameters_rtk_get_imsi_response,
+    1,
+    sizeof(struct mip_rtk_get_imsi_response),
+};
+
+static const struct mip_parameter parameters_rtk_get_iccid_response[] = {
+    {"iccid", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
+     MANY(struct mip_rtk_get_iccid_response, iccid), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_get_iccid_response = {
+    parameters_rtk_get_iccid_response,
+    1,
+    sizeof(struct mip_rtk_get_iccid_response),
+};
+
+static const struct mip_parameter parameters_rtk_get_rssi_response[] = {
+    {"valid", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_get_rssi_response, valid), 0, NULL, NULL, NULL, NULL, 0},
+    {"rssi", "", MIP_KIND_NUMBER, MIP_SCALAR_S32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_get_rssi_response, rssi), 0, NULL, NULL, NULL, NULL, 0},
+    {"signal_quality", "", MIP_KIND_NUMBER, MIP_SCALAR_S32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_get_rssi_response, signal_quality), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_get_rssi_response = {
+    parameters_rtk_get_rssi_response,
+    3,
+    sizeof(struct mip_rtk_get_rssi_response),
+};
+
+static const struct mip_parameter parameters_rtk_connected_device_type_response[] = {
+    {"device_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_connected_device_type_response, device_type), 0,
+     &names_rtk_connected_device, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_connected_device_type_response = {
+    parameters_rtk_connected_device_type_response,
+    1,
+    sizeof(struct mip_rtk_connected_device_type_response),
+};
+
+static const struct mip_parameter parameters_rtk_get_activation_code_response[] = {
+    {"activation_code", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
+     MANY(struct mip_rtk_get_activation_code_response, activation_code), 0, NULL, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_rtk_get_activation_code_response = {
+    parameters_rtk_get_activation_code_response,
+    1,
+    sizeof(struct mip_rtk_get_activation_code_response),
+};
+
+static const struct mip_parameter parameters_rtk_get_modem_firmware_version_response[] = {
+    {"modem_firmware_version", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
+     MANY(struct mip_rtk_get_modem_firmware_version_response, modem_firmware_version), 0, NULL,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_get_modem_firmware_version_response = {
+    parameters_rtk_get_modem_firmware_version_response,
+    1,
+    sizeof(struct mip_rtk_get_modem_firmware_version_response),
+};
+
+static const struct mip_parameter parameters_rtk_service_status_response[] = {
+    {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_service_status_response, flags), 0, &names_rtk_service_flags, NULL, NULL,
+     NULL, 0},
+    {"received_bytes", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_service_status_response, received_bytes), 0, NULL, NULL, NULL, NULL, 0},
+    {"last_bytes", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_service_status_response, last_bytes), 0, NULL, NULL, NULL, NULL, 0},
+    {"last_bytes_time", "", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_service_status_response, last_bytes_time), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_service_status_response = {
+    parameters_rtk_service_status_response,
+    4,
+    sizeof(struct mip_rtk_service_status_response),
+};
+
+static const struct mip_parameter members_aiding_frame_config_rotation[] = {
+    {"euler", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(union mip_aiding_frame_config_rotation, euler), 0, NULL, NULL, NULL, NULL, 0},
+    {"quaternion", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+     ONE(union mip_aiding_frame_config_rotation, quaternion), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_case cases_aiding_frame_config_rotation[] = {
+    {1, &members_aiding_frame_config_rotation[0]},
+    {2, &members_aiding_frame_config_rotation[1]},
+};
+static const struct mip_parameter parameters_aiding_frame_config[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_aiding_frame_config, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
+    {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_aiding_frame_config, frame_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"format", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_aiding_frame_config, format), 0, &names_aiding_frame_format, NULL, NULL, NULL,
+     0},
+    {"tracking_enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_aiding_frame_config, tracking_enabled), 0, NULL, NULL, NULL, NULL, 0},
+    {"translation", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 4, 0,
+     ONE(struct mip_aiding_frame_config, translation), 0, NULL, NULL, NULL, NULL, 0},
+    {"rotation", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 5, 0,
+     ONE(struct mip_aiding_frame_config, rotation), 0, NULL, NULL, NULL,
+     cases_aiding_frame_config_rotation, 2},
+};
+static const struct mip_record record_aiding_frame_config = {
+    parameters_aiding_frame_config,
+    6,
+    sizeof(struct mip_aiding_frame_config),
+};
+static const uint8_t required_aiding_frame_config[] = {0, 5, 2, 1, 1, 1};
 
 static const struct mip_parameter parameters_aiding_echo_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3692,7 +5300,10 @@ static const struct mip_parameter parameters_aiding_echo_control[] = {
      ONE(struct mip_aiding_echo_control, mode), 0, &names_aiding_echo_mode, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_echo_control = {
-    parameters_aiding_echo_control, 2, sizeof(struct mip_aiding_echo_control)};
+    parameters_aiding_echo_control,
+    2,
+    sizeof(struct mip_aiding_echo_control),
+};
 static const uint8_t required_aiding_echo_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_aiding_ecef_position[] = {
@@ -3710,7 +5321,10 @@ static const struct mip_parameter parameters_aiding_ecef_position[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_ecef_position = {
-    parameters_aiding_ecef_position, 5, sizeof(struct mip_aiding_ecef_position)};
+    parameters_aiding_ecef_position,
+    5,
+    sizeof(struct mip_aiding_ecef_position),
+};
 
 static const struct mip_parameter parameters_aiding_llh_position[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3731,7 +5345,10 @@ static const struct mip_parameter parameters_aiding_llh_position[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_llh_position = {
-    parameters_aiding_llh_position, 7, sizeof(struct mip_aiding_llh_position)};
+    parameters_aiding_llh_position,
+    7,
+    sizeof(struct mip_aiding_llh_position),
+};
 
 static const struct mip_parameter parameters_aiding_height_above_ellipsoid[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3747,7 +5364,10 @@ static const struct mip_parameter parameters_aiding_height_above_ellipsoid[] = {
      ONE(struct mip_aiding_height_above_ellipsoid, valid_flags), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_height_above_ellipsoid = {
-    parameters_aiding_height_above_ellipsoid, 5, sizeof(struct mip_aiding_height_above_ellipsoid)};
+    parameters_aiding_height_above_ellipsoid,
+    5,
+    sizeof(struct mip_aiding_height_above_ellipsoid),
+};
 
 static const struct mip_parameter parameters_aiding_ecef_velocity[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3764,7 +5384,10 @@ static const struct mip_parameter parameters_aiding_ecef_velocity[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_ecef_velocity = {
-    parameters_aiding_ecef_velocity, 5, sizeof(struct mip_aiding_ecef_velocity)};
+    parameters_aiding_ecef_velocity,
+    5,
+    sizeof(struct mip_aiding_ecef_velocity),
+};
 
 static const struct mip_parameter parameters_aiding_ned_velocity[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3781,7 +5404,10 @@ static const struct mip_parameter parameters_aiding_ned_velocity[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_ned_velocity = {
-    parameters_aiding_ned_velocity, 5, sizeof(struct mip_aiding_ned_velocity)};
+    parameters_aiding_ned_velocity,
+    5,
+    sizeof(struct mip_aiding_ned_velocity),
+};
 
 static const struct mip_parameter parameters_aiding_body_frame_velocity[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3798,7 +5424,10 @@ static const struct mip_parameter parameters_aiding_body_frame_velocity[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_body_frame_velocity = {
-    parameters_aiding_body_frame_velocity, 5, sizeof(struct mip_aiding_body_frame_velocity)};
+    parameters_aiding_body_frame_velocity,
+    5,
+    sizeof(struct mip_aiding_body_frame_velocity),
+};
 
 static const struct mip_parameter parameters_aiding_true_heading[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3814,7 +5443,10 @@ static const struct mip_parameter parameters_aiding_true_heading[] = {
      ONE(struct mip_aiding_true_heading, valid_flags), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_true_heading = {
-    parameters_aiding_true_heading, 5, sizeof(struct mip_aiding_true_heading)};
+    parameters_aiding_true_heading,
+    5,
+    sizeof(struct mip_aiding_true_heading),
+};
 
 static const struct mip_parameter parameters_aiding_magnetic_field[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3831,7 +5463,10 @@ static const struct mip_parameter parameters_aiding_magnetic_field[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_magnetic_field = {
-    parameters_aiding_magnetic_field, 5, sizeof(struct mip_aiding_magnetic_field)};
+    parameters_aiding_magnetic_field,
+    5,
+    sizeof(struct mip_aiding_magnetic_field),
+};
 
 static const struct mip_parameter parameters_aiding_pressure[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3847,39 +5482,41 @@ static const struct mip_parameter parameters_aiding_pressure[] = {
      ONE(struct mip_aiding_pressure, valid_flags), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_pressure = {
-    parameters_aiding_pressure, 5, sizeof(struct mip_aiding_pressure)};
+    parameters_aiding_pressure,
+    5,
+    sizeof(struct mip_aiding_pressure),
+};
 
-static const struct mip_parameter members_aiding_frame_configuration_response_rotation[] = {
+static const struct mip_parameter members_aiding_frame_config_response_rotation[] = {
     {"euler", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(union mip_aiding_frame_configuration_response_rotation, euler), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(union mip_aiding_frame_config_response_rotation, euler), 0, NULL, NULL, NULL, NULL, 0},
     {"quaternion", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-     ONE(union mip_aiding_frame_configuration_response_rotation, quaternion), 0, NULL, NULL, NULL,
-     NULL, 0},
-};
-static const struct mip_case cases_aiding_frame_configuration_response_rotation[] = {
-    {1, &members_aiding_frame_configuration_response_rotation[0]},
-    {2, &members_aiding_frame_configuration_response_rotation[1]},
-};
-static const struct mip_parameter parameters_aiding_frame_configuration_response[] = {
-    {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_frame_configuration_response, frame_id), 0, NULL, NULL, NULL, NULL, 0},
-    {"format", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_frame_configuration_response, format), 0, &names_aiding_frame_format,
-     NULL, NULL, NULL, 0},
-    {"tracking_enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_frame_configuration_response, tracking_enabled), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"translation", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_aiding_frame_configuration_response, translation), 0, NULL, NULL, NULL, NULL,
+     ONE(union mip_aiding_frame_config_response_rotation, quaternion), 0, NULL, NULL, NULL, NULL,
      0},
-    {"rotation", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
-     ONE(struct mip_aiding_frame_configuration_response, rotation), 0, NULL, NULL, NULL,
-     cases_aiding_frame_configuration_response_rotation, 2},
 };
-static const struct mip_record record_aiding_frame_configuration_response = {
-    parameters_aiding_frame_configuration_response, 5,
-    sizeof(struct mip_aiding_frame_configuration_response)};
+static const struct mip_case cases_aiding_frame_config_response_rotation[] = {
+    {1, &members_aiding_frame_config_response_rotation[0]},
+    {2, &members_aiding_frame_config_response_rotation[1]},
+};
+static const struct mip_parameter parameters_aiding_frame_config_response[] = {
+    {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_aiding_frame_config_response, frame_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"format", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_aiding_frame_config_response, format), 0, &names_aiding_frame_format, NULL,
+     NULL, NULL, 0},
+    {"tracking_enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_aiding_frame_config_response, tracking_enabled), 0, NULL, NULL, NULL, NULL, 0},
+    {"translation", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_aiding_frame_config_response, translation), 0, NULL, NULL, NULL, NULL, 0},
+    {"rotation", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
+     ONE(struct mip_aiding_frame_config_response, rotation), 0, NULL, NULL, NULL,
+     cases_aiding_frame_config_response_rotation, 2},
+};
+static const struct mip_record record_aiding_frame_config_response = {
+    parameters_aiding_frame_config_response,
+    5,
+    sizeof(struct mip_aiding_frame_config_response),
+};
 
 static const struct mip_parameter parameters_aiding_echo_control_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3887,140 +5524,301 @@ static const struct mip_parameter parameters_aiding_echo_control_response[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_echo_control_response = {
-    parameters_aiding_echo_control_response, 1, sizeof(struct mip_aiding_echo_control_response)};
+    parameters_aiding_echo_control_response,
+    1,
+    sizeof(struct mip_aiding_echo_control_response),
+};
 
-static const struct mip_parameter parameters_system_communication_mode[] = {
+static const struct mip_parameter parameters_system_interface_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_system_communication_mode, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_system_interface_control, function), 0, &names_function_selector, NULL, NULL,
      NULL, 0},
-    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_system_communication_mode, mode), 0, &names_system_protocol_mode, NULL, NULL,
+    {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_system_interface_control, port), 0, &names_system_comm_interface, NULL, NULL,
      NULL, 0},
+    {"protocols_incoming", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_system_interface_control, protocols_incoming), 0, &names_system_comm_protocols,
+     NULL, NULL, NULL, 0},
+    {"protocols_outgoing", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_system_interface_control, protocols_outgoing), 0, &names_system_comm_protocols,
+     NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_system_communication_mode = {
-    parameters_system_communication_mode, 2, sizeof(struct mip_system_communication_mode)};
-static const uint8_t required_system_communication_mode[] = {0, 1, 0, 0, 0, 0};
+static const struct mip_record record_system_interface_control = {
+    parameters_system_interface_control,
+    4,
+    sizeof(struct mip_system_interface_control),
+};
+static const uint8_t required_system_interface_control[] = {0, 3, 1, 1, 1, 1};
 
-static const struct mip_parameter parameters_system_communication_mode_response[] = {
-    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_system_communication_mode_response, mode), 0, &names_system_protocol_mode, NULL,
-     NULL, NULL, 0},
+static const struct mip_parameter parameters_system_comm_mode[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_system_comm_mode, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_system_comm_mode, mode), 0, &names_system_protocol_mode, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_system_communication_mode_response = {
-    parameters_system_communication_mode_response, 1,
-    sizeof(struct mip_system_communication_mode_response)};
+static const struct mip_record record_system_comm_mode = {
+    parameters_system_comm_mode,
+    2,
+    sizeof(struct mip_system_comm_mode),
+};
+static const uint8_t required_system_comm_mode[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_system_interface_control_response[] = {
+    {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_system_interface_control_response, port), 0, &names_system_comm_interface, NULL,
+     NULL, NULL, 0},
+    {"protocols_incoming", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_system_interface_control_response, protocols_incoming), 0,
+     &names_system_comm_protocols, NULL, NULL, NULL, 0},
+    {"protocols_outgoing", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_system_interface_control_response, protocols_outgoing), 0,
+     &names_system_comm_protocols, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_system_interface_control_response = {
+    parameters_system_interface_control_response,
+    3,
+    sizeof(struct mip_system_interface_control_response),
+};
+
+static const struct mip_parameter parameters_system_comm_mode_response[] = {
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_system_comm_mode_response, mode), 0, &names_system_protocol_mode, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_system_comm_mode_response = {
+    parameters_system_comm_mode_response,
+    1,
+    sizeof(struct mip_system_comm_mode_response),
+};
+
+static const struct mip_parameter parameters_sensor_raw_accel[] = {
+    {"raw_accel", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_sensor_raw_accel, raw_accel), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_raw_accel = {
+    parameters_sensor_raw_accel,
+    1,
+    sizeof(struct mip_sensor_raw_accel),
+};
+
+static const struct mip_parameter parameters_sensor_raw_gyro[] = {
+    {"raw_gyro", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_sensor_raw_gyro, raw_gyro), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_raw_gyro = {
+    parameters_sensor_raw_gyro,
+    1,
+    sizeof(struct mip_sensor_raw_gyro),
+};
+
+static const struct mip_parameter parameters_sensor_raw_mag[] = {
+    {"raw_mag", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_sensor_raw_mag, raw_mag), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_raw_mag = {
+    parameters_sensor_raw_mag,
+    1,
+    sizeof(struct mip_sensor_raw_mag),
+};
 
 static const struct mip_parameter parameters_sensor_scaled_accel[] = {
     {"scaled_accel", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_scaled_accel, scaled_accel), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_scaled_accel = {
-    parameters_sensor_scaled_accel, 1, sizeof(struct mip_sensor_scaled_accel)};
+    parameters_sensor_scaled_accel,
+    1,
+    sizeof(struct mip_sensor_scaled_accel),
+};
 
 static const struct mip_parameter parameters_sensor_scaled_gyro[] = {
     {"scaled_gyro", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_scaled_gyro, scaled_gyro), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_scaled_gyro = {
-    parameters_sensor_scaled_gyro, 1, sizeof(struct mip_sensor_scaled_gyro)};
+    parameters_sensor_scaled_gyro,
+    1,
+    sizeof(struct mip_sensor_scaled_gyro),
+};
 
 static const struct mip_parameter parameters_sensor_scaled_mag[] = {
     {"scaled_mag", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_scaled_mag, scaled_mag), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_scaled_mag = {
-    parameters_sensor_scaled_mag, 1, sizeof(struct mip_sensor_scaled_mag)};
+    parameters_sensor_scaled_mag,
+    1,
+    sizeof(struct mip_sensor_scaled_mag),
+};
 
 static const struct mip_parameter parameters_sensor_delta_theta[] = {
     {"delta_theta", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_delta_theta, delta_theta), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_delta_theta = {
-    parameters_sensor_delta_theta, 1, sizeof(struct mip_sensor_delta_theta)};
+    parameters_sensor_delta_theta,
+    1,
+    sizeof(struct mip_sensor_delta_theta),
+};
 
 static const struct mip_parameter parameters_sensor_delta_velocity[] = {
     {"delta_velocity", "g*s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_delta_velocity, delta_velocity), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_delta_velocity = {
-    parameters_sensor_delta_velocity, 1, sizeof(struct mip_sensor_delta_velocity)};
+    parameters_sensor_delta_velocity,
+    1,
+    sizeof(struct mip_sensor_delta_velocity),
+};
 
-static const struct mip_parameter parameters_sensor_complementary_filter_orientation_matrix[] = {
+static const struct mip_parameter parameters_sensor_comp_orientation_matrix[] = {
     {"m", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
-     ONE(struct mip_sensor_complementary_filter_orientation_matrix, m), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_sensor_comp_orientation_matrix, m), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_sensor_complementary_filter_orientation_matrix = {
-    parameters_sensor_complementary_filter_orientation_matrix, 1,
-    sizeof(struct mip_sensor_complementary_filter_orientation_matrix)};
+static const struct mip_record record_sensor_comp_orientation_matrix = {
+    parameters_sensor_comp_orientation_matrix,
+    1,
+    sizeof(struct mip_sensor_comp_orientation_matrix),
+};
 
-static const struct mip_parameter parameters_sensor_complementary_filter_quaternion[] = {
+static const struct mip_parameter parameters_sensor_comp_quaternion[] = {
     {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-     ONE(struct mip_sensor_complementary_filter_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_sensor_comp_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_sensor_complementary_filter_quaternion = {
-    parameters_sensor_complementary_filter_quaternion, 1,
-    sizeof(struct mip_sensor_complementary_filter_quaternion)};
+static const struct mip_record record_sensor_comp_quaternion = {
+    parameters_sensor_comp_quaternion,
+    1,
+    sizeof(struct mip_sensor_comp_quaternion),
+};
 
-static const struct mip_parameter parameters_sensor_complementary_filter_euler_angles[] = {
+static const struct mip_parameter parameters_sensor_comp_orientation_update_matrix[] = {
+    {"m", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_sensor_comp_orientation_update_matrix, m), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_comp_orientation_update_matrix = {
+    parameters_sensor_comp_orientation_update_matrix,
+    1,
+    sizeof(struct mip_sensor_comp_orientation_update_matrix),
+};
+
+static const struct mip_parameter parameters_sensor_comp_euler_angles[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_complementary_filter_euler_angles, roll), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_sensor_comp_euler_angles, roll), 0, NULL, NULL, NULL, NULL, 0},
     {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_complementary_filter_euler_angles, pitch), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_sensor_comp_euler_angles, pitch), 0, NULL, NULL, NULL, NULL, 0},
     {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_complementary_filter_euler_angles, yaw), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_sensor_comp_euler_angles, yaw), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_sensor_complementary_filter_euler_angles = {
-    parameters_sensor_complementary_filter_euler_angles, 3,
-    sizeof(struct mip_sensor_complementary_filter_euler_angles)};
+static const struct mip_record record_sensor_comp_euler_angles = {
+    parameters_sensor_comp_euler_angles,
+    3,
+    sizeof(struct mip_sensor_comp_euler_angles),
+};
 
-static const struct mip_parameter parameters_sensor_complementary_filter_stabilized_north_vector[] = {
+static const struct mip_parameter parameters_sensor_orientation_raw_temperature[] = {
+    {"raw_temperature", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_sensor_orientation_raw_temperature, raw_temperature), 0, NULL, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_sensor_orientation_raw_temperature = {
+    parameters_sensor_orientation_raw_temperature,
+    1,
+    sizeof(struct mip_sensor_orientation_raw_temperature),
+};
+
+static const struct mip_parameter parameters_sensor_internal_timestamp[] = {
+    {"counts", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_internal_timestamp, counts), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_internal_timestamp = {
+    parameters_sensor_internal_timestamp,
+    1,
+    sizeof(struct mip_sensor_internal_timestamp),
+};
+
+static const struct mip_parameter parameters_sensor_pps_timestamp[] = {
+    {"seconds", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_pps_timestamp, seconds), 0, NULL, NULL, NULL, NULL, 0},
+    {"useconds", "us", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_pps_timestamp, useconds), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_pps_timestamp = {
+    parameters_sensor_pps_timestamp,
+    2,
+    sizeof(struct mip_sensor_pps_timestamp),
+};
+
+static const struct mip_parameter parameters_sensor_north_vector[] = {
     {"stabilized_mag", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_sensor_complementary_filter_stabilized_north_vector, stabilized_mag), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_sensor_north_vector, stabilized_mag), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_sensor_complementary_filter_stabilized_north_vector = {
-    parameters_sensor_complementary_filter_stabilized_north_vector, 1,
-    sizeof(struct mip_sensor_complementary_filter_stabilized_north_vector)};
+static const struct mip_record record_sensor_north_vector = {
+    parameters_sensor_north_vector,
+    1,
+    sizeof(struct mip_sensor_north_vector),
+};
 
-static const struct mip_parameter parameters_sensor_complementary_filter_stabilized_up_vector[] = {
+static const struct mip_parameter parameters_sensor_up_vector[] = {
     {"stabilized_accel", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_sensor_complementary_filter_stabilized_up_vector, stabilized_accel), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_sensor_up_vector, stabilized_accel), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_sensor_complementary_filter_stabilized_up_vector = {
-    parameters_sensor_complementary_filter_stabilized_up_vector, 1,
-    sizeof(struct mip_sensor_complementary_filter_stabilized_up_vector)};
+static const struct mip_record record_sensor_up_vector = {
+    parameters_sensor_up_vector,
+    1,
+    sizeof(struct mip_sensor_up_vector),
+};
 
+static const struct mip_reading readings_sensor_gps_timestamp_valid_flags[] = {
+    {"3dm-gx5-15", 0, 0, &names_gx5_sensor_gps_timestamp_flags},
+};
 static const struct mip_parameter parameters_sensor_gps_timestamp[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_sensor_gps_timestamp, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_sensor_gps_timestamp, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_gps_timestamp, valid_flags), 0, &names_sensor_gps_timestamp_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_sensor_gps_timestamp, valid_flags), 0, &names_sensor_gps_timestamp_flags,
+     readings_sensor_gps_timestamp_valid_flags, NULL, NULL, 1},
 };
 static const struct mip_record record_sensor_gps_timestamp = {
-    parameters_sensor_gps_timestamp, 3, sizeof(struct mip_sensor_gps_timestamp)};
+    parameters_sensor_gps_timestamp,
+    3,
+    sizeof(struct mip_sensor_gps_timestamp),
+};
 
 static const struct mip_parameter parameters_sensor_temperature_statistics[] = {
-    {"min_temp", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_temperature_statistics, min_temp), 0, NULL, NULL, NULL, NULL, 0},
-    {"max_temp", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_temperature_statistics, max_temp), 0, NULL, NULL, NULL, NULL, 0},
-    {"mean_temp", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_temperature_statistics, mean_temp), 0, NULL, NULL, NULL, NULL, 0},
+    {"min_temperature", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_temperature_statistics, min_temperature), 0, NULL, NULL, NULL, NULL, 0},
+    {"max_temperature", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_temperature_statistics, max_temperature), 0, NULL, NULL, NULL, NULL, 0},
+    {"mean_temperature", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_temperature_statistics, mean_temperature), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_temperature_statistics = {
-    parameters_sensor_temperature_statistics, 3, sizeof(struct mip_sensor_temperature_statistics)};
+    parameters_sensor_temperature_statistics,
+    3,
+    sizeof(struct mip_sensor_temperature_statistics),
+};
+
+static const struct mip_parameter parameters_sensor_raw_pressure[] = {
+    {"raw_pressure", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_raw_pressure, raw_pressure), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_raw_pressure = {
+    parameters_sensor_raw_pressure,
+    1,
+    sizeof(struct mip_sensor_raw_pressure),
+};
 
 static const struct mip_parameter parameters_sensor_scaled_pressure[] = {
     {"scaled_pressure", "mbar", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_sensor_scaled_pressure, scaled_pressure), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_scaled_pressure = {
-    parameters_sensor_scaled_pressure, 1, sizeof(struct mip_sensor_scaled_pressure)};
+    parameters_sensor_scaled_pressure,
+    1,
+    sizeof(struct mip_sensor_scaled_pressure),
+};
 
 static const struct mip_parameter parameters_sensor_overrange_status[] = {
     {"status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4028,7 +5826,10 @@ static const struct mip_parameter parameters_sensor_overrange_status[] = {
      NULL, 0},
 };
 static const struct mip_record record_sensor_overrange_status = {
-    parameters_sensor_overrange_status, 1, sizeof(struct mip_sensor_overrange_status)};
+    parameters_sensor_overrange_status,
+    1,
+    sizeof(struct mip_sensor_overrange_status),
+};
 
 static const struct mip_parameter parameters_sensor_odometer[] = {
     {"speed", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4040,7 +5841,10 @@ static const struct mip_parameter parameters_sensor_odometer[] = {
      NULL, 0},
 };
 static const struct mip_record record_sensor_odometer = {
-    parameters_sensor_odometer, 3, sizeof(struct mip_sensor_odometer)};
+    parameters_sensor_odometer,
+    3,
+    sizeof(struct mip_sensor_odometer),
+};
 
 static const struct mip_parameter parameters_filter_data_llh_position[] = {
     {"latitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4054,21 +5858,27 @@ static const struct mip_parameter parameters_filter_data_llh_position[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_llh_position = {
-    parameters_filter_data_llh_position, 4, sizeof(struct mip_filter_data_llh_position)};
+    parameters_filter_data_llh_position,
+    4,
+    sizeof(struct mip_filter_data_llh_position),
+};
 
-static const struct mip_parameter parameters_filter_data_velocity_ned[] = {
+static const struct mip_parameter parameters_filter_data_ned_velocity[] = {
     {"north", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_velocity_ned, north), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_data_ned_velocity, north), 0, NULL, NULL, NULL, NULL, 0},
     {"east", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_velocity_ned, east), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_data_ned_velocity, east), 0, NULL, NULL, NULL, NULL, 0},
     {"down", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_velocity_ned, down), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_data_ned_velocity, down), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_velocity_ned, valid_flags), 0, &names_filter_data_valid_flags, NULL,
+     ONE(struct mip_filter_data_ned_velocity, valid_flags), 0, &names_filter_data_valid_flags, NULL,
      NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_velocity_ned = {
-    parameters_filter_data_velocity_ned, 4, sizeof(struct mip_filter_data_velocity_ned)};
+static const struct mip_record record_filter_data_ned_velocity = {
+    parameters_filter_data_ned_velocity,
+    4,
+    sizeof(struct mip_filter_data_ned_velocity),
+};
 
 static const struct mip_parameter parameters_filter_data_attitude_quaternion[] = {
     {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
@@ -4078,8 +5888,10 @@ static const struct mip_parameter parameters_filter_data_attitude_quaternion[] =
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_attitude_quaternion = {
-    parameters_filter_data_attitude_quaternion, 2,
-    sizeof(struct mip_filter_data_attitude_quaternion)};
+    parameters_filter_data_attitude_quaternion,
+    2,
+    sizeof(struct mip_filter_data_attitude_quaternion),
+};
 
 static const struct mip_parameter parameters_filter_data_attitude_dcm[] = {
     {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
@@ -4089,7 +5901,10 @@ static const struct mip_parameter parameters_filter_data_attitude_dcm[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_attitude_dcm = {
-    parameters_filter_data_attitude_dcm, 2, sizeof(struct mip_filter_data_attitude_dcm)};
+    parameters_filter_data_attitude_dcm,
+    2,
+    sizeof(struct mip_filter_data_attitude_dcm),
+};
 
 static const struct mip_parameter parameters_filter_data_euler_angles[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4103,7 +5918,10 @@ static const struct mip_parameter parameters_filter_data_euler_angles[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_euler_angles = {
-    parameters_filter_data_euler_angles, 4, sizeof(struct mip_filter_data_euler_angles)};
+    parameters_filter_data_euler_angles,
+    4,
+    sizeof(struct mip_filter_data_euler_angles),
+};
 
 static const struct mip_parameter parameters_filter_data_gyro_bias[] = {
     {"bias", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4113,7 +5931,10 @@ static const struct mip_parameter parameters_filter_data_gyro_bias[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gyro_bias = {
-    parameters_filter_data_gyro_bias, 2, sizeof(struct mip_filter_data_gyro_bias)};
+    parameters_filter_data_gyro_bias,
+    2,
+    sizeof(struct mip_filter_data_gyro_bias),
+};
 
 static const struct mip_parameter parameters_filter_data_accel_bias[] = {
     {"bias", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4123,7 +5944,10 @@ static const struct mip_parameter parameters_filter_data_accel_bias[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_accel_bias = {
-    parameters_filter_data_accel_bias, 2, sizeof(struct mip_filter_data_accel_bias)};
+    parameters_filter_data_accel_bias,
+    2,
+    sizeof(struct mip_filter_data_accel_bias),
+};
 
 static const struct mip_parameter parameters_filter_data_llh_position_uncertainty[] = {
     {"north", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4137,8 +5961,10 @@ static const struct mip_parameter parameters_filter_data_llh_position_uncertaint
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_llh_position_uncertainty = {
-    parameters_filter_data_llh_position_uncertainty, 4,
-    sizeof(struct mip_filter_data_llh_position_uncertainty)};
+    parameters_filter_data_llh_position_uncertainty,
+    4,
+    sizeof(struct mip_filter_data_llh_position_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_ned_velocity_uncertainty[] = {
     {"north", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4152,8 +5978,10 @@ static const struct mip_parameter parameters_filter_data_ned_velocity_uncertaint
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ned_velocity_uncertainty = {
-    parameters_filter_data_ned_velocity_uncertainty, 4,
-    sizeof(struct mip_filter_data_ned_velocity_uncertainty)};
+    parameters_filter_data_ned_velocity_uncertainty,
+    4,
+    sizeof(struct mip_filter_data_ned_velocity_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_euler_angles_uncertainty[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4167,30 +5995,38 @@ static const struct mip_parameter parameters_filter_data_euler_angles_uncertaint
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_euler_angles_uncertainty = {
-    parameters_filter_data_euler_angles_uncertainty, 4,
-    sizeof(struct mip_filter_data_euler_angles_uncertainty)};
+    parameters_filter_data_euler_angles_uncertainty,
+    4,
+    sizeof(struct mip_filter_data_euler_angles_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_gyro_bias_uncertainty[] = {
-    {"bias_uncert", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_gyro_bias_uncertainty, bias_uncert), 0, NULL, NULL, NULL, NULL, 0},
+    {"bias_uncertainty", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_gyro_bias_uncertainty, bias_uncertainty), 0, NULL, NULL, NULL, NULL,
+     0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gyro_bias_uncertainty, valid_flags), 0,
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gyro_bias_uncertainty = {
-    parameters_filter_data_gyro_bias_uncertainty, 2,
-    sizeof(struct mip_filter_data_gyro_bias_uncertainty)};
+    parameters_filter_data_gyro_bias_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_gyro_bias_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_accel_bias_uncertainty[] = {
-    {"bias_uncert", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_accel_bias_uncertainty, bias_uncert), 0, NULL, NULL, NULL, NULL, 0},
+    {"bias_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_accel_bias_uncertainty, bias_uncertainty), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_accel_bias_uncertainty, valid_flags), 0,
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_accel_bias_uncertainty = {
-    parameters_filter_data_accel_bias_uncertainty, 2,
-    sizeof(struct mip_filter_data_accel_bias_uncertainty)};
+    parameters_filter_data_accel_bias_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_accel_bias_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_linear_accel[] = {
     {"accel", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4200,7 +6036,10 @@ static const struct mip_parameter parameters_filter_data_linear_accel[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_linear_accel = {
-    parameters_filter_data_linear_accel, 2, sizeof(struct mip_filter_data_linear_accel)};
+    parameters_filter_data_linear_accel,
+    2,
+    sizeof(struct mip_filter_data_linear_accel),
+};
 
 static const struct mip_parameter parameters_filter_data_comp_angular_rate[] = {
     {"gyro", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4210,31 +6049,36 @@ static const struct mip_parameter parameters_filter_data_comp_angular_rate[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_comp_angular_rate = {
-    parameters_filter_data_comp_angular_rate, 2, sizeof(struct mip_filter_data_comp_angular_rate)};
+    parameters_filter_data_comp_angular_rate,
+    2,
+    sizeof(struct mip_filter_data_comp_angular_rate),
+};
 
-static const struct mip_parameter parameters_filter_data_wgs84_local_gravity_magnitude[] = {
+static const struct mip_parameter parameters_filter_data_wgs84_gravity_magnitude[] = {
     {"gravity_magnitude", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_wgs84_local_gravity_magnitude, gravity_magnitude), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_wgs84_gravity_magnitude, gravity_magnitude), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_wgs84_local_gravity_magnitude, valid_flags), 0,
+     ONE(struct mip_filter_data_wgs84_gravity_magnitude, valid_flags), 0,
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_wgs84_local_gravity_magnitude = {
-    parameters_filter_data_wgs84_local_gravity_magnitude, 2,
-    sizeof(struct mip_filter_data_wgs84_local_gravity_magnitude)};
+static const struct mip_record record_filter_data_wgs84_gravity_magnitude = {
+    parameters_filter_data_wgs84_gravity_magnitude,
+    2,
+    sizeof(struct mip_filter_data_wgs84_gravity_magnitude),
+};
 
 static const struct mip_reading readings_filter_data_status_filter_state[] = {
-    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_filter_state},
     {"3dm-cv7-gnss-ins", 0, 0, &names_filter_data_cv7_filter_state},
+    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_filter_state},
 };
 static const struct mip_reading readings_filter_data_status_dynamics_mode[] = {
-    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_dynamics_mode},
     {"3dm-cv7-gnss-ins", 0, 0, &names_filter_data_cv7_dynamics_mode},
+    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_dynamics_mode},
 };
 static const struct mip_reading readings_filter_data_status_status_flags[] = {
-    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_status_flags},
     {"3dm-cv7-gnss-ins", 0, 0, &names_filter_data_cv7_status_flags},
+    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_status_flags},
 };
 static const struct mip_parameter parameters_filter_data_status[] = {
     {"filter_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4248,7 +6092,10 @@ static const struct mip_parameter parameters_filter_data_status[] = {
      readings_filter_data_status_status_flags, NULL, NULL, 2},
 };
 static const struct mip_record record_filter_data_status = {
-    parameters_filter_data_status, 3, sizeof(struct mip_filter_data_status)};
+    parameters_filter_data_status,
+    3,
+    sizeof(struct mip_filter_data_status),
+};
 
 static const struct mip_parameter parameters_filter_data_timestamp[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4260,7 +6107,10 @@ static const struct mip_parameter parameters_filter_data_timestamp[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_timestamp = {
-    parameters_filter_data_timestamp, 3, sizeof(struct mip_filter_data_timestamp)};
+    parameters_filter_data_timestamp,
+    3,
+    sizeof(struct mip_filter_data_timestamp),
+};
 
 static const struct mip_parameter parameters_filter_data_quaternion_attitude_uncertainty[] = {
     {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
@@ -4270,8 +6120,10 @@ static const struct mip_parameter parameters_filter_data_quaternion_attitude_unc
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_quaternion_attitude_uncertainty = {
-    parameters_filter_data_quaternion_attitude_uncertainty, 2,
-    sizeof(struct mip_filter_data_quaternion_attitude_uncertainty)};
+    parameters_filter_data_quaternion_attitude_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_quaternion_attitude_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_gravity_vector[] = {
     {"gravity", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4281,25 +6133,29 @@ static const struct mip_parameter parameters_filter_data_gravity_vector[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gravity_vector = {
-    parameters_filter_data_gravity_vector, 2, sizeof(struct mip_filter_data_gravity_vector)};
+    parameters_filter_data_gravity_vector,
+    2,
+    sizeof(struct mip_filter_data_gravity_vector),
+};
 
-static const struct mip_parameter parameters_filter_data_heading_update_source_state[] = {
+static const struct mip_parameter parameters_filter_data_heading_update_state[] = {
     {"heading", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_heading_update_source_state, heading), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_data_heading_update_state, heading), 0, NULL, NULL, NULL, NULL, 0},
     {"heading_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_heading_update_source_state, heading_uncertainty), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_heading_update_state, heading_uncertainty), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_heading_update_source_state, source), 0,
+     ONE(struct mip_filter_data_heading_update_state, source), 0,
      &names_filter_data_heading_source_flags, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_heading_update_source_state, valid_flags), 0,
+     ONE(struct mip_filter_data_heading_update_state, valid_flags), 0,
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_heading_update_source_state = {
-    parameters_filter_data_heading_update_source_state, 4,
-    sizeof(struct mip_filter_data_heading_update_source_state)};
+static const struct mip_record record_filter_data_heading_update_state = {
+    parameters_filter_data_heading_update_state,
+    4,
+    sizeof(struct mip_filter_data_heading_update_state),
+};
 
 static const struct mip_parameter parameters_filter_data_magnetic_model[] = {
     {"intensity_north", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4317,18 +6173,130 @@ static const struct mip_parameter parameters_filter_data_magnetic_model[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_magnetic_model = {
-    parameters_filter_data_magnetic_model, 6, sizeof(struct mip_filter_data_magnetic_model)};
+    parameters_filter_data_magnetic_model,
+    6,
+    sizeof(struct mip_filter_data_magnetic_model),
+};
 
-static const struct mip_parameter parameters_filter_data_compensated_acceleration[] = {
-    {"accel", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_compensated_acceleration, accel), 0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_data_gyro_scale_factor[] = {
+    {"scale_factor", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_gyro_scale_factor, scale_factor), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_compensated_acceleration, valid_flags), 0,
+     ONE(struct mip_filter_data_gyro_scale_factor, valid_flags), 0, &names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_gyro_scale_factor = {
+    parameters_filter_data_gyro_scale_factor,
+    2,
+    sizeof(struct mip_filter_data_gyro_scale_factor),
+};
+
+static const struct mip_parameter parameters_filter_data_accel_scale_factor[] = {
+    {"scale_factor", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_accel_scale_factor, scale_factor), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_accel_scale_factor, valid_flags), 0, &names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_accel_scale_factor = {
+    parameters_filter_data_accel_scale_factor,
+    2,
+    sizeof(struct mip_filter_data_accel_scale_factor),
+};
+
+static const struct mip_parameter parameters_filter_data_gyro_scale_factor_uncertainty[] = {
+    {"scale_factor_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+     0, ONE(struct mip_filter_data_gyro_scale_factor_uncertainty, scale_factor_uncertainty), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_gyro_scale_factor_uncertainty, valid_flags), 0,
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_compensated_acceleration = {
-    parameters_filter_data_compensated_acceleration, 2,
-    sizeof(struct mip_filter_data_compensated_acceleration)};
+static const struct mip_record record_filter_data_gyro_scale_factor_uncertainty = {
+    parameters_filter_data_gyro_scale_factor_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_gyro_scale_factor_uncertainty),
+};
+
+static const struct mip_parameter parameters_filter_data_accel_scale_factor_uncertainty[] = {
+    {"scale_factor_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+     0, ONE(struct mip_filter_data_accel_scale_factor_uncertainty, scale_factor_uncertainty), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_accel_scale_factor_uncertainty, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_accel_scale_factor_uncertainty = {
+    parameters_filter_data_accel_scale_factor_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_accel_scale_factor_uncertainty),
+};
+
+static const struct mip_parameter parameters_filter_data_mag_bias[] = {
+    {"bias", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_bias, valid_flags), 0, &names_filter_data_valid_flags, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_bias = {
+    parameters_filter_data_mag_bias,
+    2,
+    sizeof(struct mip_filter_data_mag_bias),
+};
+
+static const struct mip_parameter parameters_filter_data_mag_bias_uncertainty[] = {
+    {"bias_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_bias_uncertainty, bias_uncertainty), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_bias_uncertainty, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_bias_uncertainty = {
+    parameters_filter_data_mag_bias_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_mag_bias_uncertainty),
+};
+
+static const struct mip_parameter parameters_filter_data_comp_accel[] = {
+    {"accel", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_comp_accel, accel), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_comp_accel, valid_flags), 0, &names_filter_data_valid_flags, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_comp_accel = {
+    parameters_filter_data_comp_accel,
+    2,
+    sizeof(struct mip_filter_data_comp_accel),
+};
+
+static const struct mip_parameter parameters_filter_data_standard_atmosphere[] = {
+    {"geometric_altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_standard_atmosphere, geometric_altitude), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"geopotential_altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_standard_atmosphere, geopotential_altitude), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"standard_temperature", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_filter_data_standard_atmosphere, standard_temperature), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"standard_pressure", "mbar", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_standard_atmosphere, standard_pressure), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"standard_density", "kg/m^3", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_standard_atmosphere, standard_density), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_standard_atmosphere, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_standard_atmosphere = {
+    parameters_filter_data_standard_atmosphere,
+    6,
+    sizeof(struct mip_filter_data_standard_atmosphere),
+};
 
 static const struct mip_parameter parameters_filter_data_pressure_altitude[] = {
     {"pressure_altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4339,7 +6307,167 @@ static const struct mip_parameter parameters_filter_data_pressure_altitude[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_pressure_altitude = {
-    parameters_filter_data_pressure_altitude, 2, sizeof(struct mip_filter_data_pressure_altitude)};
+    parameters_filter_data_pressure_altitude,
+    2,
+    sizeof(struct mip_filter_data_pressure_altitude),
+};
+
+static const struct mip_parameter parameters_filter_data_density_altitude[] = {
+    {"density_altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_density_altitude, density_altitude), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_density_altitude, valid_flags), 0, &names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_density_altitude = {
+    parameters_filter_data_density_altitude,
+    2,
+    sizeof(struct mip_filter_data_density_altitude),
+};
+
+static const struct mip_parameter parameters_filter_data_mag_offset[] = {
+    {"hard_iron", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_offset, hard_iron), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_offset, valid_flags), 0, &names_filter_data_valid_flags, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_offset = {
+    parameters_filter_data_mag_offset,
+    2,
+    sizeof(struct mip_filter_data_mag_offset),
+};
+
+static const struct mip_parameter parameters_filter_data_mag_matrix[] = {
+    {"soft_iron", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_matrix, soft_iron), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_matrix, valid_flags), 0, &names_filter_data_valid_flags, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_matrix = {
+    parameters_filter_data_mag_matrix,
+    2,
+    sizeof(struct mip_filter_data_mag_matrix),
+};
+
+static const struct mip_parameter parameters_filter_data_mag_offset_uncertainty[] = {
+    {"hard_iron_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0,
+     0, 0, ONE(struct mip_filter_data_mag_offset_uncertainty, hard_iron_uncertainty), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_offset_uncertainty, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_offset_uncertainty = {
+    parameters_filter_data_mag_offset_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_mag_offset_uncertainty),
+};
+
+static const struct mip_parameter parameters_filter_data_mag_matrix_uncertainty[] = {
+    {"soft_iron_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_matrix_uncertainty, soft_iron_uncertainty), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_matrix_uncertainty, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_matrix_uncertainty = {
+    parameters_filter_data_mag_matrix_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_mag_matrix_uncertainty),
+};
+
+static const struct mip_parameter parameters_filter_data_mag_covariance_matrix[] = {
+    {"covariance", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_covariance_matrix, covariance), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_covariance_matrix, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_covariance_matrix = {
+    parameters_filter_data_mag_covariance_matrix,
+    2,
+    sizeof(struct mip_filter_data_mag_covariance_matrix),
+};
+
+static const struct mip_parameter parameters_filter_data_mag_residual_vector[] = {
+    {"residual", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_residual_vector, residual), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_residual_vector, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_residual_vector = {
+    parameters_filter_data_mag_residual_vector,
+    2,
+    sizeof(struct mip_filter_data_mag_residual_vector),
+};
+
+static const struct mip_parameter parameters_filter_data_antenna_offset_correction[] = {
+    {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_antenna_offset_correction, offset), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_antenna_offset_correction, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_antenna_offset_correction = {
+    parameters_filter_data_antenna_offset_correction,
+    2,
+    sizeof(struct mip_filter_data_antenna_offset_correction),
+};
+
+static const struct mip_parameter parameters_filter_data_antenna_offset_correction_uncertainty[] = {
+    {"offset_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_antenna_offset_correction_uncertainty, offset_uncertainty), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_antenna_offset_correction_uncertainty, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_antenna_offset_correction_uncertainty = {
+    parameters_filter_data_antenna_offset_correction_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_antenna_offset_correction_uncertainty),
+};
+
+static const struct mip_parameter parameters_filter_data_clock_correction[] = {
+    {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_clock_correction, receiver_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"bias", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_clock_correction, bias), 0, NULL, NULL, NULL, NULL, 0},
+    {"bias_drift", "s/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_clock_correction, bias_drift), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_clock_correction, valid_flags), 0, &names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_clock_correction = {
+    parameters_filter_data_clock_correction,
+    4,
+    sizeof(struct mip_filter_data_clock_correction),
+};
+
+static const struct mip_parameter parameters_filter_data_clock_correction_uncertainty[] = {
+    {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_clock_correction_uncertainty, receiver_id), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"bias_uncertainty", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_clock_correction_uncertainty, bias_uncertainty), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"bias_drift_uncertainty", "s/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_filter_data_clock_correction_uncertainty, bias_drift_uncertainty), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_clock_correction_uncertainty, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_clock_correction_uncertainty = {
+    parameters_filter_data_clock_correction_uncertainty,
+    4,
+    sizeof(struct mip_filter_data_clock_correction_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_multi_antenna_offset_correction[] = {
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4353,67 +6481,84 @@ static const struct mip_parameter parameters_filter_data_multi_antenna_offset_co
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_multi_antenna_offset_correction = {
-    parameters_filter_data_multi_antenna_offset_correction, 3,
-    sizeof(struct mip_filter_data_multi_antenna_offset_correction)};
+    parameters_filter_data_multi_antenna_offset_correction,
+    3,
+    sizeof(struct mip_filter_data_multi_antenna_offset_correction),
+};
 
-static const struct mip_parameter parameters_filter_data_multi_antenna_offset_correction_uncertainty[] = {
-    {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, receiver_id), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"offset_uncert", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, offset_uncert), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+static const struct mip_parameter
+    parameters_filter_data_multi_antenna_offset_correction_uncertainty[] = {
+        {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, receiver_id), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"offset_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+         0,
+         ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty,
+             offset_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, valid_flags), 0,
+         &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_multi_antenna_offset_correction_uncertainty = {
-    parameters_filter_data_multi_antenna_offset_correction_uncertainty, 3,
-    sizeof(struct mip_filter_data_multi_antenna_offset_correction_uncertainty)};
+    parameters_filter_data_multi_antenna_offset_correction_uncertainty,
+    3,
+    sizeof(struct mip_filter_data_multi_antenna_offset_correction_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_ecef_position_uncertainty[] = {
-    {"pos_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_ecef_position_uncertainty, pos_uncertainty), 0, NULL, NULL, NULL,
-     NULL, 0},
+    {"position_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_ecef_position_uncertainty, position_uncertainty), 0, NULL, NULL,
+     NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_ecef_position_uncertainty, valid_flags), 0,
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_position_uncertainty = {
-    parameters_filter_data_ecef_position_uncertainty, 2,
-    sizeof(struct mip_filter_data_ecef_position_uncertainty)};
+    parameters_filter_data_ecef_position_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_ecef_position_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_ecef_velocity_uncertainty[] = {
-    {"vel_uncertainty", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_ecef_velocity_uncertainty, vel_uncertainty), 0, NULL, NULL, NULL,
-     NULL, 0},
+    {"velocity_uncertainty", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+     0, ONE(struct mip_filter_data_ecef_velocity_uncertainty, velocity_uncertainty), 0, NULL, NULL,
+     NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_ecef_velocity_uncertainty, valid_flags), 0,
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_velocity_uncertainty = {
-    parameters_filter_data_ecef_velocity_uncertainty, 2,
-    sizeof(struct mip_filter_data_ecef_velocity_uncertainty)};
+    parameters_filter_data_ecef_velocity_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_ecef_velocity_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_ecef_position[] = {
-    {"position_ecef", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_ecef_position, position_ecef), 0, NULL, NULL, NULL, NULL, 0},
+    {"position", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_ecef_position, position), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_ecef_position, valid_flags), 0, &names_filter_data_valid_flags,
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_position = {
-    parameters_filter_data_ecef_position, 2, sizeof(struct mip_filter_data_ecef_position)};
+    parameters_filter_data_ecef_position,
+    2,
+    sizeof(struct mip_filter_data_ecef_position),
+};
 
 static const struct mip_parameter parameters_filter_data_ecef_velocity[] = {
-    {"velocity_ecef", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_ecef_velocity, velocity_ecef), 0, NULL, NULL, NULL, NULL, 0},
+    {"velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_ecef_velocity, velocity), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_ecef_velocity, valid_flags), 0, &names_filter_data_valid_flags,
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_velocity = {
-    parameters_filter_data_ecef_velocity, 2, sizeof(struct mip_filter_data_ecef_velocity)};
+    parameters_filter_data_ecef_velocity,
+    2,
+    sizeof(struct mip_filter_data_ecef_velocity),
+};
 
 static const struct mip_parameter parameters_filter_data_ned_relative_position[] = {
     {"relative_position", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4424,16 +6569,17 @@ static const struct mip_parameter parameters_filter_data_ned_relative_position[]
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ned_relative_position = {
-    parameters_filter_data_ned_relative_position, 2,
-    sizeof(struct mip_filter_data_ned_relative_position)};
+    parameters_filter_data_ned_relative_position,
+    2,
+    sizeof(struct mip_filter_data_ned_relative_position),
+};
 
 static const struct mip_parameter parameters_filter_data_gnss_position_aiding_status[] = {
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gnss_position_aiding_status, receiver_id), 0, NULL, NULL, NULL,
      NULL, 0},
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_gnss_position_aiding_status, time_of_week), 0, NULL, NULL, NULL,
-     NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_gnss_position_aiding_status, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gnss_position_aiding_status, status), 0,
      &names_filter_data_gnss_aiding_status, NULL, NULL, NULL, 0},
@@ -4442,13 +6588,45 @@ static const struct mip_parameter parameters_filter_data_gnss_position_aiding_st
      0},
 };
 static const struct mip_record record_filter_data_gnss_position_aiding_status = {
-    parameters_filter_data_gnss_position_aiding_status, 4,
-    sizeof(struct mip_filter_data_gnss_position_aiding_status)};
+    parameters_filter_data_gnss_position_aiding_status,
+    4,
+    sizeof(struct mip_filter_data_gnss_position_aiding_status),
+};
+
+static const struct mip_parameter parameters_filter_data_gnss_attitude_aiding_status[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_gnss_attitude_aiding_status, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_gnss_attitude_aiding_status, status), 0,
+     &names_filter_data_gnss_aiding_status, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 8, 1, 0, 0, 0,
+     MANY(struct mip_filter_data_gnss_attitude_aiding_status, reserved), 0, NULL, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_filter_data_gnss_attitude_aiding_status = {
+    parameters_filter_data_gnss_attitude_aiding_status,
+    3,
+    sizeof(struct mip_filter_data_gnss_attitude_aiding_status),
+};
+
+static const struct mip_parameter parameters_filter_data_heading_aiding_status[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_heading_aiding_status, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_heading_aiding_status, type), 0,
+     &names_filter_data_heading_aiding_type, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_FIXED, 2, 1, 0, 0, 0,
+     MANY(struct mip_filter_data_heading_aiding_status, reserved), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_heading_aiding_status = {
+    parameters_filter_data_heading_aiding_status,
+    3,
+    sizeof(struct mip_filter_data_heading_aiding_status),
+};
 
 static const struct mip_parameter parameters_filter_data_aiding_measurement_summary[] = {
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_measurement_summary, time_of_week), 0, NULL, NULL, NULL,
-     NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_aiding_measurement_summary, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_aiding_measurement_summary, source), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4459,8 +6637,10 @@ static const struct mip_parameter parameters_filter_data_aiding_measurement_summ
      &names_filter_data_aiding_measurement_indicator, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_aiding_measurement_summary = {
-    parameters_filter_data_aiding_measurement_summary, 4,
-    sizeof(struct mip_filter_data_aiding_measurement_summary)};
+    parameters_filter_data_aiding_measurement_summary,
+    4,
+    sizeof(struct mip_filter_data_aiding_measurement_summary),
+};
 
 static const struct mip_parameter parameters_filter_data_odometer_scale_factor_error[] = {
     {"scale_factor_error", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4471,31 +6651,36 @@ static const struct mip_parameter parameters_filter_data_odometer_scale_factor_e
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_odometer_scale_factor_error = {
-    parameters_filter_data_odometer_scale_factor_error, 2,
-    sizeof(struct mip_filter_data_odometer_scale_factor_error)};
+    parameters_filter_data_odometer_scale_factor_error,
+    2,
+    sizeof(struct mip_filter_data_odometer_scale_factor_error),
+};
 
-static const struct mip_parameter parameters_filter_data_odometer_scale_factor_error_uncertainty[] = {
-    {"scale_factor_error_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
-     0, 0, 0,
-     ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty, scale_factor_error_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_data_odometer_scale_factor_error_uncertainty[] =
+    {
+        {"scale_factor_error_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE,
+         1, 1, 0, 0, 0,
+         ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty,
+             scale_factor_error_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty, valid_flags), 0,
+         &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_odometer_scale_factor_error_uncertainty = {
-    parameters_filter_data_odometer_scale_factor_error_uncertainty, 2,
-    sizeof(struct mip_filter_data_odometer_scale_factor_error_uncertainty)};
+    parameters_filter_data_odometer_scale_factor_error_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_odometer_scale_factor_error_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_gnss_dual_antenna_status[] = {
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_gnss_dual_antenna_status, time_of_week), 0, NULL, NULL, NULL, NULL,
-     0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_gnss_dual_antenna_status, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"heading", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gnss_dual_antenna_status, heading), 0, NULL, NULL, NULL, NULL, 0},
-    {"heading_unc", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_gnss_dual_antenna_status, heading_unc), 0, NULL, NULL, NULL, NULL,
-     0},
+    {"heading_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_gnss_dual_antenna_status, heading_uncertainty), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"fix_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gnss_dual_antenna_status, fix_type), 0,
      &names_filter_data_dual_antenna_fix_type, NULL, NULL, NULL, 0},
@@ -4507,74 +6692,84 @@ static const struct mip_parameter parameters_filter_data_gnss_dual_antenna_statu
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gnss_dual_antenna_status = {
-    parameters_filter_data_gnss_dual_antenna_status, 6,
-    sizeof(struct mip_filter_data_gnss_dual_antenna_status)};
+    parameters_filter_data_gnss_dual_antenna_status,
+    6,
+    sizeof(struct mip_filter_data_gnss_dual_antenna_status),
+};
 
-static const struct mip_parameter parameters_filter_data_aiding_frame_configuration_error[] = {
+static const struct mip_parameter parameters_filter_data_aiding_frame_config_error[] = {
     {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_frame_configuration_error, frame_id), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_data_aiding_frame_config_error, frame_id), 0, NULL, NULL, NULL, NULL, 0},
     {"translation", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_frame_configuration_error, translation), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_data_aiding_frame_config_error, translation), 0, NULL, NULL, NULL, NULL,
+     0},
     {"attitude", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_frame_configuration_error, attitude), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_data_aiding_frame_config_error, attitude), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_aiding_frame_configuration_error = {
-    parameters_filter_data_aiding_frame_configuration_error, 3,
-    sizeof(struct mip_filter_data_aiding_frame_configuration_error)};
+static const struct mip_record record_filter_data_aiding_frame_config_error = {
+    parameters_filter_data_aiding_frame_config_error,
+    3,
+    sizeof(struct mip_filter_data_aiding_frame_config_error),
+};
 
-static const struct mip_parameter parameters_filter_data_aiding_frame_configuration_error_uncertainty[] = {
+static const struct mip_parameter parameters_filter_data_aiding_frame_config_error_uncertainty[] = {
     {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_frame_configuration_error_uncertainty, frame_id), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"translation_unc", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_frame_configuration_error_uncertainty, translation_unc), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"attitude_unc", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_frame_configuration_error_uncertainty, attitude_unc), 0,
+     ONE(struct mip_filter_data_aiding_frame_config_error_uncertainty, frame_id), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"translation_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+     0, ONE(struct mip_filter_data_aiding_frame_config_error_uncertainty, translation_uncertainty),
+     0, NULL, NULL, NULL, NULL, 0},
+    {"attitude_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+     0, ONE(struct mip_filter_data_aiding_frame_config_error_uncertainty, attitude_uncertainty), 0,
      NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_aiding_frame_configuration_error_uncertainty = {
-    parameters_filter_data_aiding_frame_configuration_error_uncertainty, 3,
-    sizeof(struct mip_filter_data_aiding_frame_configuration_error_uncertainty)};
+static const struct mip_record record_filter_data_aiding_frame_config_error_uncertainty = {
+    parameters_filter_data_aiding_frame_config_error_uncertainty,
+    3,
+    sizeof(struct mip_filter_data_aiding_frame_config_error_uncertainty),
+};
 
-static const struct mip_parameter parameters_gnss_1_gnss_llh_position[] = {
+static const struct mip_parameter parameters_gnss_1_llh_position[] = {
     {"latitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_llh_position, latitude), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_llh_position, latitude), 0, NULL, NULL, NULL, NULL, 0},
     {"longitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_llh_position, longitude), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_llh_position, longitude), 0, NULL, NULL, NULL, NULL, 0},
     {"ellipsoid_height", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_llh_position, ellipsoid_height), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_llh_position, ellipsoid_height), 0, NULL, NULL, NULL, NULL, 0},
     {"msl_height", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_llh_position, msl_height), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_llh_position, msl_height), 0, NULL, NULL, NULL, NULL, 0},
     {"horizontal_accuracy", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_llh_position, horizontal_accuracy), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_llh_position, horizontal_accuracy), 0, NULL, NULL, NULL, NULL, 0},
     {"vertical_accuracy", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_llh_position, vertical_accuracy), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_llh_position, vertical_accuracy), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_llh_position, valid_flags), 0,
-     &names_gnss_1_gnss_llh_position_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_llh_position, valid_flags), 0, &names_gnss_1_llh_position_flags, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_gnss_1_gnss_llh_position = {
-    parameters_gnss_1_gnss_llh_position, 7, sizeof(struct mip_gnss_1_gnss_llh_position)};
+static const struct mip_record record_gnss_1_llh_position = {
+    parameters_gnss_1_llh_position,
+    7,
+    sizeof(struct mip_gnss_1_llh_position),
+};
 
-static const struct mip_parameter parameters_gnss_1_gnss_ecef_position[] = {
-    {"x", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_ecef_position, x), 0, NULL, NULL, NULL, NULL, 0},
-    {"x_accuracy", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_ecef_position, x_accuracy), 0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_gnss_1_ecef_position[] = {
+    {"position", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_gnss_1_ecef_position, position), 0, NULL, NULL, NULL, NULL, 0},
+    {"position_accuracy", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_ecef_position, position_accuracy), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_ecef_position, valid_flags), 0,
-     &names_gnss_1_gnss_ecef_position_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_ecef_position, valid_flags), 0, &names_gnss_1_ecef_position_flags, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_gnss_1_gnss_ecef_position = {
-    parameters_gnss_1_gnss_ecef_position, 3, sizeof(struct mip_gnss_1_gnss_ecef_position)};
+static const struct mip_record record_gnss_1_ecef_position = {
+    parameters_gnss_1_ecef_position,
+    3,
+    sizeof(struct mip_gnss_1_ecef_position),
+};
 
 static const struct mip_parameter parameters_gnss_1_ned_velocity[] = {
-    {"v", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_gnss_1_ned_velocity, v_), 0, NULL, NULL, NULL, NULL, 0},
+    {"velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_gnss_1_ned_velocity, velocity), 0, NULL, NULL, NULL, NULL, 0},
     {"speed", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_ned_velocity, speed), 0, NULL, NULL, NULL, NULL, 0},
     {"ground_speed", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4590,19 +6785,25 @@ static const struct mip_parameter parameters_gnss_1_ned_velocity[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_ned_velocity = {
-    parameters_gnss_1_ned_velocity, 7, sizeof(struct mip_gnss_1_ned_velocity)};
-
-static const struct mip_parameter parameters_gnss_1_gnss_ecef_velocity[] = {
-    {"v", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_ecef_velocity, v_), 0, NULL, NULL, NULL, NULL, 0},
-    {"v_accuracy", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_ecef_velocity, v_accuracy), 0, NULL, NULL, NULL, NULL, 0},
-    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_ecef_velocity, valid_flags), 0,
-     &names_gnss_1_gnss_ecef_velocity_flags, NULL, NULL, NULL, 0},
+    parameters_gnss_1_ned_velocity,
+    7,
+    sizeof(struct mip_gnss_1_ned_velocity),
 };
-static const struct mip_record record_gnss_1_gnss_ecef_velocity = {
-    parameters_gnss_1_gnss_ecef_velocity, 3, sizeof(struct mip_gnss_1_gnss_ecef_velocity)};
+
+static const struct mip_parameter parameters_gnss_1_ecef_velocity[] = {
+    {"velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_gnss_1_ecef_velocity, velocity), 0, NULL, NULL, NULL, NULL, 0},
+    {"velocity_accuracy", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_ecef_velocity, velocity_accuracy), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_ecef_velocity, valid_flags), 0, &names_gnss_1_ecef_velocity_flags, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_1_ecef_velocity = {
+    parameters_gnss_1_ecef_velocity,
+    3,
+    sizeof(struct mip_gnss_1_ecef_velocity),
+};
 
 static const struct mip_parameter parameters_gnss_1_dop[] = {
     {"gdop", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4623,7 +6824,10 @@ static const struct mip_parameter parameters_gnss_1_dop[] = {
      ONE(struct mip_gnss_1_dop, valid_flags), 0, &names_gnss_1_dop_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_dop = {
-    parameters_gnss_1_dop, 8, sizeof(struct mip_gnss_1_dop)};
+    parameters_gnss_1_dop,
+    8,
+    sizeof(struct mip_gnss_1_dop),
+};
 
 static const struct mip_parameter parameters_gnss_1_utc_time[] = {
     {"year", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4645,7 +6849,10 @@ static const struct mip_parameter parameters_gnss_1_utc_time[] = {
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_utc_time = {
-    parameters_gnss_1_utc_time, 8, sizeof(struct mip_gnss_1_utc_time)};
+    parameters_gnss_1_utc_time,
+    8,
+    sizeof(struct mip_gnss_1_utc_time),
+};
 
 static const struct mip_parameter parameters_gnss_1_gps_time[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4657,7 +6864,27 @@ static const struct mip_parameter parameters_gnss_1_gps_time[] = {
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_gps_time = {
-    parameters_gnss_1_gps_time, 3, sizeof(struct mip_gnss_1_gps_time)};
+    parameters_gnss_1_gps_time,
+    3,
+    sizeof(struct mip_gnss_1_gps_time),
+};
+
+static const struct mip_parameter parameters_gnss_1_clock_info[] = {
+    {"bias", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_clock_info, bias), 0, NULL, NULL, NULL, NULL, 0},
+    {"drift", "s/s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_clock_info, drift), 0, NULL, NULL, NULL, NULL, 0},
+    {"accuracy_estimate", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_clock_info, accuracy_estimate), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_clock_info, valid_flags), 0, &names_gnss_1_clock_info_flags, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_gnss_1_clock_info = {
+    parameters_gnss_1_clock_info,
+    4,
+    sizeof(struct mip_gnss_1_clock_info),
+};
 
 static const struct mip_parameter parameters_gnss_1_fix_info[] = {
     {"fix_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4671,24 +6898,91 @@ static const struct mip_parameter parameters_gnss_1_fix_info[] = {
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_fix_info = {
-    parameters_gnss_1_fix_info, 4, sizeof(struct mip_gnss_1_fix_info)};
-
-static const struct mip_parameter parameters_gnss_1_gnss_hardware_status[] = {
-    {"receiver_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_hardware_status, receiver_state), 0, &names_gnss_1_receiver_state,
-     NULL, NULL, NULL, 0},
-    {"antenna_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_hardware_status, antenna_state), 0, &names_gnss_1_antenna_state,
-     NULL, NULL, NULL, 0},
-    {"antenna_power", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_hardware_status, antenna_power), 0, &names_gnss_1_antenna_power,
-     NULL, NULL, NULL, 0},
-    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_hardware_status, valid_flags), 0,
-     &names_gnss_1_gnss_hardware_status_flags, NULL, NULL, NULL, 0},
+    parameters_gnss_1_fix_info,
+    4,
+    sizeof(struct mip_gnss_1_fix_info),
 };
-static const struct mip_record record_gnss_1_gnss_hardware_status = {
-    parameters_gnss_1_gnss_hardware_status, 4, sizeof(struct mip_gnss_1_gnss_hardware_status)};
+
+static const struct mip_parameter parameters_gnss_1_sv_info[] = {
+    {"channel", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sv_info, channel), 0, NULL, NULL, NULL, NULL, 0},
+    {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sv_info, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"carrier_noise_ratio", "dB-Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sv_info, carrier_noise_ratio), 0, NULL, NULL, NULL, NULL, 0},
+    {"azimuth", "deg", MIP_KIND_NUMBER, MIP_SCALAR_S16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sv_info, azimuth), 0, NULL, NULL, NULL, NULL, 0},
+    {"elevation", "deg", MIP_KIND_NUMBER, MIP_SCALAR_S16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sv_info, elevation), 0, NULL, NULL, NULL, NULL, 0},
+    {"sv_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sv_info, sv_flags), 0, &names_gnss_1_sv_flags, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sv_info, valid_flags), 0, &names_gnss_1_sv_info_flags, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_gnss_1_sv_info = {
+    parameters_gnss_1_sv_info,
+    7,
+    sizeof(struct mip_gnss_1_sv_info),
+};
+
+static const struct mip_parameter parameters_gnss_1_hardware_status[] = {
+    {"receiver_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_hardware_status, receiver_state), 0, &names_gnss_1_receiver_state, NULL,
+     NULL, NULL, 0},
+    {"antenna_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_hardware_status, antenna_state), 0, &names_gnss_1_antenna_state, NULL,
+     NULL, NULL, 0},
+    {"antenna_power", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_hardware_status, antenna_power), 0, &names_gnss_1_antenna_power, NULL,
+     NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_hardware_status, valid_flags), 0, &names_gnss_1_hardware_status_flags,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_1_hardware_status = {
+    parameters_gnss_1_hardware_status,
+    4,
+    sizeof(struct mip_gnss_1_hardware_status),
+};
+
+static const struct mip_parameter parameters_gnss_1_dgps_info[] = {
+    {"age", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_info, age), 0, NULL, NULL, NULL, NULL, 0},
+    {"base_station_id", "", MIP_KIND_NUMBER, MIP_SCALAR_S16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_info, base_station_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"base_station_status", "", MIP_KIND_NUMBER, MIP_SCALAR_S16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_info, base_station_status), 0, NULL, NULL, NULL, NULL, 0},
+    {"num_channels", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_info, num_channels), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_info, valid_flags), 0, &names_gnss_1_dgps_info_flags, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_gnss_1_dgps_info = {
+    parameters_gnss_1_dgps_info,
+    5,
+    sizeof(struct mip_gnss_1_dgps_info),
+};
+
+static const struct mip_parameter parameters_gnss_1_dgps_channel[] = {
+    {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_channel, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"age", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_channel, age), 0, NULL, NULL, NULL, NULL, 0},
+    {"range_correction", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_channel, range_correction), 0, NULL, NULL, NULL, NULL, 0},
+    {"range_rate_correction", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_gnss_1_dgps_channel, range_rate_correction), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_channel, valid_flags), 0, &names_gnss_1_dgps_channel_flags, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_1_dgps_channel = {
+    parameters_gnss_1_dgps_channel,
+    5,
+    sizeof(struct mip_gnss_1_dgps_channel),
+};
 
 static const struct mip_parameter parameters_gnss_1_clock_info_2[] = {
     {"bias", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4705,7 +6999,10 @@ static const struct mip_parameter parameters_gnss_1_clock_info_2[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_clock_info_2 = {
-    parameters_gnss_1_clock_info_2, 5, sizeof(struct mip_gnss_1_clock_info_2)};
+    parameters_gnss_1_clock_info_2,
+    5,
+    sizeof(struct mip_gnss_1_clock_info_2),
+};
 
 static const struct mip_parameter parameters_gnss_1_gps_leap_seconds[] = {
     {"leap_seconds", "s", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4715,11 +7012,14 @@ static const struct mip_parameter parameters_gnss_1_gps_leap_seconds[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_gps_leap_seconds = {
-    parameters_gnss_1_gps_leap_seconds, 2, sizeof(struct mip_gnss_1_gps_leap_seconds)};
+    parameters_gnss_1_gps_leap_seconds,
+    2,
+    sizeof(struct mip_gnss_1_gps_leap_seconds),
+};
 
 static const struct mip_parameter parameters_gnss_1_sbas_info[] = {
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_sbas_info, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_info, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_sbas_info, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"sbas_system", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4737,15 +7037,71 @@ static const struct mip_parameter parameters_gnss_1_sbas_info[] = {
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_sbas_info = {
-    parameters_gnss_1_sbas_info, 7, sizeof(struct mip_gnss_1_sbas_info)};
+    parameters_gnss_1_sbas_info,
+    7,
+    sizeof(struct mip_gnss_1_sbas_info),
+};
+
+static const struct mip_parameter parameters_gnss_1_sbas_correction[] = {
+    {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, index), 0, NULL, NULL, NULL, NULL, 0},
+    {"count", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, count), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"gnss_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, gnss_id), 0, &names_gnss_constellation, NULL, NULL,
+     NULL, 0},
+    {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"udrei", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, udrei), 0, NULL, NULL, NULL, NULL, 0},
+    {"pseudorange_correction", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_gnss_1_sbas_correction, pseudorange_correction), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"iono_correction", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, iono_correction), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, valid_flags), 0, &names_gnss_1_sbas_correction_flags,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_1_sbas_correction = {
+    parameters_gnss_1_sbas_correction,
+    10,
+    sizeof(struct mip_gnss_1_sbas_correction),
+};
+
+static const struct mip_parameter parameters_gnss_1_rf_error_detection[] = {
+    {"rf_band", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rf_error_detection, rf_band), 0, &names_gnss_1_rf_band, NULL, NULL, NULL,
+     0},
+    {"jamming_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rf_error_detection, jamming_state), 0, &names_gnss_1_jamming_state, NULL,
+     NULL, NULL, 0},
+    {"spoofing_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rf_error_detection, spoofing_state), 0, &names_gnss_1_spoofing_state,
+     NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_rf_error_detection, reserved), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rf_error_detection, valid_flags), 0,
+     &names_gnss_1_rf_error_detection_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_1_rf_error_detection = {
+    parameters_gnss_1_rf_error_detection,
+    5,
+    sizeof(struct mip_gnss_1_rf_error_detection),
+};
 
 static const struct mip_parameter parameters_gnss_1_satellite_status[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_satellite_status, index), 0, NULL, NULL, NULL, NULL, 0},
     {"count", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_satellite_status, count), 0, NULL, NULL, NULL, NULL, 0},
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_satellite_status, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_satellite_status, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_satellite_status, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"gnss_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4764,15 +7120,18 @@ static const struct mip_parameter parameters_gnss_1_satellite_status[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_satellite_status = {
-    parameters_gnss_1_satellite_status, 10, sizeof(struct mip_gnss_1_satellite_status)};
+    parameters_gnss_1_satellite_status,
+    10,
+    sizeof(struct mip_gnss_1_satellite_status),
+};
 
 static const struct mip_parameter parameters_gnss_1_raw[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_raw, index), 0, NULL, NULL, NULL, NULL, 0},
     {"count", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_raw, count), 0, NULL, NULL, NULL, NULL, 0},
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_raw, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_raw, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_raw, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4795,35 +7154,97 @@ static const struct mip_parameter parameters_gnss_1_raw[] = {
      ONE(struct mip_gnss_1_raw, carrier_phase), 0, NULL, NULL, NULL, NULL, 0},
     {"doppler", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_raw, doppler), 0, NULL, NULL, NULL, NULL, 0},
-    {"range_uncert", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_raw, range_uncert), 0, NULL, NULL, NULL, NULL, 0},
-    {"phase_uncert", "cycle", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_raw, phase_uncert), 0, NULL, NULL, NULL, NULL, 0},
-    {"doppler_uncert", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_raw, doppler_uncert), 0, NULL, NULL, NULL, NULL, 0},
+    {"range_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_raw, range_uncertainty), 0, NULL, NULL, NULL, NULL, 0},
+    {"phase_uncertainty", "cycle", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_raw, phase_uncertainty), 0, NULL, NULL, NULL, NULL, 0},
+    {"doppler_uncertainty", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_raw, doppler_uncertainty), 0, NULL, NULL, NULL, NULL, 0},
     {"lock_time", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_raw, lock_time), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_raw, valid_flags), 0, &names_gnss_1_raw_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_raw = {
-    parameters_gnss_1_raw, 19, sizeof(struct mip_gnss_1_raw)};
+    parameters_gnss_1_raw,
+    19,
+    sizeof(struct mip_gnss_1_raw),
+};
+
+static const struct mip_parameter parameters_gnss_1_base_station_info[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"ecef_position", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, ecef_position), 0, NULL, NULL, NULL, NULL, 0},
+    {"height", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, height), 0, NULL, NULL, NULL, NULL, 0},
+    {"station_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, station_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"indicators", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, indicators), 0, &names_gnss_1_base_station_indicators,
+     NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, valid_flags), 0,
+     &names_gnss_1_base_station_info_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_1_base_station_info = {
+    parameters_gnss_1_base_station_info,
+    7,
+    sizeof(struct mip_gnss_1_base_station_info),
+};
+
+static const struct mip_parameter parameters_gnss_1_rtk_corrections_status[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rtk_corrections_status, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rtk_corrections_status, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"epoch_status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rtk_corrections_status, epoch_status), 0, &names_gnss_1_rtk_epoch_status,
+     NULL, NULL, NULL, 0},
+    {"dongle_status", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rtk_corrections_status, dongle_status), 0, &names_rtk_status_flags, NULL,
+     NULL, NULL, 0},
+    {"gps_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_gnss_1_rtk_corrections_status, gps_correction_latency), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"glonass_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     0, 0, ONE(struct mip_gnss_1_rtk_corrections_status, glonass_correction_latency), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"galileo_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     0, 0, ONE(struct mip_gnss_1_rtk_corrections_status, galileo_correction_latency), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"beidou_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     0, 0, ONE(struct mip_gnss_1_rtk_corrections_status, beidou_correction_latency), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_rtk_corrections_status, reserved), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rtk_corrections_status, valid_flags), 0,
+     &names_gnss_1_rtk_corrections_status_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_1_rtk_corrections_status = {
+    parameters_gnss_1_rtk_corrections_status,
+    10,
+    sizeof(struct mip_gnss_1_rtk_corrections_status),
+};
 
 static const struct mip_parameter parameters_gnss_1_gps_ephemeris[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_ephemeris, index), 0, NULL, NULL, NULL, NULL, 0},
     {"count", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_ephemeris, count), 0, NULL, NULL, NULL, NULL, 0},
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gps_ephemeris, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_gps_ephemeris, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_ephemeris, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_ephemeris, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
     {"health", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_ephemeris, health), 0, NULL, NULL, NULL, NULL, 0},
-    {"iodec", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gps_ephemeris, iodec), 0, NULL, NULL, NULL, NULL, 0},
+    {"iodc", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_gps_ephemeris, iodc), 0, NULL, NULL, NULL, NULL, 0},
     {"iode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_ephemeris, iode), 0, NULL, NULL, NULL, NULL, 0},
     {"t_oc", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4882,38 +7303,41 @@ static const struct mip_parameter parameters_gnss_1_gps_ephemeris[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_gps_ephemeris = {
-    parameters_gnss_1_gps_ephemeris, 34, sizeof(struct mip_gnss_1_gps_ephemeris)};
+    parameters_gnss_1_gps_ephemeris,
+    34,
+    sizeof(struct mip_gnss_1_gps_ephemeris),
+};
 
 static const struct mip_parameter parameters_gnss_1_glonass_ephemeris[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, index), 0, NULL, NULL, NULL, NULL, 0},
     {"count", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, count), 0, NULL, NULL, NULL, NULL, 0},
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_glonass_ephemeris, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_glonass_ephemeris, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
-    {"freq_number", "", MIP_KIND_NUMBER, MIP_SCALAR_S8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_glonass_ephemeris, freq_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"frequency_number", "", MIP_KIND_NUMBER, MIP_SCALAR_S8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_glonass_ephemeris, frequency_number), 0, NULL, NULL, NULL, NULL, 0},
     {"tk", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, tk), 0, NULL, NULL, NULL, NULL, 0},
     {"tb", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, tb), 0, NULL, NULL, NULL, NULL, 0},
-    {"sat_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_glonass_ephemeris, sat_type), 0, &names_gnss_1_glonass_satellite_type,
-     NULL, NULL, NULL, 0},
+    {"satellite_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_glonass_ephemeris, satellite_type), 0,
+     &names_gnss_1_glonass_satellite_type, NULL, NULL, NULL, 0},
     {"gamma", "1", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, gamma), 0, NULL, NULL, NULL, NULL, 0},
     {"tau_n", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, tau_n), 0, NULL, NULL, NULL, NULL, 0},
-    {"x", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_gnss_1_glonass_ephemeris, x), 0, NULL, NULL, NULL, NULL, 0},
-    {"v", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_gnss_1_glonass_ephemeris, v_), 0, NULL, NULL, NULL, NULL, 0},
-    {"a", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_gnss_1_glonass_ephemeris, a), 0, NULL, NULL, NULL, NULL, 0},
+    {"position", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_gnss_1_glonass_ephemeris, position), 0, NULL, NULL, NULL, NULL, 0},
+    {"velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_gnss_1_glonass_ephemeris, velocity), 0, NULL, NULL, NULL, NULL, 0},
+    {"accel", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_gnss_1_glonass_ephemeris, accel), 0, NULL, NULL, NULL, NULL, 0},
     {"health", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, health), 0, NULL, NULL, NULL, NULL, 0},
     {"p", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4939,23 +7363,26 @@ static const struct mip_parameter parameters_gnss_1_glonass_ephemeris[] = {
      &names_gnss_1_glonass_ephemeris_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_glonass_ephemeris = {
-    parameters_gnss_1_glonass_ephemeris, 25, sizeof(struct mip_gnss_1_glonass_ephemeris)};
+    parameters_gnss_1_glonass_ephemeris,
+    25,
+    sizeof(struct mip_gnss_1_glonass_ephemeris),
+};
 
 static const struct mip_parameter parameters_gnss_1_galileo_ephemeris[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_galileo_ephemeris, index), 0, NULL, NULL, NULL, NULL, 0},
     {"count", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_galileo_ephemeris, count), 0, NULL, NULL, NULL, NULL, 0},
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_galileo_ephemeris, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_galileo_ephemeris, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_galileo_ephemeris, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_galileo_ephemeris, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
     {"health", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_galileo_ephemeris, health), 0, NULL, NULL, NULL, NULL, 0},
-    {"iodec", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_galileo_ephemeris, iodec), 0, NULL, NULL, NULL, NULL, 0},
+    {"iodc", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_galileo_ephemeris, iodc), 0, NULL, NULL, NULL, NULL, 0},
     {"iode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_galileo_ephemeris, iode), 0, NULL, NULL, NULL, NULL, 0},
     {"t_oc", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5015,23 +7442,26 @@ static const struct mip_parameter parameters_gnss_1_galileo_ephemeris[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_galileo_ephemeris = {
-    parameters_gnss_1_galileo_ephemeris, 34, sizeof(struct mip_gnss_1_galileo_ephemeris)};
+    parameters_gnss_1_galileo_ephemeris,
+    34,
+    sizeof(struct mip_gnss_1_galileo_ephemeris),
+};
 
 static const struct mip_parameter parameters_gnss_1_beidou_ephemeris[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_beidou_ephemeris, index), 0, NULL, NULL, NULL, NULL, 0},
     {"count", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_beidou_ephemeris, count), 0, NULL, NULL, NULL, NULL, 0},
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_beidou_ephemeris, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_beidou_ephemeris, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_beidou_ephemeris, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_beidou_ephemeris, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
     {"health", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_beidou_ephemeris, health), 0, NULL, NULL, NULL, NULL, 0},
-    {"iodec", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_beidou_ephemeris, iodec), 0, NULL, NULL, NULL, NULL, 0},
+    {"iodc", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_beidou_ephemeris, iodc), 0, NULL, NULL, NULL, NULL, 0},
     {"iode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_beidou_ephemeris, iode), 0, NULL, NULL, NULL, NULL, 0},
     {"t_oc", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5090,66 +7520,71 @@ static const struct mip_parameter parameters_gnss_1_beidou_ephemeris[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_beidou_ephemeris = {
-    parameters_gnss_1_beidou_ephemeris, 34, sizeof(struct mip_gnss_1_beidou_ephemeris)};
-
-static const struct mip_parameter parameters_gnss_corrections_base_station_info[] = {
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_base_station_info, time_of_week), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_base_station_info, week_number), 0, NULL, NULL, NULL, NULL, 0},
-    {"ecef_pos", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_base_station_info, ecef_pos), 0, NULL, NULL, NULL, NULL, 0},
-    {"height", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_base_station_info, height), 0, NULL, NULL, NULL, NULL, 0},
-    {"station_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_base_station_info, station_id), 0, NULL, NULL, NULL, NULL, 0},
-    {"indicators", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_base_station_info, indicators), 0,
-     &names_gnss_corrections_base_station_indicators, NULL, NULL, NULL, 0},
-    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_base_station_info, valid_flags), 0,
-     &names_gnss_corrections_base_station_info_flags, NULL, NULL, NULL, 0},
+    parameters_gnss_1_beidou_ephemeris,
+    34,
+    sizeof(struct mip_gnss_1_beidou_ephemeris),
 };
-static const struct mip_record record_gnss_corrections_base_station_info = {
-    parameters_gnss_corrections_base_station_info, 7,
-    sizeof(struct mip_gnss_corrections_base_station_info)};
 
-static const struct mip_parameter parameters_gnss_corrections_rtk_corrections_status[] = {
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_rtk_corrections_status, time_of_week), 0, NULL, NULL, NULL,
-     NULL, 0},
+static const struct mip_parameter parameters_gnss_1_gps_iono_correction[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_gps_iono_correction, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_rtk_corrections_status, week_number), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"epoch_status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_rtk_corrections_status, epoch_status), 0,
-     &names_gnss_corrections_rtk_epoch_status, NULL, NULL, NULL, 0},
-    {"dongle_status", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_rtk_corrections_status, dongle_status), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"gps_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0, ONE(struct mip_gnss_corrections_rtk_corrections_status, gps_correction_latency), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"glonass_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0, ONE(struct mip_gnss_corrections_rtk_corrections_status, glonass_correction_latency), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"galileo_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0, ONE(struct mip_gnss_corrections_rtk_corrections_status, galileo_correction_latency), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"beidou_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0, ONE(struct mip_gnss_corrections_rtk_corrections_status, beidou_correction_latency), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
-     MANY(struct mip_gnss_corrections_rtk_corrections_status, reserved), 0, NULL, NULL, NULL, NULL,
+     ONE(struct mip_gnss_1_gps_iono_correction, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"alpha", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_gps_iono_correction, alpha), 0, NULL, NULL, NULL, NULL, 0},
+    {"beta", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_gps_iono_correction, beta), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_gps_iono_correction, valid_flags), 0,
+     &names_gnss_1_gps_iono_correction_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_1_gps_iono_correction = {
+    parameters_gnss_1_gps_iono_correction,
+    5,
+    sizeof(struct mip_gnss_1_gps_iono_correction),
+};
+
+static const struct mip_parameter parameters_gnss_1_galileo_iono_correction[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_galileo_iono_correction, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_galileo_iono_correction, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"alpha", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 3, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_galileo_iono_correction, alpha), 0, NULL, NULL, NULL, NULL, 0},
+    {"disturbance_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_galileo_iono_correction, disturbance_flags), 0, NULL, NULL, NULL, NULL,
      0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_rtk_corrections_status, valid_flags), 0,
-     &names_gnss_corrections_rtk_corrections_status_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_galileo_iono_correction, valid_flags), 0,
+     &names_gnss_1_galileo_iono_correction_flags, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_gnss_corrections_rtk_corrections_status = {
-    parameters_gnss_corrections_rtk_corrections_status, 10,
-    sizeof(struct mip_gnss_corrections_rtk_corrections_status)};
+static const struct mip_record record_gnss_1_galileo_iono_correction = {
+    parameters_gnss_1_galileo_iono_correction,
+    5,
+    sizeof(struct mip_gnss_1_galileo_iono_correction),
+};
+
+static const struct mip_parameter parameters_gnss_1_beidou_iono_correction[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_beidou_iono_correction, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_beidou_iono_correction, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"alpha", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_beidou_iono_correction, alpha), 0, NULL, NULL, NULL, NULL, 0},
+    {"beta", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_beidou_iono_correction, beta), 0, NULL, NULL, NULL, NULL, 0},
+    {"alpha_correction", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 9, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_beidou_iono_correction, alpha_correction), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_beidou_iono_correction, valid_flags), 0,
+     &names_gnss_1_beidou_iono_correction_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_1_beidou_iono_correction = {
+    parameters_gnss_1_beidou_iono_correction,
+    6,
+    sizeof(struct mip_gnss_1_beidou_iono_correction),
+};
 
 static const struct mip_reading readings_system_data_built_in_test_result[] = {
     {"3dm-cv7-gnss-ins", 0, 0, &names_cv7_continuous_built_in_test},
@@ -5160,16 +7595,22 @@ static const struct mip_parameter parameters_system_data_built_in_test[] = {
      readings_system_data_built_in_test_result, NULL, NULL, 1},
 };
 static const struct mip_record record_system_data_built_in_test = {
-    parameters_system_data_built_in_test, 1, sizeof(struct mip_system_data_built_in_test)};
+    parameters_system_data_built_in_test,
+    1,
+    sizeof(struct mip_system_data_built_in_test),
+};
 
 static const struct mip_parameter parameters_system_data_time_sync_status[] = {
     {"time_sync", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_system_data_time_sync_status, time_sync), 0, NULL, NULL, NULL, NULL, 0},
-    {"last_pps_rcvd", "s", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_system_data_time_sync_status, last_pps_rcvd), 0, NULL, NULL, NULL, NULL, 0},
+    {"last_pps_received", "s", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_system_data_time_sync_status, last_pps_received), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_system_data_time_sync_status = {
-    parameters_system_data_time_sync_status, 2, sizeof(struct mip_system_data_time_sync_status)};
+    parameters_system_data_time_sync_status,
+    2,
+    sizeof(struct mip_system_data_time_sync_status),
+};
 
 static const struct mip_parameter parameters_system_data_gpio_state[] = {
     {"states", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5177,14 +7618,52 @@ static const struct mip_parameter parameters_system_data_gpio_state[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_system_data_gpio_state = {
-    parameters_system_data_gpio_state, 1, sizeof(struct mip_system_data_gpio_state)};
+    parameters_system_data_gpio_state,
+    1,
+    sizeof(struct mip_system_data_gpio_state),
+};
+
+static const struct mip_parameter parameters_system_data_gpio_analog_value[] = {
+    {"gpio_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_system_data_gpio_analog_value, gpio_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"value", "V", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_system_data_gpio_analog_value, value), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_system_data_gpio_analog_value = {
+    parameters_system_data_gpio_analog_value,
+    2,
+    sizeof(struct mip_system_data_gpio_analog_value),
+};
 
 static const struct mip_parameter parameters_shared_event_source[] = {
     {"trigger_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_event_source, trigger_id), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_event_source = {
-    parameters_shared_event_source, 1, sizeof(struct mip_shared_event_source)};
+    parameters_shared_event_source,
+    1,
+    sizeof(struct mip_shared_event_source),
+};
+
+static const struct mip_parameter parameters_shared_ticks[] = {
+    {"ticks", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_shared_ticks, ticks), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_shared_ticks = {
+    parameters_shared_ticks,
+    1,
+    sizeof(struct mip_shared_ticks),
+};
+
+static const struct mip_parameter parameters_shared_delta_ticks[] = {
+    {"ticks", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_shared_delta_ticks, ticks), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_shared_delta_ticks = {
+    parameters_shared_delta_ticks,
+    1,
+    sizeof(struct mip_shared_delta_ticks),
+};
 
 static const struct mip_parameter parameters_shared_gps_timestamp[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5196,28 +7675,40 @@ static const struct mip_parameter parameters_shared_gps_timestamp[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_shared_gps_timestamp = {
-    parameters_shared_gps_timestamp, 3, sizeof(struct mip_shared_gps_timestamp)};
+    parameters_shared_gps_timestamp,
+    3,
+    sizeof(struct mip_shared_gps_timestamp),
+};
 
 static const struct mip_parameter parameters_shared_delta_time[] = {
     {"seconds", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_delta_time, seconds), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_delta_time = {
-    parameters_shared_delta_time, 1, sizeof(struct mip_shared_delta_time)};
+    parameters_shared_delta_time,
+    1,
+    sizeof(struct mip_shared_delta_time),
+};
 
 static const struct mip_parameter parameters_shared_reference_timestamp[] = {
     {"nanoseconds", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_reference_timestamp, nanoseconds), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_reference_timestamp = {
-    parameters_shared_reference_timestamp, 1, sizeof(struct mip_shared_reference_timestamp)};
+    parameters_shared_reference_timestamp,
+    1,
+    sizeof(struct mip_shared_reference_timestamp),
+};
 
 static const struct mip_parameter parameters_shared_reference_time_delta[] = {
     {"dt_nanos", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_reference_time_delta, dt_nanos), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_reference_time_delta = {
-    parameters_shared_reference_time_delta, 1, sizeof(struct mip_shared_reference_time_delta)};
+    parameters_shared_reference_time_delta,
+    1,
+    sizeof(struct mip_shared_reference_time_delta),
+};
 
 static const struct mip_parameter parameters_shared_external_timestamp[] = {
     {"nanoseconds", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5227,7 +7718,10 @@ static const struct mip_parameter parameters_shared_external_timestamp[] = {
      &names_shared_external_timestamp_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_external_timestamp = {
-    parameters_shared_external_timestamp, 2, sizeof(struct mip_shared_external_timestamp)};
+    parameters_shared_external_timestamp,
+    2,
+    sizeof(struct mip_shared_external_timestamp),
+};
 
 static const struct mip_parameter parameters_shared_external_time_delta[] = {
     {"dt_nanos", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5237,67 +7731,70 @@ static const struct mip_parameter parameters_shared_external_time_delta[] = {
      &names_shared_external_time_delta_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_external_time_delta = {
-    parameters_shared_external_time_delta, 2, sizeof(struct mip_shared_external_time_delta)};
+    parameters_shared_external_time_delta,
+    2,
+    sizeof(struct mip_shared_external_time_delta),
+};
 
 /* --------------------------------------------------------------------------------------- fields */
 
 const struct mip_reflection mip_reflections[] = {
     {&mip_protocol_acknowledge_codec, &record_protocol_acknowledge, false, false, NULL, 0, 0},
     {&mip_base_ping_codec, &record_base_ping, false, false, NULL, 0, 0},
-    {&mip_base_set_to_idle_codec, &record_base_set_to_idle, false, false, NULL, 0, 0},
-    {&mip_base_get_device_information_codec, &record_base_get_device_information, false, false,
-     NULL, 0, 0},
+    {&mip_base_set_idle_codec, &record_base_set_idle, false, false, NULL, 0, 0},
+    {&mip_base_get_device_info_codec, &record_base_get_device_info, false, false, NULL, 0, 0},
     {&mip_base_get_device_descriptors_codec, &record_base_get_device_descriptors, false, false,
      NULL, 0, 0},
     {&mip_base_built_in_test_codec, &record_base_built_in_test, false, false, NULL, 0, 0},
     {&mip_base_resume_codec, &record_base_resume, false, false, NULL, 0, 0},
-    {&mip_base_get_device_descriptors_extended_codec, &record_base_get_device_descriptors_extended,
-     false, false, NULL, 0, 0},
+    {&mip_base_get_extended_descriptors_codec, &record_base_get_extended_descriptors, false, false,
+     NULL, 0, 0},
     {&mip_base_continuous_built_in_test_codec, &record_base_continuous_built_in_test, false, false,
      NULL, 0, 0},
-    {&mip_base_comm_port_speed_codec, &record_base_comm_port_speed, true, true,
-     required_base_comm_port_speed, sizeof(required_base_comm_port_speed),
-     offsetof(struct mip_base_comm_port_speed, present)},
+    {&mip_base_comm_speed_codec, &record_base_comm_speed, true, true, required_base_comm_speed,
+     sizeof(required_base_comm_speed), offsetof(struct mip_base_comm_speed, present)},
     {&mip_base_gps_time_update_codec, &record_base_gps_time_update, true, true,
      required_base_gps_time_update, sizeof(required_base_gps_time_update),
      offsetof(struct mip_base_gps_time_update, present)},
-    {&mip_base_reset_device_codec, &record_base_reset_device, false, false, NULL, 0, 0},
-    {&mip_base_get_device_information_response_codec, &record_base_get_device_information_response,
-     false, false, NULL, 0, 0},
+    {&mip_base_soft_reset_codec, &record_base_soft_reset, false, false, NULL, 0, 0},
+    {&mip_base_get_device_info_response_codec, &record_base_get_device_info_response, false, false,
+     NULL, 0, 0},
     {&mip_base_get_device_descriptors_response_codec, &record_base_get_device_descriptors_response,
      false, false, NULL, 0, 0},
     {&mip_base_built_in_test_response_codec, &record_base_built_in_test_response, false, false,
      NULL, 0, 0},
     {&mip_base_gps_time_update_week_number_response_codec,
      &record_base_gps_time_update_week_number_response, false, false, NULL, 0, 0},
-    {&mip_base_gps_time_update_time_of_week_response_codec,
-     &record_base_gps_time_update_time_of_week_response, false, false, NULL, 0, 0},
-    {&mip_base_get_device_descriptors_extended_response_codec,
-     &record_base_get_device_descriptors_extended_response, false, false, NULL, 0, 0},
+    {&mip_base_gps_time_update_tow_response_codec, &record_base_gps_time_update_tow_response, false,
+     false, NULL, 0, 0},
+    {&mip_base_get_extended_descriptors_response_codec,
+     &record_base_get_extended_descriptors_response, false, false, NULL, 0, 0},
     {&mip_base_continuous_built_in_test_response_codec,
      &record_base_continuous_built_in_test_response, false, false, NULL, 0, 0},
-    {&mip_base_comm_port_speed_response_codec, &record_base_comm_port_speed_response, false, false,
-     NULL, 0, 0},
+    {&mip_base_comm_speed_response_codec, &record_base_comm_speed_response, false, false, NULL, 0,
+     0},
     {&mip_3dm_poll_imu_data_codec, &record_3dm_poll_imu_data, false, false, NULL, 0, 0},
-    {&mip_3dm_poll_estimation_filter_data_codec, &record_3dm_poll_estimation_filter_data, false,
-     false, NULL, 0, 0},
+    {&mip_3dm_poll_gnss_data_codec, &record_3dm_poll_gnss_data, false, false, NULL, 0, 0},
+    {&mip_3dm_poll_filter_data_codec, &record_3dm_poll_filter_data, false, false, NULL, 0, 0},
     {&mip_3dm_poll_nmea_data_codec, &record_3dm_poll_nmea_data, false, false, NULL, 0, 0},
-    {&mip_3dm_get_imu_data_base_rate_codec, &record_3dm_get_imu_data_base_rate, false, false, NULL,
-     0, 0},
+    {&mip_3dm_get_imu_base_rate_codec, &record_3dm_get_imu_base_rate, false, false, NULL, 0, 0},
+    {&mip_3dm_get_gnss_base_rate_codec, &record_3dm_get_gnss_base_rate, false, false, NULL, 0, 0},
     {&mip_3dm_imu_message_format_codec, &record_3dm_imu_message_format, true, true,
      required_3dm_imu_message_format, sizeof(required_3dm_imu_message_format),
      offsetof(struct mip_3dm_imu_message_format, present)},
-    {&mip_3dm_estimation_filter_message_format_codec, &record_3dm_estimation_filter_message_format,
-     true, true, required_3dm_estimation_filter_message_format,
-     sizeof(required_3dm_estimation_filter_message_format),
-     offsetof(struct mip_3dm_estimation_filter_message_format, present)},
-    {&mip_3dm_get_estimation_filter_data_base_rate_codec,
-     &record_3dm_get_estimation_filter_data_base_rate, false, false, NULL, 0, 0},
+    {&mip_3dm_gnss_message_format_codec, &record_3dm_gnss_message_format, true, true,
+     required_3dm_gnss_message_format, sizeof(required_3dm_gnss_message_format),
+     offsetof(struct mip_3dm_gnss_message_format, present)},
+    {&mip_3dm_filter_message_format_codec, &record_3dm_filter_message_format, true, true,
+     required_3dm_filter_message_format, sizeof(required_3dm_filter_message_format),
+     offsetof(struct mip_3dm_filter_message_format, present)},
+    {&mip_3dm_get_filter_base_rate_codec, &record_3dm_get_filter_base_rate, false, false, NULL, 0,
+     0},
     {&mip_3dm_nmea_message_format_codec, &record_3dm_nmea_message_format, true, true,
      required_3dm_nmea_message_format, sizeof(required_3dm_nmea_message_format),
      offsetof(struct mip_3dm_nmea_message_format, present)},
     {&mip_3dm_poll_data_codec, &record_3dm_poll_data, false, false, NULL, 0, 0},
-    {&mip_3dm_get_data_base_rate_codec, &record_3dm_get_data_base_rate, false, false, NULL, 0, 0},
+    {&mip_3dm_get_base_rate_codec, &record_3dm_get_base_rate, false, false, NULL, 0, 0},
     {&mip_3dm_message_format_codec, &record_3dm_message_format, true, true,
      required_3dm_message_format, sizeof(required_3dm_message_format),
      offsetof(struct mip_3dm_message_format, present)},
@@ -5305,14 +7802,22 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_3dm_data_stream_control_codec, &record_3dm_data_stream_control, true, true,
      required_3dm_data_stream_control, sizeof(required_3dm_data_stream_control),
      offsetof(struct mip_3dm_data_stream_control, present)},
+    {&mip_3dm_constellation_settings_codec, &record_3dm_constellation_settings, true, true,
+     required_3dm_constellation_settings, sizeof(required_3dm_constellation_settings),
+     offsetof(struct mip_3dm_constellation_settings, present)},
     {&mip_3dm_gnss_sbas_settings_codec, &record_3dm_gnss_sbas_settings, true, true,
      required_3dm_gnss_sbas_settings, sizeof(required_3dm_gnss_sbas_settings),
      offsetof(struct mip_3dm_gnss_sbas_settings, present)},
+    {&mip_3dm_gnss_assisted_fix_codec, &record_3dm_gnss_assisted_fix, true, true,
+     required_3dm_gnss_assisted_fix, sizeof(required_3dm_gnss_assisted_fix),
+     offsetof(struct mip_3dm_gnss_assisted_fix, present)},
+    {&mip_3dm_gnss_time_assistance_codec, &record_3dm_gnss_time_assistance, true, true,
+     required_3dm_gnss_time_assistance, sizeof(required_3dm_gnss_time_assistance),
+     offsetof(struct mip_3dm_gnss_time_assistance, present)},
     {&mip_3dm_pps_source_control_codec, &record_3dm_pps_source_control, true, true,
      required_3dm_pps_source_control, sizeof(required_3dm_pps_source_control),
      offsetof(struct mip_3dm_pps_source_control, present)},
-    {&mip_3dm_get_supported_events_codec, &record_3dm_get_supported_events, false, false, NULL, 0,
-     0},
+    {&mip_3dm_get_event_support_codec, &record_3dm_get_event_support, false, false, NULL, 0, 0},
     {&mip_3dm_event_control_codec, &record_3dm_event_control, true, true,
      required_3dm_event_control, sizeof(required_3dm_event_control),
      offsetof(struct mip_3dm_event_control, present)},
@@ -5320,130 +7825,121 @@ const struct mip_reflection mip_reflections[] = {
      NULL, 0, 0},
     {&mip_3dm_get_event_action_status_codec, &record_3dm_get_event_action_status, false, false,
      NULL, 0, 0},
-    {&mip_3dm_event_trigger_configuration_codec, &record_3dm_event_trigger_configuration, true,
-     true, required_3dm_event_trigger_configuration,
-     sizeof(required_3dm_event_trigger_configuration),
-     offsetof(struct mip_3dm_event_trigger_configuration, present)},
-    {&mip_3dm_event_action_configuration_codec, &record_3dm_event_action_configuration, true, true,
-     required_3dm_event_action_configuration, sizeof(required_3dm_event_action_configuration),
-     offsetof(struct mip_3dm_event_action_configuration, present)},
-    {&mip_3dm_device_start_up_settings_codec, &record_3dm_device_start_up_settings, true, false,
-     required_3dm_device_start_up_settings, sizeof(required_3dm_device_start_up_settings), 0},
-    {&mip_3dm_sensor_to_vehicle_frame_transformation_euler_codec,
-     &record_3dm_sensor_to_vehicle_frame_transformation_euler, true, true,
-     required_3dm_sensor_to_vehicle_frame_transformation_euler,
-     sizeof(required_3dm_sensor_to_vehicle_frame_transformation_euler),
-     offsetof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler, present)},
-    {&mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_codec,
-     &record_3dm_sensor_to_vehicle_frame_transformation_quaternion, true, true,
-     required_3dm_sensor_to_vehicle_frame_transformation_quaternion,
-     sizeof(required_3dm_sensor_to_vehicle_frame_transformation_quaternion),
-     offsetof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion, present)},
-    {&mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_codec,
-     &record_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, true, true,
-     required_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-     sizeof(required_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix),
-     offsetof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, present)},
-    {&mip_3dm_accelerometer_bias_configuration_codec, &record_3dm_accelerometer_bias_configuration,
-     true, true, required_3dm_accelerometer_bias_configuration,
-     sizeof(required_3dm_accelerometer_bias_configuration),
-     offsetof(struct mip_3dm_accelerometer_bias_configuration, present)},
-    {&mip_3dm_gyroscope_bias_configuration_codec, &record_3dm_gyroscope_bias_configuration, true,
-     true, required_3dm_gyroscope_bias_configuration,
-     sizeof(required_3dm_gyroscope_bias_configuration),
-     offsetof(struct mip_3dm_gyroscope_bias_configuration, present)},
-    {&mip_3dm_capture_gyroscope_bias_codec, &record_3dm_capture_gyroscope_bias, false, false, NULL,
-     0, 0},
-    {&mip_3dm_magnetometer_hard_iron_offset_codec, &record_3dm_magnetometer_hard_iron_offset, true,
-     true, required_3dm_magnetometer_hard_iron_offset,
-     sizeof(required_3dm_magnetometer_hard_iron_offset),
-     offsetof(struct mip_3dm_magnetometer_hard_iron_offset, present)},
-    {&mip_3dm_magnetometer_soft_iron_matrix_codec, &record_3dm_magnetometer_soft_iron_matrix, true,
-     true, required_3dm_magnetometer_soft_iron_matrix,
-     sizeof(required_3dm_magnetometer_soft_iron_matrix),
-     offsetof(struct mip_3dm_magnetometer_soft_iron_matrix, present)},
-    {&mip_3dm_coning_and_sculling_enable_codec, &record_3dm_coning_and_sculling_enable, true, true,
-     required_3dm_coning_and_sculling_enable, sizeof(required_3dm_coning_and_sculling_enable),
-     offsetof(struct mip_3dm_coning_and_sculling_enable, present)},
+    {&mip_3dm_event_trigger_config_codec, &record_3dm_event_trigger_config, true, true,
+     required_3dm_event_trigger_config, sizeof(required_3dm_event_trigger_config),
+     offsetof(struct mip_3dm_event_trigger_config, present)},
+    {&mip_3dm_event_action_config_codec, &record_3dm_event_action_config, true, true,
+     required_3dm_event_action_config, sizeof(required_3dm_event_action_config),
+     offsetof(struct mip_3dm_event_action_config, present)},
+    {&mip_3dm_device_settings_codec, &record_3dm_device_settings, true, false,
+     required_3dm_device_settings, sizeof(required_3dm_device_settings), 0},
+    {&mip_3dm_sensor_to_vehicle_transform_euler_codec,
+     &record_3dm_sensor_to_vehicle_transform_euler, true, true,
+     required_3dm_sensor_to_vehicle_transform_euler,
+     sizeof(required_3dm_sensor_to_vehicle_transform_euler),
+     offsetof(struct mip_3dm_sensor_to_vehicle_transform_euler, present)},
+    {&mip_3dm_sensor_to_vehicle_transform_quaternion_codec,
+     &record_3dm_sensor_to_vehicle_transform_quaternion, true, true,
+     required_3dm_sensor_to_vehicle_transform_quaternion,
+     sizeof(required_3dm_sensor_to_vehicle_transform_quaternion),
+     offsetof(struct mip_3dm_sensor_to_vehicle_transform_quaternion, present)},
+    {&mip_3dm_sensor_to_vehicle_transform_dcm_codec, &record_3dm_sensor_to_vehicle_transform_dcm,
+     true, true, required_3dm_sensor_to_vehicle_transform_dcm,
+     sizeof(required_3dm_sensor_to_vehicle_transform_dcm),
+     offsetof(struct mip_3dm_sensor_to_vehicle_transform_dcm, present)},
+    {&mip_3dm_accel_bias_codec, &record_3dm_accel_bias, true, true, required_3dm_accel_bias,
+     sizeof(required_3dm_accel_bias), offsetof(struct mip_3dm_accel_bias, present)},
+    {&mip_3dm_gyro_bias_codec, &record_3dm_gyro_bias, true, true, required_3dm_gyro_bias,
+     sizeof(required_3dm_gyro_bias), offsetof(struct mip_3dm_gyro_bias, present)},
+    {&mip_3dm_capture_gyro_bias_codec, &record_3dm_capture_gyro_bias, false, false, NULL, 0, 0},
+    {&mip_3dm_mag_hard_iron_offset_codec, &record_3dm_mag_hard_iron_offset, true, true,
+     required_3dm_mag_hard_iron_offset, sizeof(required_3dm_mag_hard_iron_offset),
+     offsetof(struct mip_3dm_mag_hard_iron_offset, present)},
+    {&mip_3dm_mag_soft_iron_matrix_codec, &record_3dm_mag_soft_iron_matrix, true, true,
+     required_3dm_mag_soft_iron_matrix, sizeof(required_3dm_mag_soft_iron_matrix),
+     offsetof(struct mip_3dm_mag_soft_iron_matrix, present)},
+    {&mip_3dm_coning_sculling_enable_codec, &record_3dm_coning_sculling_enable, true, true,
+     required_3dm_coning_sculling_enable, sizeof(required_3dm_coning_sculling_enable),
+     offsetof(struct mip_3dm_coning_sculling_enable, present)},
     {&mip_3dm_uart_baud_rate_codec, &record_3dm_uart_baud_rate, true, true,
      required_3dm_uart_baud_rate, sizeof(required_3dm_uart_baud_rate),
      offsetof(struct mip_3dm_uart_baud_rate, present)},
-    {&mip_3dm_gpio_configuration_codec, &record_3dm_gpio_configuration, true, true,
-     required_3dm_gpio_configuration, sizeof(required_3dm_gpio_configuration),
-     offsetof(struct mip_3dm_gpio_configuration, present)},
+    {&mip_3dm_gpio_config_codec, &record_3dm_gpio_config, true, true, required_3dm_gpio_config,
+     sizeof(required_3dm_gpio_config), offsetof(struct mip_3dm_gpio_config, present)},
     {&mip_3dm_gpio_state_codec, &record_3dm_gpio_state, true, true, required_3dm_gpio_state,
      sizeof(required_3dm_gpio_state), offsetof(struct mip_3dm_gpio_state, present)},
-    {&mip_3dm_odometer_configuration_codec, &record_3dm_odometer_configuration, true, true,
-     required_3dm_odometer_configuration, sizeof(required_3dm_odometer_configuration),
-     offsetof(struct mip_3dm_odometer_configuration, present)},
-    {&mip_3dm_advanced_low_pass_filter_settings_codec,
-     &record_3dm_advanced_low_pass_filter_settings, true, true,
-     required_3dm_advanced_low_pass_filter_settings,
-     sizeof(required_3dm_advanced_low_pass_filter_settings),
-     offsetof(struct mip_3dm_advanced_low_pass_filter_settings, present)},
-    {&mip_3dm_complementary_filter_configuration_codec,
-     &record_3dm_complementary_filter_configuration, true, true,
-     required_3dm_complementary_filter_configuration,
-     sizeof(required_3dm_complementary_filter_configuration),
-     offsetof(struct mip_3dm_complementary_filter_configuration, present)},
+    {&mip_3dm_odometer_config_codec, &record_3dm_odometer_config, true, true,
+     required_3dm_odometer_config, sizeof(required_3dm_odometer_config),
+     offsetof(struct mip_3dm_odometer_config, present)},
+    {&mip_3dm_imu_low_pass_filter_codec, &record_3dm_imu_low_pass_filter, true, true,
+     required_3dm_imu_low_pass_filter, sizeof(required_3dm_imu_low_pass_filter),
+     offsetof(struct mip_3dm_imu_low_pass_filter, present)},
+    {&mip_3dm_complementary_filter_codec, &record_3dm_complementary_filter, true, true,
+     required_3dm_complementary_filter, sizeof(required_3dm_complementary_filter),
+     offsetof(struct mip_3dm_complementary_filter, present)},
     {&mip_3dm_sensor_range_codec, &record_3dm_sensor_range, true, true, required_3dm_sensor_range,
      sizeof(required_3dm_sensor_range), offsetof(struct mip_3dm_sensor_range, present)},
     {&mip_3dm_get_calibrated_sensor_ranges_codec, &record_3dm_get_calibrated_sensor_ranges, false,
      false, NULL, 0, 0},
-    {&mip_3dm_low_pass_anti_aliasing_filter_codec, &record_3dm_low_pass_anti_aliasing_filter, true,
-     true, required_3dm_low_pass_anti_aliasing_filter,
-     sizeof(required_3dm_low_pass_anti_aliasing_filter),
-     offsetof(struct mip_3dm_low_pass_anti_aliasing_filter, present)},
+    {&mip_3dm_low_pass_filter_codec, &record_3dm_low_pass_filter, true, true,
+     required_3dm_low_pass_filter, sizeof(required_3dm_low_pass_filter),
+     offsetof(struct mip_3dm_low_pass_filter, present)},
     {&mip_3dm_device_status_codec, &record_3dm_device_status, false, false, NULL, 0, 0},
     {&mip_3dm_imu_message_format_response_codec, &record_3dm_imu_message_format_response, false,
      false, NULL, 0, 0},
-    {&mip_3dm_estimation_filter_message_format_response_codec,
-     &record_3dm_estimation_filter_message_format_response, false, false, NULL, 0, 0},
-    {&mip_3dm_get_imu_data_base_rate_response_codec, &record_3dm_get_imu_data_base_rate_response,
+    {&mip_3dm_gnss_message_format_response_codec, &record_3dm_gnss_message_format_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_filter_message_format_response_codec, &record_3dm_filter_message_format_response,
      false, false, NULL, 0, 0},
+    {&mip_3dm_get_imu_base_rate_response_codec, &record_3dm_get_imu_base_rate_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_get_gnss_base_rate_response_codec, &record_3dm_get_gnss_base_rate_response, false,
+     false, NULL, 0, 0},
     {&mip_3dm_data_stream_control_response_codec, &record_3dm_data_stream_control_response, false,
      false, NULL, 0, 0},
     {&mip_3dm_uart_baud_rate_response_codec, &record_3dm_uart_baud_rate_response, false, false,
      NULL, 0, 0},
-    {&mip_3dm_get_estimation_filter_data_base_rate_response_codec,
-     &record_3dm_get_estimation_filter_data_base_rate_response, false, false, NULL, 0, 0},
-    {&mip_3dm_advanced_low_pass_filter_settings_response_codec,
-     &record_3dm_advanced_low_pass_filter_settings_response, false, false, NULL, 0, 0},
+    {&mip_3dm_get_filter_base_rate_response_codec, &record_3dm_get_filter_base_rate_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_imu_low_pass_filter_response_codec, &record_3dm_imu_low_pass_filter_response, false,
+     false, NULL, 0, 0},
     {&mip_3dm_nmea_message_format_response_codec, &record_3dm_nmea_message_format_response, false,
      false, NULL, 0, 0},
-    {&mip_3dm_get_data_base_rate_response_codec, &record_3dm_get_data_base_rate_response, false,
-     false, NULL, 0, 0},
+    {&mip_3dm_get_base_rate_response_codec, &record_3dm_get_base_rate_response, false, false, NULL,
+     0, 0},
     {&mip_3dm_message_format_response_codec, &record_3dm_message_format_response, false, false,
      NULL, 0, 0},
     {&mip_3dm_device_status_basic_response_codec, &record_3dm_device_status_basic_response, false,
      false, NULL, 0, 0},
     {&mip_3dm_device_status_diagnostic_response_codec,
      &record_3dm_device_status_diagnostic_response, false, false, NULL, 0, 0},
-    {&mip_3dm_complementary_filter_configuration_response_codec,
-     &record_3dm_complementary_filter_configuration_response, false, false, NULL, 0, 0},
-    {&mip_3dm_accelerometer_bias_configuration_response_codec,
-     &record_3dm_accelerometer_bias_configuration_response, false, false, NULL, 0, 0},
-    {&mip_3dm_gyroscope_bias_configuration_response_codec,
-     &record_3dm_gyroscope_bias_configuration_response, false, false, NULL, 0, 0},
-    {&mip_3dm_magnetometer_hard_iron_offset_response_codec,
-     &record_3dm_magnetometer_hard_iron_offset_response, false, false, NULL, 0, 0},
-    {&mip_3dm_magnetometer_soft_iron_matrix_response_codec,
-     &record_3dm_magnetometer_soft_iron_matrix_response, false, false, NULL, 0, 0},
-    {&mip_3dm_coning_and_sculling_enable_response_codec,
-     &record_3dm_coning_and_sculling_enable_response, false, false, NULL, 0, 0},
+    {&mip_3dm_complementary_filter_response_codec, &record_3dm_complementary_filter_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_accel_bias_response_codec, &record_3dm_accel_bias_response, false, false, NULL, 0, 0},
+    {&mip_3dm_gyro_bias_response_codec, &record_3dm_gyro_bias_response, false, false, NULL, 0, 0},
+    {&mip_3dm_mag_hard_iron_offset_response_codec, &record_3dm_mag_hard_iron_offset_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_mag_soft_iron_matrix_response_codec, &record_3dm_mag_soft_iron_matrix_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_coning_sculling_enable_response_codec, &record_3dm_coning_sculling_enable_response,
+     false, false, NULL, 0, 0},
+    {&mip_3dm_constellation_settings_response_codec, &record_3dm_constellation_settings_response,
+     false, false, NULL, 0, 0},
     {&mip_3dm_gnss_sbas_settings_response_codec, &record_3dm_gnss_sbas_settings_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_gnss_assisted_fix_response_codec, &record_3dm_gnss_assisted_fix_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_gnss_time_assistance_response_codec, &record_3dm_gnss_time_assistance_response, false,
      false, NULL, 0, 0},
     {&mip_3dm_pps_source_control_response_codec, &record_3dm_pps_source_control_response, false,
      false, NULL, 0, 0},
-    {&mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_codec,
-     &record_3dm_sensor_to_vehicle_frame_transformation_euler_response, false, false, NULL, 0, 0},
-    {&mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_codec,
-     &record_3dm_sensor_to_vehicle_frame_transformation_quaternion_response, false, false, NULL, 0,
-     0},
-    {&mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec,
-     &record_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response, false,
-     false, NULL, 0, 0},
-    {&mip_3dm_get_supported_events_response_codec, &record_3dm_get_supported_events_response, false,
+    {&mip_3dm_sensor_to_vehicle_transform_euler_response_codec,
+     &record_3dm_sensor_to_vehicle_transform_euler_response, false, false, NULL, 0, 0},
+    {&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec,
+     &record_3dm_sensor_to_vehicle_transform_quaternion_response, false, false, NULL, 0, 0},
+    {&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec,
+     &record_3dm_sensor_to_vehicle_transform_dcm_response, false, false, NULL, 0, 0},
+    {&mip_3dm_get_event_support_response_codec, &record_3dm_get_event_support_response, false,
      false, NULL, 0, 0},
     {&mip_3dm_event_control_response_codec, &record_3dm_event_control_response, false, false, NULL,
      0, 0},
@@ -5451,222 +7947,330 @@ const struct mip_reflection mip_reflections[] = {
      &record_3dm_get_event_trigger_status_response, false, false, NULL, 0, 0},
     {&mip_3dm_get_event_action_status_response_codec, &record_3dm_get_event_action_status_response,
      false, false, NULL, 0, 0},
-    {&mip_3dm_event_trigger_configuration_response_codec,
-     &record_3dm_event_trigger_configuration_response, false, false, NULL, 0, 0},
-    {&mip_3dm_event_action_configuration_response_codec,
-     &record_3dm_event_action_configuration_response, false, false, NULL, 0, 0},
-    {&mip_3dm_gpio_configuration_response_codec, &record_3dm_gpio_configuration_response, false,
+    {&mip_3dm_event_trigger_config_response_codec, &record_3dm_event_trigger_config_response, false,
      false, NULL, 0, 0},
+    {&mip_3dm_event_action_config_response_codec, &record_3dm_event_action_config_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_gpio_config_response_codec, &record_3dm_gpio_config_response, false, false, NULL, 0,
+     0},
     {&mip_3dm_gpio_state_response_codec, &record_3dm_gpio_state_response, false, false, NULL, 0, 0},
-    {&mip_3dm_odometer_configuration_response_codec, &record_3dm_odometer_configuration_response,
-     false, false, NULL, 0, 0},
+    {&mip_3dm_odometer_config_response_codec, &record_3dm_odometer_config_response, false, false,
+     NULL, 0, 0},
     {&mip_3dm_sensor_range_response_codec, &record_3dm_sensor_range_response, false, false, NULL, 0,
      0},
     {&mip_3dm_get_calibrated_sensor_ranges_response_codec,
      &record_3dm_get_calibrated_sensor_ranges_response, false, false, NULL, 0, 0},
-    {&mip_3dm_low_pass_anti_aliasing_filter_response_codec,
-     &record_3dm_low_pass_anti_aliasing_filter_response, false, false, NULL, 0, 0},
-    {&mip_filter_reset_navigation_filter_codec, &record_filter_reset_navigation_filter, false,
-     false, NULL, 0, 0},
+    {&mip_3dm_low_pass_filter_response_codec, &record_3dm_low_pass_filter_response, false, false,
+     NULL, 0, 0},
+    {&mip_filter_reset_codec, &record_filter_reset, false, false, NULL, 0, 0},
     {&mip_filter_set_initial_attitude_codec, &record_filter_set_initial_attitude, false, false,
      NULL, 0, 0},
-    {&mip_filter_set_initial_heading_control_codec, &record_filter_set_initial_heading_control,
-     false, false, NULL, 0, 0},
-    {&mip_filter_run_navigation_filter_codec, &record_filter_run_navigation_filter, false, false,
+    {&mip_filter_set_initial_heading_codec, &record_filter_set_initial_heading, false, false, NULL,
+     0, 0},
+    {&mip_filter_run_codec, &record_filter_run, false, false, NULL, 0, 0},
+    {&mip_filter_vehicle_dynamics_mode_codec, &record_filter_vehicle_dynamics_mode, true, true,
+     required_filter_vehicle_dynamics_mode, sizeof(required_filter_vehicle_dynamics_mode),
+     offsetof(struct mip_filter_vehicle_dynamics_mode, present)},
+    {&mip_filter_sensor_to_vehicle_rotation_euler_codec,
+     &record_filter_sensor_to_vehicle_rotation_euler, true, true,
+     required_filter_sensor_to_vehicle_rotation_euler,
+     sizeof(required_filter_sensor_to_vehicle_rotation_euler),
+     offsetof(struct mip_filter_sensor_to_vehicle_rotation_euler, present)},
+    {&mip_filter_sensor_to_vehicle_offset_codec, &record_filter_sensor_to_vehicle_offset, true,
+     true, required_filter_sensor_to_vehicle_offset,
+     sizeof(required_filter_sensor_to_vehicle_offset),
+     offsetof(struct mip_filter_sensor_to_vehicle_offset, present)},
+    {&mip_filter_antenna_offset_codec, &record_filter_antenna_offset, true, true,
+     required_filter_antenna_offset, sizeof(required_filter_antenna_offset),
+     offsetof(struct mip_filter_antenna_offset, present)},
+    {&mip_filter_estimation_control_codec, &record_filter_estimation_control, true, true,
+     required_filter_estimation_control, sizeof(required_filter_estimation_control),
+     offsetof(struct mip_filter_estimation_control, present)},
+    {&mip_filter_gnss_source_codec, &record_filter_gnss_source, true, true,
+     required_filter_gnss_source, sizeof(required_filter_gnss_source),
+     offsetof(struct mip_filter_gnss_source, present)},
+    {&mip_filter_external_gnss_update_codec, &record_filter_external_gnss_update, false, false,
      NULL, 0, 0},
-    {&mip_filter_sensor_to_vehicle_frame_transformation_codec,
-     &record_filter_sensor_to_vehicle_frame_transformation, true, true,
-     required_filter_sensor_to_vehicle_frame_transformation,
-     sizeof(required_filter_sensor_to_vehicle_frame_transformation),
-     offsetof(struct mip_filter_sensor_to_vehicle_frame_transformation, present)},
-    {&mip_filter_gnss_antenna_offset_control_codec, &record_filter_gnss_antenna_offset_control,
-     true, true, required_filter_gnss_antenna_offset_control,
-     sizeof(required_filter_gnss_antenna_offset_control),
-     offsetof(struct mip_filter_gnss_antenna_offset_control, present)},
-    {&mip_filter_estimation_control_flags_codec, &record_filter_estimation_control_flags, true,
-     true, required_filter_estimation_control_flags,
-     sizeof(required_filter_estimation_control_flags),
-     offsetof(struct mip_filter_estimation_control_flags, present)},
-    {&mip_filter_gnss_aiding_source_control_codec, &record_filter_gnss_aiding_source_control, true,
-     true, required_filter_gnss_aiding_source_control,
-     sizeof(required_filter_gnss_aiding_source_control),
-     offsetof(struct mip_filter_gnss_aiding_source_control, present)},
     {&mip_filter_external_heading_update_codec, &record_filter_external_heading_update, false,
      false, NULL, 0, 0},
-    {&mip_filter_heading_update_control_codec, &record_filter_heading_update_control, true, true,
-     required_filter_heading_update_control, sizeof(required_filter_heading_update_control),
-     offsetof(struct mip_filter_heading_update_control, present)},
+    {&mip_filter_heading_source_codec, &record_filter_heading_source, true, true,
+     required_filter_heading_source, sizeof(required_filter_heading_source),
+     offsetof(struct mip_filter_heading_source, present)},
     {&mip_filter_auto_initialization_control_codec, &record_filter_auto_initialization_control,
      true, true, required_filter_auto_initialization_control,
      sizeof(required_filter_auto_initialization_control),
      offsetof(struct mip_filter_auto_initialization_control, present)},
-    {&mip_filter_accelerometer_noise_standard_deviation_codec,
-     &record_filter_accelerometer_noise_standard_deviation, true, true,
-     required_filter_accelerometer_noise_standard_deviation,
-     sizeof(required_filter_accelerometer_noise_standard_deviation),
-     offsetof(struct mip_filter_accelerometer_noise_standard_deviation, present)},
-    {&mip_filter_gyroscope_noise_standard_deviation_codec,
-     &record_filter_gyroscope_noise_standard_deviation, true, true,
-     required_filter_gyroscope_noise_standard_deviation,
-     sizeof(required_filter_gyroscope_noise_standard_deviation),
-     offsetof(struct mip_filter_gyroscope_noise_standard_deviation, present)},
-    {&mip_filter_accelerometer_bias_model_parameters_codec,
-     &record_filter_accelerometer_bias_model_parameters, true, true,
-     required_filter_accelerometer_bias_model_parameters,
-     sizeof(required_filter_accelerometer_bias_model_parameters),
-     offsetof(struct mip_filter_accelerometer_bias_model_parameters, present)},
-    {&mip_filter_gyroscope_bias_model_parameters_codec,
-     &record_filter_gyroscope_bias_model_parameters, true, true,
-     required_filter_gyroscope_bias_model_parameters,
-     sizeof(required_filter_gyroscope_bias_model_parameters),
-     offsetof(struct mip_filter_gyroscope_bias_model_parameters, present)},
+    {&mip_filter_accel_noise_codec, &record_filter_accel_noise, true, true,
+     required_filter_accel_noise, sizeof(required_filter_accel_noise),
+     offsetof(struct mip_filter_accel_noise, present)},
+    {&mip_filter_gyro_noise_codec, &record_filter_gyro_noise, true, true,
+     required_filter_gyro_noise, sizeof(required_filter_gyro_noise),
+     offsetof(struct mip_filter_gyro_noise, present)},
+    {&mip_filter_accel_bias_model_codec, &record_filter_accel_bias_model, true, true,
+     required_filter_accel_bias_model, sizeof(required_filter_accel_bias_model),
+     offsetof(struct mip_filter_accel_bias_model, present)},
+    {&mip_filter_gyro_bias_model_codec, &record_filter_gyro_bias_model, true, true,
+     required_filter_gyro_bias_model, sizeof(required_filter_gyro_bias_model),
+     offsetof(struct mip_filter_gyro_bias_model, present)},
+    {&mip_filter_auto_zupt_codec, &record_filter_auto_zupt, true, true, required_filter_auto_zupt,
+     sizeof(required_filter_auto_zupt), offsetof(struct mip_filter_auto_zupt, present)},
     {&mip_filter_external_heading_update_with_time_codec,
      &record_filter_external_heading_update_with_time, false, false, NULL, 0, 0},
-    {&mip_filter_zero_angular_rate_update_control_codec,
-     &record_filter_zero_angular_rate_update_control, true, true,
-     required_filter_zero_angular_rate_update_control,
-     sizeof(required_filter_zero_angular_rate_update_control),
-     offsetof(struct mip_filter_zero_angular_rate_update_control, present)},
+    {&mip_filter_auto_angular_zupt_codec, &record_filter_auto_angular_zupt, true, true,
+     required_filter_auto_angular_zupt, sizeof(required_filter_auto_angular_zupt),
+     offsetof(struct mip_filter_auto_angular_zupt, present)},
     {&mip_filter_tare_orientation_codec, &record_filter_tare_orientation, true, true,
      required_filter_tare_orientation, sizeof(required_filter_tare_orientation),
      offsetof(struct mip_filter_tare_orientation, present)},
-    {&mip_filter_commanded_zero_angular_rate_update_codec,
-     &record_filter_commanded_zero_angular_rate_update, false, false, NULL, 0, 0},
-    {&mip_filter_set_reference_position_codec, &record_filter_set_reference_position, true, true,
-     required_filter_set_reference_position, sizeof(required_filter_set_reference_position),
-     offsetof(struct mip_filter_set_reference_position, present)},
-    {&mip_filter_gravity_noise_standard_deviation_codec,
-     &record_filter_gravity_noise_standard_deviation, true, true,
-     required_filter_gravity_noise_standard_deviation,
-     sizeof(required_filter_gravity_noise_standard_deviation),
-     offsetof(struct mip_filter_gravity_noise_standard_deviation, present)},
-    {&mip_filter_enable_disable_measurements_codec, &record_filter_enable_disable_measurements,
-     true, true, required_filter_enable_disable_measurements,
-     sizeof(required_filter_enable_disable_measurements),
-     offsetof(struct mip_filter_enable_disable_measurements, present)},
-    {&mip_filter_magnetic_field_declination_source_control_codec,
-     &record_filter_magnetic_field_declination_source_control, true, true,
-     required_filter_magnetic_field_declination_source_control,
-     sizeof(required_filter_magnetic_field_declination_source_control),
-     offsetof(struct mip_filter_magnetic_field_declination_source_control, present)},
-    {&mip_filter_gravity_magnitude_error_adaptive_measurement_codec,
-     &record_filter_gravity_magnitude_error_adaptive_measurement, true, true,
-     required_filter_gravity_magnitude_error_adaptive_measurement,
-     sizeof(required_filter_gravity_magnitude_error_adaptive_measurement),
-     offsetof(struct mip_filter_gravity_magnitude_error_adaptive_measurement, present)},
-    {&mip_filter_pitch_roll_aiding_control_codec, &record_filter_pitch_roll_aiding_control, true,
-     true, required_filter_pitch_roll_aiding_control,
-     sizeof(required_filter_pitch_roll_aiding_control),
-     offsetof(struct mip_filter_pitch_roll_aiding_control, present)},
-    {&mip_filter_aiding_measurement_control_codec, &record_filter_aiding_measurement_control, true,
-     true, required_filter_aiding_measurement_control,
-     sizeof(required_filter_aiding_measurement_control),
-     offsetof(struct mip_filter_aiding_measurement_control, present)},
-    {&mip_filter_navigation_filter_initialization_codec,
-     &record_filter_navigation_filter_initialization, true, true,
-     required_filter_navigation_filter_initialization,
-     sizeof(required_filter_navigation_filter_initialization),
-     offsetof(struct mip_filter_navigation_filter_initialization, present)},
-    {&mip_filter_adaptive_filter_control_codec, &record_filter_adaptive_filter_control, true, true,
-     required_filter_adaptive_filter_control, sizeof(required_filter_adaptive_filter_control),
-     offsetof(struct mip_filter_adaptive_filter_control, present)},
-    {&mip_filter_gnss_multi_antenna_offset_control_codec,
-     &record_filter_gnss_multi_antenna_offset_control, true, true,
-     required_filter_gnss_multi_antenna_offset_control,
-     sizeof(required_filter_gnss_multi_antenna_offset_control),
-     offsetof(struct mip_filter_gnss_multi_antenna_offset_control, present)},
-    {&mip_filter_relative_position_configuration_codec,
-     &record_filter_relative_position_configuration, true, true,
-     required_filter_relative_position_configuration,
-     sizeof(required_filter_relative_position_configuration),
-     offsetof(struct mip_filter_relative_position_configuration, present)},
+    {&mip_filter_commanded_zupt_codec, &record_filter_commanded_zupt, false, false, NULL, 0, 0},
+    {&mip_filter_commanded_angular_zupt_codec, &record_filter_commanded_angular_zupt, false, false,
+     NULL, 0, 0},
+    {&mip_filter_reference_position_codec, &record_filter_reference_position, true, true,
+     required_filter_reference_position, sizeof(required_filter_reference_position),
+     offsetof(struct mip_filter_reference_position, present)},
+    {&mip_filter_mag_capture_auto_calibration_codec, &record_filter_mag_capture_auto_calibration,
+     true, false, required_filter_mag_capture_auto_calibration,
+     sizeof(required_filter_mag_capture_auto_calibration), 0},
+    {&mip_filter_gravity_noise_codec, &record_filter_gravity_noise, true, true,
+     required_filter_gravity_noise, sizeof(required_filter_gravity_noise),
+     offsetof(struct mip_filter_gravity_noise, present)},
+    {&mip_filter_pressure_altitude_noise_codec, &record_filter_pressure_altitude_noise, true, true,
+     required_filter_pressure_altitude_noise, sizeof(required_filter_pressure_altitude_noise),
+     offsetof(struct mip_filter_pressure_altitude_noise, present)},
+    {&mip_filter_hard_iron_offset_noise_codec, &record_filter_hard_iron_offset_noise, true, true,
+     required_filter_hard_iron_offset_noise, sizeof(required_filter_hard_iron_offset_noise),
+     offsetof(struct mip_filter_hard_iron_offset_noise, present)},
+    {&mip_filter_soft_iron_matrix_noise_codec, &record_filter_soft_iron_matrix_noise, true, true,
+     required_filter_soft_iron_matrix_noise, sizeof(required_filter_soft_iron_matrix_noise),
+     offsetof(struct mip_filter_soft_iron_matrix_noise, present)},
+    {&mip_filter_enable_measurements_codec, &record_filter_enable_measurements, true, true,
+     required_filter_enable_measurements, sizeof(required_filter_enable_measurements),
+     offsetof(struct mip_filter_enable_measurements, present)},
+    {&mip_filter_mag_noise_codec, &record_filter_mag_noise, true, true, required_filter_mag_noise,
+     sizeof(required_filter_mag_noise), offsetof(struct mip_filter_mag_noise, present)},
+    {&mip_filter_magnetic_declination_source_codec, &record_filter_magnetic_declination_source,
+     true, true, required_filter_magnetic_declination_source,
+     sizeof(required_filter_magnetic_declination_source),
+     offsetof(struct mip_filter_magnetic_declination_source, present)},
+    {&mip_filter_accel_magnitude_error_adaptive_measurement_codec,
+     &record_filter_accel_magnitude_error_adaptive_measurement, true, true,
+     required_filter_accel_magnitude_error_adaptive_measurement,
+     sizeof(required_filter_accel_magnitude_error_adaptive_measurement),
+     offsetof(struct mip_filter_accel_magnitude_error_adaptive_measurement, present)},
+    {&mip_filter_mag_magnitude_error_adaptive_measurement_codec,
+     &record_filter_mag_magnitude_error_adaptive_measurement, true, true,
+     required_filter_mag_magnitude_error_adaptive_measurement,
+     sizeof(required_filter_mag_magnitude_error_adaptive_measurement),
+     offsetof(struct mip_filter_mag_magnitude_error_adaptive_measurement, present)},
+    {&mip_filter_mag_dip_angle_error_adaptive_measurement_codec,
+     &record_filter_mag_dip_angle_error_adaptive_measurement, true, true,
+     required_filter_mag_dip_angle_error_adaptive_measurement,
+     sizeof(required_filter_mag_dip_angle_error_adaptive_measurement),
+     offsetof(struct mip_filter_mag_dip_angle_error_adaptive_measurement, present)},
+    {&mip_filter_altitude_aiding_codec, &record_filter_altitude_aiding, true, true,
+     required_filter_altitude_aiding, sizeof(required_filter_altitude_aiding),
+     offsetof(struct mip_filter_altitude_aiding, present)},
+    {&mip_filter_pitch_roll_aiding_codec, &record_filter_pitch_roll_aiding, true, true,
+     required_filter_pitch_roll_aiding, sizeof(required_filter_pitch_roll_aiding),
+     offsetof(struct mip_filter_pitch_roll_aiding, present)},
+    {&mip_filter_magnetic_inclination_source_codec, &record_filter_magnetic_inclination_source,
+     true, true, required_filter_magnetic_inclination_source,
+     sizeof(required_filter_magnetic_inclination_source),
+     offsetof(struct mip_filter_magnetic_inclination_source, present)},
+    {&mip_filter_magnetic_magnitude_source_codec, &record_filter_magnetic_magnitude_source, true,
+     true, required_filter_magnetic_magnitude_source,
+     sizeof(required_filter_magnetic_magnitude_source),
+     offsetof(struct mip_filter_magnetic_magnitude_source, present)},
+    {&mip_filter_sensor_to_vehicle_rotation_dcm_codec,
+     &record_filter_sensor_to_vehicle_rotation_dcm, true, true,
+     required_filter_sensor_to_vehicle_rotation_dcm,
+     sizeof(required_filter_sensor_to_vehicle_rotation_dcm),
+     offsetof(struct mip_filter_sensor_to_vehicle_rotation_dcm, present)},
+    {&mip_filter_sensor_to_vehicle_rotation_quaternion_codec,
+     &record_filter_sensor_to_vehicle_rotation_quaternion, true, true,
+     required_filter_sensor_to_vehicle_rotation_quaternion,
+     sizeof(required_filter_sensor_to_vehicle_rotation_quaternion),
+     offsetof(struct mip_filter_sensor_to_vehicle_rotation_quaternion, present)},
+    {&mip_filter_aiding_measurement_enable_codec, &record_filter_aiding_measurement_enable, true,
+     true, required_filter_aiding_measurement_enable,
+     sizeof(required_filter_aiding_measurement_enable),
+     offsetof(struct mip_filter_aiding_measurement_enable, present)},
+    {&mip_filter_kinematic_constraint_codec, &record_filter_kinematic_constraint, true, true,
+     required_filter_kinematic_constraint, sizeof(required_filter_kinematic_constraint),
+     offsetof(struct mip_filter_kinematic_constraint, present)},
+    {&mip_filter_initialization_config_codec, &record_filter_initialization_config, true, true,
+     required_filter_initialization_config, sizeof(required_filter_initialization_config),
+     offsetof(struct mip_filter_initialization_config, present)},
+    {&mip_filter_adaptive_filter_options_codec, &record_filter_adaptive_filter_options, true, true,
+     required_filter_adaptive_filter_options, sizeof(required_filter_adaptive_filter_options),
+     offsetof(struct mip_filter_adaptive_filter_options, present)},
+    {&mip_filter_multi_antenna_offset_codec, &record_filter_multi_antenna_offset, true, true,
+     required_filter_multi_antenna_offset, sizeof(required_filter_multi_antenna_offset),
+     offsetof(struct mip_filter_multi_antenna_offset, present)},
+    {&mip_filter_relative_position_config_codec, &record_filter_relative_position_config, true,
+     true, required_filter_relative_position_config,
+     sizeof(required_filter_relative_position_config),
+     offsetof(struct mip_filter_relative_position_config, present)},
     {&mip_filter_reference_point_lever_arm_codec, &record_filter_reference_point_lever_arm, true,
      true, required_filter_reference_point_lever_arm,
      sizeof(required_filter_reference_point_lever_arm),
      offsetof(struct mip_filter_reference_point_lever_arm, present)},
-    {&mip_filter_measurement_speed_lever_arm_codec, &record_filter_measurement_speed_lever_arm,
-     true, true, required_filter_measurement_speed_lever_arm,
-     sizeof(required_filter_measurement_speed_lever_arm),
-     offsetof(struct mip_filter_measurement_speed_lever_arm, present)},
+    {&mip_filter_speed_measurement_codec, &record_filter_speed_measurement, false, false, NULL, 0,
+     0},
+    {&mip_filter_speed_lever_arm_codec, &record_filter_speed_lever_arm, true, true,
+     required_filter_speed_lever_arm, sizeof(required_filter_speed_lever_arm),
+     offsetof(struct mip_filter_speed_lever_arm, present)},
+    {&mip_filter_vertical_gyro_constraint_control_codec,
+     &record_filter_vertical_gyro_constraint_control, true, true,
+     required_filter_vertical_gyro_constraint_control,
+     sizeof(required_filter_vertical_gyro_constraint_control),
+     offsetof(struct mip_filter_vertical_gyro_constraint_control, present)},
     {&mip_filter_wheeled_vehicle_constraint_control_codec,
      &record_filter_wheeled_vehicle_constraint_control, true, true,
      required_filter_wheeled_vehicle_constraint_control,
      sizeof(required_filter_wheeled_vehicle_constraint_control),
      offsetof(struct mip_filter_wheeled_vehicle_constraint_control, present)},
-    {&mip_filter_gnss_antenna_offset_calibration_control_codec,
-     &record_filter_gnss_antenna_offset_calibration_control, true, true,
-     required_filter_gnss_antenna_offset_calibration_control,
-     sizeof(required_filter_gnss_antenna_offset_calibration_control),
-     offsetof(struct mip_filter_gnss_antenna_offset_calibration_control, present)},
-    {&mip_filter_sensor_to_vehicle_frame_transformation_response_codec,
-     &record_filter_sensor_to_vehicle_frame_transformation_response, false, false, NULL, 0, 0},
-    {&mip_filter_gnss_antenna_offset_control_response_codec,
-     &record_filter_gnss_antenna_offset_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_estimation_control_flags_response_codec,
-     &record_filter_estimation_control_flags_response, false, false, NULL, 0, 0},
-    {&mip_filter_gnss_aiding_source_control_response_codec,
-     &record_filter_gnss_aiding_source_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_heading_update_control_response_codec,
-     &record_filter_heading_update_control_response, false, false, NULL, 0, 0},
+    {&mip_filter_gnss_antenna_calibration_control_codec,
+     &record_filter_gnss_antenna_calibration_control, true, true,
+     required_filter_gnss_antenna_calibration_control,
+     sizeof(required_filter_gnss_antenna_calibration_control),
+     offsetof(struct mip_filter_gnss_antenna_calibration_control, present)},
+    {&mip_filter_vehicle_dynamics_mode_response_codec,
+     &record_filter_vehicle_dynamics_mode_response, false, false, NULL, 0, 0},
+    {&mip_filter_sensor_to_vehicle_rotation_euler_response_codec,
+     &record_filter_sensor_to_vehicle_rotation_euler_response, false, false, NULL, 0, 0},
+    {&mip_filter_sensor_to_vehicle_offset_response_codec,
+     &record_filter_sensor_to_vehicle_offset_response, false, false, NULL, 0, 0},
+    {&mip_filter_antenna_offset_response_codec, &record_filter_antenna_offset_response, false,
+     false, NULL, 0, 0},
+    {&mip_filter_estimation_control_response_codec, &record_filter_estimation_control_response,
+     false, false, NULL, 0, 0},
+    {&mip_filter_gnss_source_response_codec, &record_filter_gnss_source_response, false, false,
+     NULL, 0, 0},
+    {&mip_filter_heading_source_response_codec, &record_filter_heading_source_response, false,
+     false, NULL, 0, 0},
     {&mip_filter_auto_initialization_control_response_codec,
      &record_filter_auto_initialization_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_accelerometer_noise_standard_deviation_response_codec,
-     &record_filter_accelerometer_noise_standard_deviation_response, false, false, NULL, 0, 0},
-    {&mip_filter_gyroscope_noise_standard_deviation_response_codec,
-     &record_filter_gyroscope_noise_standard_deviation_response, false, false, NULL, 0, 0},
-    {&mip_filter_accelerometer_bias_model_parameters_response_codec,
-     &record_filter_accelerometer_bias_model_parameters_response, false, false, NULL, 0, 0},
-    {&mip_filter_gyroscope_bias_model_parameters_response_codec,
-     &record_filter_gyroscope_bias_model_parameters_response, false, false, NULL, 0, 0},
-    {&mip_filter_zero_angular_rate_update_control_response_codec,
-     &record_filter_zero_angular_rate_update_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_set_reference_position_response_codec,
-     &record_filter_set_reference_position_response, false, false, NULL, 0, 0},
-    {&mip_filter_gravity_noise_standard_deviation_response_codec,
-     &record_filter_gravity_noise_standard_deviation_response, false, false, NULL, 0, 0},
-    {&mip_filter_enable_disable_measurements_response_codec,
-     &record_filter_enable_disable_measurements_response, false, false, NULL, 0, 0},
-    {&mip_filter_magnetic_field_declination_source_control_response_codec,
-     &record_filter_magnetic_field_declination_source_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_gravity_magnitude_error_adaptive_measurement_response_codec,
-     &record_filter_gravity_magnitude_error_adaptive_measurement_response, false, false, NULL, 0,
+    {&mip_filter_accel_noise_response_codec, &record_filter_accel_noise_response, false, false,
+     NULL, 0, 0},
+    {&mip_filter_gyro_noise_response_codec, &record_filter_gyro_noise_response, false, false, NULL,
+     0, 0},
+    {&mip_filter_accel_bias_model_response_codec, &record_filter_accel_bias_model_response, false,
+     false, NULL, 0, 0},
+    {&mip_filter_gyro_bias_model_response_codec, &record_filter_gyro_bias_model_response, false,
+     false, NULL, 0, 0},
+    {&mip_filter_auto_zupt_response_codec, &record_filter_auto_zupt_response, false, false, NULL, 0,
      0},
-    {&mip_filter_pitch_roll_aiding_control_response_codec,
-     &record_filter_pitch_roll_aiding_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_aiding_measurement_control_response_codec,
-     &record_filter_aiding_measurement_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_navigation_filter_initialization_response_codec,
-     &record_filter_navigation_filter_initialization_response, false, false, NULL, 0, 0},
-    {&mip_filter_adaptive_filter_control_response_codec,
-     &record_filter_adaptive_filter_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_gnss_multi_antenna_offset_control_response_codec,
-     &record_filter_gnss_multi_antenna_offset_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_relative_position_configuration_response_codec,
-     &record_filter_relative_position_configuration_response, false, false, NULL, 0, 0},
+    {&mip_filter_auto_angular_zupt_response_codec, &record_filter_auto_angular_zupt_response, false,
+     false, NULL, 0, 0},
+    {&mip_filter_reference_position_response_codec, &record_filter_reference_position_response,
+     false, false, NULL, 0, 0},
+    {&mip_filter_gravity_noise_response_codec, &record_filter_gravity_noise_response, false, false,
+     NULL, 0, 0},
+    {&mip_filter_pressure_altitude_noise_response_codec,
+     &record_filter_pressure_altitude_noise_response, false, false, NULL, 0, 0},
+    {&mip_filter_hard_iron_offset_noise_response_codec,
+     &record_filter_hard_iron_offset_noise_response, false, false, NULL, 0, 0},
+    {&mip_filter_soft_iron_matrix_noise_response_codec,
+     &record_filter_soft_iron_matrix_noise_response, false, false, NULL, 0, 0},
+    {&mip_filter_tare_orientation_response_codec, &record_filter_tare_orientation_response, false,
+     false, NULL, 0, 0},
+    {&mip_filter_enable_measurements_response_codec, &record_filter_enable_measurements_response,
+     false, false, NULL, 0, 0},
+    {&mip_filter_mag_noise_response_codec, &record_filter_mag_noise_response, false, false, NULL, 0,
+     0},
+    {&mip_filter_magnetic_declination_source_response_codec,
+     &record_filter_magnetic_declination_source_response, false, false, NULL, 0, 0},
+    {&mip_filter_accel_magnitude_error_adaptive_measurement_response_codec,
+     &record_filter_accel_magnitude_error_adaptive_measurement_response, false, false, NULL, 0, 0},
+    {&mip_filter_mag_magnitude_error_adaptive_measurement_response_codec,
+     &record_filter_mag_magnitude_error_adaptive_measurement_response, false, false, NULL, 0, 0},
+    {&mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec,
+     &record_filter_mag_dip_angle_error_adaptive_measurement_response, false, false, NULL, 0, 0},
+    {&mip_filter_altitude_aiding_response_codec, &record_filter_altitude_aiding_response, false,
+     false, NULL, 0, 0},
+    {&mip_filter_pitch_roll_aiding_response_codec, &record_filter_pitch_roll_aiding_response, false,
+     false, NULL, 0, 0},
+    {&mip_filter_magnetic_inclination_source_response_codec,
+     &record_filter_magnetic_inclination_source_response, false, false, NULL, 0, 0},
+    {&mip_filter_magnetic_magnitude_source_response_codec,
+     &record_filter_magnetic_magnitude_source_response, false, false, NULL, 0, 0},
+    {&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec,
+     &record_filter_sensor_to_vehicle_rotation_dcm_response, false, false, NULL, 0, 0},
+    {&mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec,
+     &record_filter_sensor_to_vehicle_rotation_quaternion_response, false, false, NULL, 0, 0},
+    {&mip_filter_aiding_measurement_enable_response_codec,
+     &record_filter_aiding_measurement_enable_response, false, false, NULL, 0, 0},
+    {&mip_filter_kinematic_constraint_response_codec, &record_filter_kinematic_constraint_response,
+     false, false, NULL, 0, 0},
+    {&mip_filter_initialization_config_response_codec,
+     &record_filter_initialization_config_response, false, false, NULL, 0, 0},
+    {&mip_filter_adaptive_filter_options_response_codec,
+     &record_filter_adaptive_filter_options_response, false, false, NULL, 0, 0},
+    {&mip_filter_multi_antenna_offset_response_codec, &record_filter_multi_antenna_offset_response,
+     false, false, NULL, 0, 0},
+    {&mip_filter_relative_position_config_response_codec,
+     &record_filter_relative_position_config_response, false, false, NULL, 0, 0},
     {&mip_filter_reference_point_lever_arm_response_codec,
      &record_filter_reference_point_lever_arm_response, false, false, NULL, 0, 0},
-    {&mip_filter_measurement_speed_lever_arm_response_codec,
-     &record_filter_measurement_speed_lever_arm_response, false, false, NULL, 0, 0},
+    {&mip_filter_speed_lever_arm_response_codec, &record_filter_speed_lever_arm_response, false,
+     false, NULL, 0, 0},
+    {&mip_filter_vertical_gyro_constraint_control_response_codec,
+     &record_filter_vertical_gyro_constraint_control_response, false, false, NULL, 0, 0},
     {&mip_filter_wheeled_vehicle_constraint_control_response_codec,
      &record_filter_wheeled_vehicle_constraint_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_gnss_antenna_offset_calibration_control_response_codec,
-     &record_filter_gnss_antenna_offset_calibration_control_response, false, false, NULL, 0, 0},
+    {&mip_filter_gnss_antenna_calibration_control_response_codec,
+     &record_filter_gnss_antenna_calibration_control_response, false, false, NULL, 0, 0},
     {&mip_gnss_receiver_info_codec, &record_gnss_receiver_info, false, false, NULL, 0, 0},
-    {&mip_gnss_signal_configuration_codec, &record_gnss_signal_configuration, true, true,
-     required_gnss_signal_configuration, sizeof(required_gnss_signal_configuration),
-     offsetof(struct mip_gnss_signal_configuration, present)},
-    {&mip_gnss_spartn_configuration_codec, &record_gnss_spartn_configuration, true, true,
-     required_gnss_spartn_configuration, sizeof(required_gnss_spartn_configuration),
-     offsetof(struct mip_gnss_spartn_configuration, present)},
+    {&mip_gnss_signal_config_codec, &record_gnss_signal_config, true, true,
+     required_gnss_signal_config, sizeof(required_gnss_signal_config),
+     offsetof(struct mip_gnss_signal_config, present)},
+    {&mip_gnss_rtk_dongle_config_codec, &record_gnss_rtk_dongle_config, true, true,
+     required_gnss_rtk_dongle_config, sizeof(required_gnss_rtk_dongle_config),
+     offsetof(struct mip_gnss_rtk_dongle_config, present)},
+    {&mip_gnss_spartn_config_codec, &record_gnss_spartn_config, true, true,
+     required_gnss_spartn_config, sizeof(required_gnss_spartn_config),
+     offsetof(struct mip_gnss_spartn_config, present)},
     {&mip_gnss_receiver_info_response_codec, &record_gnss_receiver_info_response, false, false,
      NULL, 0, 0},
-    {&mip_gnss_signal_configuration_response_codec, &record_gnss_signal_configuration_response,
+    {&mip_gnss_signal_config_response_codec, &record_gnss_signal_config_response, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_rtk_dongle_config_response_codec, &record_gnss_rtk_dongle_config_response, false,
+     false, NULL, 0, 0},
+    {&mip_gnss_spartn_config_response_codec, &record_gnss_spartn_config_response, false, false,
+     NULL, 0, 0},
+    {&mip_rtk_get_status_flags_codec, &record_rtk_get_status_flags, false, false, NULL, 0, 0},
+    {&mip_rtk_get_imei_codec, &record_rtk_get_imei, false, false, NULL, 0, 0},
+    {&mip_rtk_get_imsi_codec, &record_rtk_get_imsi, false, false, NULL, 0, 0},
+    {&mip_rtk_get_iccid_codec, &record_rtk_get_iccid, false, false, NULL, 0, 0},
+    {&mip_rtk_get_rssi_codec, &record_rtk_get_rssi, false, false, NULL, 0, 0},
+    {&mip_rtk_connected_device_type_codec, &record_rtk_connected_device_type, true, true,
+     required_rtk_connected_device_type, sizeof(required_rtk_connected_device_type),
+     offsetof(struct mip_rtk_connected_device_type, present)},
+    {&mip_rtk_get_activation_code_codec, &record_rtk_get_activation_code, false, false, NULL, 0, 0},
+    {&mip_rtk_get_modem_firmware_version_codec, &record_rtk_get_modem_firmware_version, false,
+     false, NULL, 0, 0},
+    {&mip_rtk_service_status_codec, &record_rtk_service_status, false, false, NULL, 0, 0},
+    {&mip_rtk_erase_storage_codec, &record_rtk_erase_storage, false, false, NULL, 0, 0},
+    {&mip_rtk_led_control_codec, &record_rtk_led_control, false, false, NULL, 0, 0},
+    {&mip_rtk_modem_hard_reset_codec, &record_rtk_modem_hard_reset, false, false, NULL, 0, 0},
+    {&mip_rtk_get_status_flags_response_codec, &record_rtk_get_status_flags_response, false, false,
+     NULL, 0, 0},
+    {&mip_rtk_get_imei_response_codec, &record_rtk_get_imei_response, false, false, NULL, 0, 0},
+    {&mip_rtk_get_imsi_response_codec, &record_rtk_get_imsi_response, false, false, NULL, 0, 0},
+    {&mip_rtk_get_iccid_response_codec, &record_rtk_get_iccid_response, false, false, NULL, 0, 0},
+    {&mip_rtk_get_rssi_response_codec, &record_rtk_get_rssi_response, false, false, NULL, 0, 0},
+    {&mip_rtk_connected_device_type_response_codec, &record_rtk_connected_device_type_response,
      false, false, NULL, 0, 0},
-    {&mip_gnss_spartn_configuration_response_codec, &record_gnss_spartn_configuration_response,
-     false, false, NULL, 0, 0},
-    {&mip_aiding_frame_configuration_codec, &record_aiding_frame_configuration, true, true,
-     required_aiding_frame_configuration, sizeof(required_aiding_frame_configuration),
-     offsetof(struct mip_aiding_frame_configuration, present)},
+    {&mip_rtk_get_activation_code_response_codec, &record_rtk_get_activation_code_response, false,
+     false, NULL, 0, 0},
+    {&mip_rtk_get_modem_firmware_version_response_codec,
+     &record_rtk_get_modem_firmware_version_response, false, false, NULL, 0, 0},
+    {&mip_rtk_service_status_response_codec, &record_rtk_service_status_response, false, false,
+     NULL, 0, 0},
+    {&mip_aiding_frame_config_codec, &record_aiding_frame_config, true, true,
+     required_aiding_frame_config, sizeof(required_aiding_frame_config),
+     offsetof(struct mip_aiding_frame_config, present)},
     {&mip_aiding_echo_control_codec, &record_aiding_echo_control, true, true,
      required_aiding_echo_control, sizeof(required_aiding_echo_control),
      offsetof(struct mip_aiding_echo_control, present)},
@@ -5681,39 +8285,51 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_aiding_true_heading_codec, &record_aiding_true_heading, false, false, NULL, 0, 0},
     {&mip_aiding_magnetic_field_codec, &record_aiding_magnetic_field, false, false, NULL, 0, 0},
     {&mip_aiding_pressure_codec, &record_aiding_pressure, false, false, NULL, 0, 0},
-    {&mip_aiding_frame_configuration_response_codec, &record_aiding_frame_configuration_response,
-     false, false, NULL, 0, 0},
+    {&mip_aiding_frame_config_response_codec, &record_aiding_frame_config_response, false, false,
+     NULL, 0, 0},
     {&mip_aiding_echo_control_response_codec, &record_aiding_echo_control_response, false, false,
      NULL, 0, 0},
-    {&mip_system_communication_mode_codec, &record_system_communication_mode, true, true,
-     required_system_communication_mode, sizeof(required_system_communication_mode),
-     offsetof(struct mip_system_communication_mode, present)},
-    {&mip_system_communication_mode_response_codec, &record_system_communication_mode_response,
-     false, false, NULL, 0, 0},
+    {&mip_system_interface_control_codec, &record_system_interface_control, true, true,
+     required_system_interface_control, sizeof(required_system_interface_control),
+     offsetof(struct mip_system_interface_control, present)},
+    {&mip_system_comm_mode_codec, &record_system_comm_mode, true, true, required_system_comm_mode,
+     sizeof(required_system_comm_mode), offsetof(struct mip_system_comm_mode, present)},
+    {&mip_system_interface_control_response_codec, &record_system_interface_control_response, false,
+     false, NULL, 0, 0},
+    {&mip_system_comm_mode_response_codec, &record_system_comm_mode_response, false, false, NULL, 0,
+     0},
+    {&mip_sensor_raw_accel_codec, &record_sensor_raw_accel, false, false, NULL, 0, 0},
+    {&mip_sensor_raw_gyro_codec, &record_sensor_raw_gyro, false, false, NULL, 0, 0},
+    {&mip_sensor_raw_mag_codec, &record_sensor_raw_mag, false, false, NULL, 0, 0},
     {&mip_sensor_scaled_accel_codec, &record_sensor_scaled_accel, false, false, NULL, 0, 0},
     {&mip_sensor_scaled_gyro_codec, &record_sensor_scaled_gyro, false, false, NULL, 0, 0},
     {&mip_sensor_scaled_mag_codec, &record_sensor_scaled_mag, false, false, NULL, 0, 0},
     {&mip_sensor_delta_theta_codec, &record_sensor_delta_theta, false, false, NULL, 0, 0},
     {&mip_sensor_delta_velocity_codec, &record_sensor_delta_velocity, false, false, NULL, 0, 0},
-    {&mip_sensor_complementary_filter_orientation_matrix_codec,
-     &record_sensor_complementary_filter_orientation_matrix, false, false, NULL, 0, 0},
-    {&mip_sensor_complementary_filter_quaternion_codec,
-     &record_sensor_complementary_filter_quaternion, false, false, NULL, 0, 0},
-    {&mip_sensor_complementary_filter_euler_angles_codec,
-     &record_sensor_complementary_filter_euler_angles, false, false, NULL, 0, 0},
-    {&mip_sensor_complementary_filter_stabilized_north_vector_codec,
-     &record_sensor_complementary_filter_stabilized_north_vector, false, false, NULL, 0, 0},
-    {&mip_sensor_complementary_filter_stabilized_up_vector_codec,
-     &record_sensor_complementary_filter_stabilized_up_vector, false, false, NULL, 0, 0},
+    {&mip_sensor_comp_orientation_matrix_codec, &record_sensor_comp_orientation_matrix, false,
+     false, NULL, 0, 0},
+    {&mip_sensor_comp_quaternion_codec, &record_sensor_comp_quaternion, false, false, NULL, 0, 0},
+    {&mip_sensor_comp_orientation_update_matrix_codec,
+     &record_sensor_comp_orientation_update_matrix, false, false, NULL, 0, 0},
+    {&mip_sensor_comp_euler_angles_codec, &record_sensor_comp_euler_angles, false, false, NULL, 0,
+     0},
+    {&mip_sensor_orientation_raw_temperature_codec, &record_sensor_orientation_raw_temperature,
+     false, false, NULL, 0, 0},
+    {&mip_sensor_internal_timestamp_codec, &record_sensor_internal_timestamp, false, false, NULL, 0,
+     0},
+    {&mip_sensor_pps_timestamp_codec, &record_sensor_pps_timestamp, false, false, NULL, 0, 0},
+    {&mip_sensor_north_vector_codec, &record_sensor_north_vector, false, false, NULL, 0, 0},
+    {&mip_sensor_up_vector_codec, &record_sensor_up_vector, false, false, NULL, 0, 0},
     {&mip_sensor_gps_timestamp_codec, &record_sensor_gps_timestamp, false, false, NULL, 0, 0},
     {&mip_sensor_temperature_statistics_codec, &record_sensor_temperature_statistics, false, false,
      NULL, 0, 0},
+    {&mip_sensor_raw_pressure_codec, &record_sensor_raw_pressure, false, false, NULL, 0, 0},
     {&mip_sensor_scaled_pressure_codec, &record_sensor_scaled_pressure, false, false, NULL, 0, 0},
     {&mip_sensor_overrange_status_codec, &record_sensor_overrange_status, false, false, NULL, 0, 0},
     {&mip_sensor_odometer_codec, &record_sensor_odometer, false, false, NULL, 0, 0},
     {&mip_filter_data_llh_position_codec, &record_filter_data_llh_position, false, false, NULL, 0,
      0},
-    {&mip_filter_data_velocity_ned_codec, &record_filter_data_velocity_ned, false, false, NULL, 0,
+    {&mip_filter_data_ned_velocity_codec, &record_filter_data_ned_velocity, false, false, NULL, 0,
      0},
     {&mip_filter_data_attitude_quaternion_codec, &record_filter_data_attitude_quaternion, false,
      false, NULL, 0, 0},
@@ -5737,22 +8353,54 @@ const struct mip_reflection mip_reflections[] = {
      0},
     {&mip_filter_data_comp_angular_rate_codec, &record_filter_data_comp_angular_rate, false, false,
      NULL, 0, 0},
-    {&mip_filter_data_wgs84_local_gravity_magnitude_codec,
-     &record_filter_data_wgs84_local_gravity_magnitude, false, false, NULL, 0, 0},
+    {&mip_filter_data_wgs84_gravity_magnitude_codec, &record_filter_data_wgs84_gravity_magnitude,
+     false, false, NULL, 0, 0},
     {&mip_filter_data_status_codec, &record_filter_data_status, false, false, NULL, 0, 0},
     {&mip_filter_data_timestamp_codec, &record_filter_data_timestamp, false, false, NULL, 0, 0},
     {&mip_filter_data_quaternion_attitude_uncertainty_codec,
      &record_filter_data_quaternion_attitude_uncertainty, false, false, NULL, 0, 0},
     {&mip_filter_data_gravity_vector_codec, &record_filter_data_gravity_vector, false, false, NULL,
      0, 0},
-    {&mip_filter_data_heading_update_source_state_codec,
-     &record_filter_data_heading_update_source_state, false, false, NULL, 0, 0},
+    {&mip_filter_data_heading_update_state_codec, &record_filter_data_heading_update_state, false,
+     false, NULL, 0, 0},
     {&mip_filter_data_magnetic_model_codec, &record_filter_data_magnetic_model, false, false, NULL,
      0, 0},
-    {&mip_filter_data_compensated_acceleration_codec, &record_filter_data_compensated_acceleration,
-     false, false, NULL, 0, 0},
+    {&mip_filter_data_gyro_scale_factor_codec, &record_filter_data_gyro_scale_factor, false, false,
+     NULL, 0, 0},
+    {&mip_filter_data_accel_scale_factor_codec, &record_filter_data_accel_scale_factor, false,
+     false, NULL, 0, 0},
+    {&mip_filter_data_gyro_scale_factor_uncertainty_codec,
+     &record_filter_data_gyro_scale_factor_uncertainty, false, false, NULL, 0, 0},
+    {&mip_filter_data_accel_scale_factor_uncertainty_codec,
+     &record_filter_data_accel_scale_factor_uncertainty, false, false, NULL, 0, 0},
+    {&mip_filter_data_mag_bias_codec, &record_filter_data_mag_bias, false, false, NULL, 0, 0},
+    {&mip_filter_data_mag_bias_uncertainty_codec, &record_filter_data_mag_bias_uncertainty, false,
+     false, NULL, 0, 0},
+    {&mip_filter_data_comp_accel_codec, &record_filter_data_comp_accel, false, false, NULL, 0, 0},
+    {&mip_filter_data_standard_atmosphere_codec, &record_filter_data_standard_atmosphere, false,
+     false, NULL, 0, 0},
     {&mip_filter_data_pressure_altitude_codec, &record_filter_data_pressure_altitude, false, false,
      NULL, 0, 0},
+    {&mip_filter_data_density_altitude_codec, &record_filter_data_density_altitude, false, false,
+     NULL, 0, 0},
+    {&mip_filter_data_mag_offset_codec, &record_filter_data_mag_offset, false, false, NULL, 0, 0},
+    {&mip_filter_data_mag_matrix_codec, &record_filter_data_mag_matrix, false, false, NULL, 0, 0},
+    {&mip_filter_data_mag_offset_uncertainty_codec, &record_filter_data_mag_offset_uncertainty,
+     false, false, NULL, 0, 0},
+    {&mip_filter_data_mag_matrix_uncertainty_codec, &record_filter_data_mag_matrix_uncertainty,
+     false, false, NULL, 0, 0},
+    {&mip_filter_data_mag_covariance_matrix_codec, &record_filter_data_mag_covariance_matrix, false,
+     false, NULL, 0, 0},
+    {&mip_filter_data_mag_residual_vector_codec, &record_filter_data_mag_residual_vector, false,
+     false, NULL, 0, 0},
+    {&mip_filter_data_antenna_offset_correction_codec,
+     &record_filter_data_antenna_offset_correction, false, false, NULL, 0, 0},
+    {&mip_filter_data_antenna_offset_correction_uncertainty_codec,
+     &record_filter_data_antenna_offset_correction_uncertainty, false, false, NULL, 0, 0},
+    {&mip_filter_data_clock_correction_codec, &record_filter_data_clock_correction, false, false,
+     NULL, 0, 0},
+    {&mip_filter_data_clock_correction_uncertainty_codec,
+     &record_filter_data_clock_correction_uncertainty, false, false, NULL, 0, 0},
     {&mip_filter_data_multi_antenna_offset_correction_codec,
      &record_filter_data_multi_antenna_offset_correction, false, false, NULL, 0, 0},
     {&mip_filter_data_multi_antenna_offset_correction_uncertainty_codec,
@@ -5769,6 +8417,10 @@ const struct mip_reflection mip_reflections[] = {
      false, NULL, 0, 0},
     {&mip_filter_data_gnss_position_aiding_status_codec,
      &record_filter_data_gnss_position_aiding_status, false, false, NULL, 0, 0},
+    {&mip_filter_data_gnss_attitude_aiding_status_codec,
+     &record_filter_data_gnss_attitude_aiding_status, false, false, NULL, 0, 0},
+    {&mip_filter_data_heading_aiding_status_codec, &record_filter_data_heading_aiding_status, false,
+     false, NULL, 0, 0},
     {&mip_filter_data_aiding_measurement_summary_codec,
      &record_filter_data_aiding_measurement_summary, false, false, NULL, 0, 0},
     {&mip_filter_data_odometer_scale_factor_error_codec,
@@ -5777,44 +8429,57 @@ const struct mip_reflection mip_reflections[] = {
      &record_filter_data_odometer_scale_factor_error_uncertainty, false, false, NULL, 0, 0},
     {&mip_filter_data_gnss_dual_antenna_status_codec, &record_filter_data_gnss_dual_antenna_status,
      false, false, NULL, 0, 0},
-    {&mip_filter_data_aiding_frame_configuration_error_codec,
-     &record_filter_data_aiding_frame_configuration_error, false, false, NULL, 0, 0},
-    {&mip_filter_data_aiding_frame_configuration_error_uncertainty_codec,
-     &record_filter_data_aiding_frame_configuration_error_uncertainty, false, false, NULL, 0, 0},
-    {&mip_gnss_1_gnss_llh_position_codec, &record_gnss_1_gnss_llh_position, false, false, NULL, 0,
-     0},
-    {&mip_gnss_1_gnss_ecef_position_codec, &record_gnss_1_gnss_ecef_position, false, false, NULL, 0,
-     0},
+    {&mip_filter_data_aiding_frame_config_error_codec,
+     &record_filter_data_aiding_frame_config_error, false, false, NULL, 0, 0},
+    {&mip_filter_data_aiding_frame_config_error_uncertainty_codec,
+     &record_filter_data_aiding_frame_config_error_uncertainty, false, false, NULL, 0, 0},
+    {&mip_gnss_1_llh_position_codec, &record_gnss_1_llh_position, false, false, NULL, 0, 0},
+    {&mip_gnss_1_ecef_position_codec, &record_gnss_1_ecef_position, false, false, NULL, 0, 0},
     {&mip_gnss_1_ned_velocity_codec, &record_gnss_1_ned_velocity, false, false, NULL, 0, 0},
-    {&mip_gnss_1_gnss_ecef_velocity_codec, &record_gnss_1_gnss_ecef_velocity, false, false, NULL, 0,
-     0},
+    {&mip_gnss_1_ecef_velocity_codec, &record_gnss_1_ecef_velocity, false, false, NULL, 0, 0},
     {&mip_gnss_1_dop_codec, &record_gnss_1_dop, false, false, NULL, 0, 0},
     {&mip_gnss_1_utc_time_codec, &record_gnss_1_utc_time, false, false, NULL, 0, 0},
     {&mip_gnss_1_gps_time_codec, &record_gnss_1_gps_time, false, false, NULL, 0, 0},
+    {&mip_gnss_1_clock_info_codec, &record_gnss_1_clock_info, false, false, NULL, 0, 0},
     {&mip_gnss_1_fix_info_codec, &record_gnss_1_fix_info, false, false, NULL, 0, 0},
-    {&mip_gnss_1_gnss_hardware_status_codec, &record_gnss_1_gnss_hardware_status, false, false,
-     NULL, 0, 0},
+    {&mip_gnss_1_sv_info_codec, &record_gnss_1_sv_info, false, false, NULL, 0, 0},
+    {&mip_gnss_1_hardware_status_codec, &record_gnss_1_hardware_status, false, false, NULL, 0, 0},
+    {&mip_gnss_1_dgps_info_codec, &record_gnss_1_dgps_info, false, false, NULL, 0, 0},
+    {&mip_gnss_1_dgps_channel_codec, &record_gnss_1_dgps_channel, false, false, NULL, 0, 0},
     {&mip_gnss_1_clock_info_2_codec, &record_gnss_1_clock_info_2, false, false, NULL, 0, 0},
     {&mip_gnss_1_gps_leap_seconds_codec, &record_gnss_1_gps_leap_seconds, false, false, NULL, 0, 0},
     {&mip_gnss_1_sbas_info_codec, &record_gnss_1_sbas_info, false, false, NULL, 0, 0},
+    {&mip_gnss_1_sbas_correction_codec, &record_gnss_1_sbas_correction, false, false, NULL, 0, 0},
+    {&mip_gnss_1_rf_error_detection_codec, &record_gnss_1_rf_error_detection, false, false, NULL, 0,
+     0},
     {&mip_gnss_1_satellite_status_codec, &record_gnss_1_satellite_status, false, false, NULL, 0, 0},
     {&mip_gnss_1_raw_codec, &record_gnss_1_raw, false, false, NULL, 0, 0},
+    {&mip_gnss_1_base_station_info_codec, &record_gnss_1_base_station_info, false, false, NULL, 0,
+     0},
+    {&mip_gnss_1_rtk_corrections_status_codec, &record_gnss_1_rtk_corrections_status, false, false,
+     NULL, 0, 0},
     {&mip_gnss_1_gps_ephemeris_codec, &record_gnss_1_gps_ephemeris, false, false, NULL, 0, 0},
     {&mip_gnss_1_glonass_ephemeris_codec, &record_gnss_1_glonass_ephemeris, false, false, NULL, 0,
      0},
     {&mip_gnss_1_galileo_ephemeris_codec, &record_gnss_1_galileo_ephemeris, false, false, NULL, 0,
      0},
     {&mip_gnss_1_beidou_ephemeris_codec, &record_gnss_1_beidou_ephemeris, false, false, NULL, 0, 0},
-    {&mip_gnss_corrections_base_station_info_codec, &record_gnss_corrections_base_station_info,
-     false, false, NULL, 0, 0},
-    {&mip_gnss_corrections_rtk_corrections_status_codec,
-     &record_gnss_corrections_rtk_corrections_status, false, false, NULL, 0, 0},
+    {&mip_gnss_1_gps_iono_correction_codec, &record_gnss_1_gps_iono_correction, false, false, NULL,
+     0, 0},
+    {&mip_gnss_1_galileo_iono_correction_codec, &record_gnss_1_galileo_iono_correction, false,
+     false, NULL, 0, 0},
+    {&mip_gnss_1_beidou_iono_correction_codec, &record_gnss_1_beidou_iono_correction, false, false,
+     NULL, 0, 0},
     {&mip_system_data_built_in_test_codec, &record_system_data_built_in_test, false, false, NULL, 0,
      0},
     {&mip_system_data_time_sync_status_codec, &record_system_data_time_sync_status, false, false,
      NULL, 0, 0},
     {&mip_system_data_gpio_state_codec, &record_system_data_gpio_state, false, false, NULL, 0, 0},
+    {&mip_system_data_gpio_analog_value_codec, &record_system_data_gpio_analog_value, false, false,
+     NULL, 0, 0},
     {&mip_shared_event_source_codec, &record_shared_event_source, false, false, NULL, 0, 0},
+    {&mip_shared_ticks_codec, &record_shared_ticks, false, false, NULL, 0, 0},
+    {&mip_shared_delta_ticks_codec, &record_shared_delta_ticks, false, false, NULL, 0, 0},
     {&mip_shared_gps_timestamp_codec, &record_shared_gps_timestamp, false, false, NULL, 0, 0},
     {&mip_shared_delta_time_codec, &record_shared_delta_time, false, false, NULL, 0, 0},
     {&mip_shared_reference_timestamp_codec, &record_shared_reference_timestamp, false, false, NULL,

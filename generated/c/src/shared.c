@@ -14,11 +14,11 @@ static void write_event_source(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_event_source_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_EVENT_SOURCE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_event_source),
-    0,
+    0, /* time-out */
     read_event_source,
     write_event_source,
     NULL,
@@ -33,6 +33,70 @@ mip_error mip_shared_event_source_decode(struct mip_shared_event_source *value,
 mip_error mip_shared_event_source_encode(const struct mip_shared_event_source *value,
                                          struct mip_builder *builder) {
     return mip_encode_field(builder, 0xFF, MIP_SHARED_EVENT_SOURCE_DESCRIPTOR, write_event_source,
+                            value);
+}
+
+static void read_ticks(struct mip_reader *r, void *value) {
+    struct mip_shared_ticks *v = (struct mip_shared_ticks *)value;
+    mip_read_u32(r, &v->ticks, 1);
+}
+
+static void write_ticks(struct mip_writer *w, const void *value) {
+    const struct mip_shared_ticks *v = (const struct mip_shared_ticks *)value;
+    mip_write_u32(w, &v->ticks, 1);
+}
+
+const struct mip_codec mip_shared_ticks_codec = {
+    0xFF, /* descriptor set */
+    MIP_SHARED_TICKS_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_shared_ticks),
+    0, /* time-out */
+    read_ticks,
+    write_ticks,
+    NULL,
+    NULL,
+};
+
+mip_error mip_shared_ticks_decode(struct mip_shared_ticks *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_ticks, value, sizeof(*value), NULL);
+}
+
+mip_error mip_shared_ticks_encode(const struct mip_shared_ticks *value,
+                                  struct mip_builder *builder) {
+    return mip_encode_field(builder, 0xFF, MIP_SHARED_TICKS_DESCRIPTOR, write_ticks, value);
+}
+
+static void read_delta_ticks(struct mip_reader *r, void *value) {
+    struct mip_shared_delta_ticks *v = (struct mip_shared_delta_ticks *)value;
+    mip_read_u32(r, &v->ticks, 1);
+}
+
+static void write_delta_ticks(struct mip_writer *w, const void *value) {
+    const struct mip_shared_delta_ticks *v = (const struct mip_shared_delta_ticks *)value;
+    mip_write_u32(w, &v->ticks, 1);
+}
+
+const struct mip_codec mip_shared_delta_ticks_codec = {
+    0xFF, /* descriptor set */
+    MIP_SHARED_DELTA_TICKS_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_shared_delta_ticks),
+    0, /* time-out */
+    read_delta_ticks,
+    write_delta_ticks,
+    NULL,
+    NULL,
+};
+
+mip_error mip_shared_delta_ticks_decode(struct mip_shared_delta_ticks *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_delta_ticks, value, sizeof(*value), NULL);
+}
+
+mip_error mip_shared_delta_ticks_encode(const struct mip_shared_delta_ticks *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, 0xFF, MIP_SHARED_DELTA_TICKS_DESCRIPTOR, write_delta_ticks,
                             value);
 }
 
@@ -51,11 +115,11 @@ static void write_gps_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_gps_timestamp_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_GPS_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_gps_timestamp),
-    0,
+    0, /* time-out */
     read_gps_timestamp,
     write_gps_timestamp,
     NULL,
@@ -84,11 +148,11 @@ static void write_delta_time(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_delta_time_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_DELTA_TIME_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_delta_time),
-    0,
+    0, /* time-out */
     read_delta_time,
     write_delta_time,
     NULL,
@@ -118,11 +182,11 @@ static void write_reference_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_reference_timestamp_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_REFERENCE_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_reference_timestamp),
-    0,
+    0, /* time-out */
     read_reference_timestamp,
     write_reference_timestamp,
     NULL,
@@ -152,11 +216,11 @@ static void write_reference_time_delta(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_shared_reference_time_delta_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_REFERENCE_TIME_DELTA_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_reference_time_delta),
-    0,
+    0, /* time-out */
     read_reference_time_delta,
     write_reference_time_delta,
     NULL,
@@ -188,11 +252,11 @@ static void write_external_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_external_timestamp_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_EXTERNAL_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_external_timestamp),
-    0,
+    0, /* time-out */
     read_external_timestamp,
     write_external_timestamp,
     NULL,
@@ -224,11 +288,11 @@ static void write_external_time_delta(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_external_time_delta_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_EXTERNAL_TIME_DELTA_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_external_time_delta),
-    0,
+    0, /* time-out */
     read_external_time_delta,
     write_external_time_delta,
     NULL,

@@ -1,6 +1,9 @@
 """Aiding commands (0x13).
 
 Measurements of external sensors for the navigation filter, and the frames of the sensors.
+
+- 3dm-cv7-gnss-ins: Aiding (0x13)
+- 3dm-cv7-gnss-ins: Filter Aiding Measurements
 """
 
 from __future__ import annotations
@@ -10,12 +13,15 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, Structure
+from .field import Command, Field, Response, ResponseClass, Structure
 from .protocol import FunctionSelector
 
 
 class AidingFrameFormat(codec.OpenEnum):
-    """How the rotation of an aiding frame is given."""
+    """How the rotation of an aiding frame is given.
+
+    - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
+    """
 
     EULER = 1
     """Euler angles: roll, pitch, yaw."""
@@ -24,7 +30,10 @@ class AidingFrameFormat(codec.OpenEnum):
 
 
 class AidingEchoMode(codec.OpenEnum):
-    """How the device answers aiding measurements."""
+    """How the device answers aiding measurements.
+
+    - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
+    """
 
     SUPPRESS_ACK = 0
     """No acknowledge."""
@@ -55,8 +64,9 @@ class MeasurementTime(Structure):
     timebase: Timebase
     """Clock of the time."""
     reserved: int = field(default=1, kw_only=True)
+    """Reserved: send 1."""
     nanoseconds: int
-    """Time by that clock. [ns]"""
+    """Time by that clock. Unit: ns."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MeasurementTime, int]:
@@ -77,11 +87,11 @@ class AxisFlags(IntFlag):
     """Which axes of a measurement are valid; the others are ignored."""
 
     X = 1 << 0
-    """First axis."""
+    """First axis. Bit 0."""
     Y = 1 << 1
-    """Second axis."""
+    """Second axis. Bit 1."""
     Z = 1 << 2
-    """Third axis."""
+    """Third axis. Bit 2."""
 
 
 @codec.open_flag(16)
@@ -89,28 +99,25 @@ class LlhAxisFlags(IntFlag):
     """Which coordinates of a position are valid; the others are ignored."""
 
     LATITUDE = 1 << 0
-    """Latitude and its uncertainty."""
+    """Latitude and its uncertainty. Bit 0."""
     LONGITUDE = 1 << 1
-    """Longitude and its uncertainty."""
+    """Longitude and its uncertainty. Bit 1."""
     HEIGHT = 1 << 2
-    """Height and its uncertainty."""
+    """Height and its uncertainty. Bit 2."""
 
 
-_FRAME_CONFIGURATION_RESPONSE_0 = codec.Block(
-    "BBBfff", "frame_id", "format", "tracking_enabled", "translation", "translation", "translation"
+_FRAME_CONFIG_RESPONSE_0 = codec.Block(
+    "BBBfff", "frame_id", "format", "tracking_enabled", *["translation"] * 3
 )
-_FRAME_CONFIGURATION_RESPONSE_1 = codec.Block("fff", "rotation", "rotation", "rotation")
-_FRAME_CONFIGURATION_RESPONSE_2 = codec.Block(
-    "ffff", "rotation", "rotation", "rotation", "rotation"
-)
+_FRAME_CONFIG_RESPONSE_1 = codec.Block("fff", *["rotation"] * 3)
+_FRAME_CONFIG_RESPONSE_2 = codec.Block("ffff", *["rotation"] * 4)
 
 
 @dataclass(slots=True)
-class FrameConfigurationResponse(Response):
+class FrameConfigResponse(Response):
     """Frame configuration response (0x13,0x81).
 
-    Answers Frame configuration (0x13,0x01).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `FrameConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -118,7 +125,7 @@ class FrameConfigurationResponse(Response):
 
     SET = 0x13
     DESCRIPTOR = 0x81
-    NAME = "aiding.frame_configuration_response"
+    NAME = "aiding.frame_config_response"
     ROLE = "response"
 
     frame_id: int
@@ -128,31 +135,37 @@ class FrameConfigurationResponse(Response):
     tracking_enabled: bool
     """Whether the filter estimates the errors of the frame."""
     translation: types.Vector3f
-    """Origin of the frame in the vehicle. [m] Frame: vehicle."""
+    """Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle."""
     rotation: types.Vector3f | types.Quatf | None = None
-    """Rotation from the frame to the vehicle."""
+    """Rotation from the frame to the vehicle. Selected by `format`.
+
+    - If `format` is `AidingFrameFormat.EULER`: `types.Vector3f`. Roll, pitch and yaw. Elements: x,
+      y, z. Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
+    - If `format` is `AidingFrameFormat.QUATERNION`: `types.Quatf`. Quaternion, scalar part first.
+      Elements: w, x, y, z. Unit: 1.
+    """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfigurationResponse, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfigResponse, int]:
         rotation: types.Vector3f | types.Quatf | None = None
-        v = _FRAME_CONFIGURATION_RESPONSE_0.read(raw, at)
+        v = _FRAME_CONFIG_RESPONSE_0.read(raw, at)
         at += 15
         frame_id = v[0]
         format = AidingFrameFormat(v[1])
         tracking_enabled = codec.truth(v[2])
         translation = v[3:6]
         if format == 1:
-            v = _FRAME_CONFIGURATION_RESPONSE_1.read(raw, at)
+            v = _FRAME_CONFIG_RESPONSE_1.read(raw, at)
             at += 12
             rotation = v[0:3]
         elif format == 2:
-            v = _FRAME_CONFIGURATION_RESPONSE_2.read(raw, at)
+            v = _FRAME_CONFIG_RESPONSE_2.read(raw, at)
             at += 16
             rotation = v[0:4]
         return cls(frame_id, format, tracking_enabled, translation, rotation), at
 
     def _write(self) -> bytes:
-        out = _FRAME_CONFIGURATION_RESPONSE_0.write(
+        out = _FRAME_CONFIG_RESPONSE_0.write(
             self.frame_id,
             self.format,
             self.tracking_enabled,
@@ -161,15 +174,11 @@ class FrameConfigurationResponse(Response):
         if self.format == 1:
             if self.rotation is None or isinstance(self.rotation, Structure):
                 raise codec.mismatch("rotation", self.format)
-            out += _FRAME_CONFIGURATION_RESPONSE_1.write(
-                *codec.exactly("rotation", self.rotation, 3)
-            )
+            out += _FRAME_CONFIG_RESPONSE_1.write(*codec.exactly("rotation", self.rotation, 3))
         elif self.format == 2:
             if self.rotation is None or isinstance(self.rotation, Structure):
                 raise codec.mismatch("rotation", self.format)
-            out += _FRAME_CONFIGURATION_RESPONSE_2.write(
-                *codec.exactly("rotation", self.rotation, 4)
-            )
+            out += _FRAME_CONFIG_RESPONSE_2.write(*codec.exactly("rotation", self.rotation, 4))
         elif self.rotation is not None:
             raise codec.mismatch("rotation", self.format)
         return codec.finished(out)
@@ -182,8 +191,7 @@ _ECHO_CONTROL_RESPONSE_0 = codec.Block("B", "mode")
 class EchoControlResponse(Response):
     """Echo control response (0x13,0x9F).
 
-    Answers Echo control (0x13,0x1F).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `EchoControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -209,14 +217,14 @@ class EchoControlResponse(Response):
         return codec.finished(out)
 
 
-_FRAME_CONFIGURATION_0 = codec.Block("B", "function")
-_FRAME_CONFIGURATION_1 = codec.Block("B", "frame_id")
-_FRAME_CONFIGURATION_2 = codec.Block("B", "format")
-_FRAME_CONFIGURATION_3 = codec.Block("B", "tracking_enabled")
-_FRAME_CONFIGURATION_4 = codec.Block("fff", "translation", "translation", "translation")
-_FRAME_CONFIGURATION_5 = codec.Block("fff", "rotation", "rotation", "rotation")
-_FRAME_CONFIGURATION_6 = codec.Block("ffff", "rotation", "rotation", "rotation", "rotation")
-_FRAME_CONFIGURATION_GROUPS = (
+_FRAME_CONFIG_0 = codec.Block("B", "function")
+_FRAME_CONFIG_1 = codec.Block("B", "frame_id")
+_FRAME_CONFIG_2 = codec.Block("B", "format")
+_FRAME_CONFIG_3 = codec.Block("B", "tracking_enabled")
+_FRAME_CONFIG_4 = codec.Block("fff", *["translation"] * 3)
+_FRAME_CONFIG_5 = codec.Block("fff", *["rotation"] * 3)
+_FRAME_CONFIG_6 = codec.Block("ffff", *["rotation"] * 4)
+_FRAME_CONFIG_GROUPS = (
     (1, ("frame_id",), False),
     (2, ("format",), False),
     (3, ("tracking_enabled",), False),
@@ -226,15 +234,17 @@ _FRAME_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class FrameConfiguration(Command):
+class FrameConfig(Command):
     """Frame configuration (0x13,0x01).
 
     Where and how an external sensor is mounted on the vehicle.
-    Aiding measurements name the frame by its number.
-    p_vehicle = R * p_frame + t, with the rotation R and the translation t.
-    The rotation does not matter for GNSS positions and velocities; set it to zero.
-    A read names the format that the answer shall have.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FrameConfigResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    Aiding measurements name the frame by its number. p_vehicle = R * p_frame + t, with the rotation
+    R and the translation t. The rotation does not matter for GNSS positions and velocities; set it
+    to zero. A read names the format that the answer shall have.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -242,9 +252,9 @@ class FrameConfiguration(Command):
 
     SET = 0x13
     DESCRIPTOR = 0x01
-    NAME = "aiding.frame_configuration"
+    NAME = "aiding.frame_config"
     ROLE = "command"
-    RESPONSES = (FrameConfigurationResponse,)
+    RESPONSES = (FrameConfigResponse,)
     REQUIRED = {1: 5, 2: 2, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
@@ -252,13 +262,21 @@ class FrameConfiguration(Command):
     frame_id: int | None = None
     """Number of the frame. Range: 1 to 4."""
     format: AidingFrameFormat | None = None
-    """How the rotation is given."""
+    """How the rotation is given. Required for `write` and `read`."""
     tracking_enabled: bool | None = None
-    """Whether the filter estimates the errors of the frame."""
+    """Whether the filter estimates the errors of the frame. Required for `write`."""
     translation: types.Vector3f | None = None
-    """Origin of the frame in the vehicle. [m] Frame: vehicle."""
+    """Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. Required for
+    `write`.
+    """
     rotation: types.Vector3f | types.Quatf | None = None
-    """Rotation from the frame to the vehicle."""
+    """Rotation from the frame to the vehicle. Selected by `format`. Required for `write`.
+
+    - If `format` is `AidingFrameFormat.EULER`: `types.Vector3f`. Roll, pitch and yaw. Elements: x,
+      y, z. Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
+    - If `format` is `AidingFrameFormat.QUATERNION`: `types.Quatf`. Quaternion, scalar part first.
+      Elements: w, x, y, z. Unit: 1.
+    """
 
     @classmethod
     def write(
@@ -268,7 +286,7 @@ class FrameConfiguration(Command):
         tracking_enabled: bool,
         translation: types.Vector3f,
         rotation: types.Vector3f | types.Quatf | None,
-    ) -> FrameConfiguration:
+    ) -> FrameConfig:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -280,39 +298,39 @@ class FrameConfiguration(Command):
         )
 
     @classmethod
-    def read(cls, frame_id: int, format: AidingFrameFormat) -> FrameConfiguration:
+    def read(cls, frame_id: int, format: AidingFrameFormat) -> FrameConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, frame_id=frame_id, format=format)
 
     @classmethod
-    def save(cls, frame_id: int) -> FrameConfiguration:
+    def save(cls, frame_id: int) -> FrameConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, frame_id=frame_id)
 
     @classmethod
-    def load(cls, frame_id: int) -> FrameConfiguration:
+    def load(cls, frame_id: int) -> FrameConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, frame_id=frame_id)
 
     @classmethod
-    def default(cls, frame_id: int) -> FrameConfiguration:
+    def default(cls, frame_id: int) -> FrameConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, frame_id=frame_id)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return FrameConfigurationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return FrameConfigResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfig, int]:
         frame_id: int | None = None
         format: AidingFrameFormat | None = None
         tracking_enabled: bool | None = None
         translation: types.Vector3f | None = None
         rotation: types.Vector3f | types.Quatf | None = None
-        v = _FRAME_CONFIGURATION_0.read(raw, at)
+        v = _FRAME_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -320,36 +338,36 @@ class FrameConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _FRAME_CONFIGURATION_1.read(raw, at)
+            v = _FRAME_CONFIG_1.read(raw, at)
             at += 1
             frame_id = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _FRAME_CONFIGURATION_2.read(raw, at)
+            v = _FRAME_CONFIG_2.read(raw, at)
             at += 1
             format = AidingFrameFormat(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _FRAME_CONFIGURATION_3.read(raw, at)
+            v = _FRAME_CONFIG_3.read(raw, at)
             at += 1
             tracking_enabled = codec.truth(v[0])
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _FRAME_CONFIGURATION_4.read(raw, at)
+            v = _FRAME_CONFIG_4.read(raw, at)
             at += 12
             translation = v[0:3]
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
             if format == 1:
-                v = _FRAME_CONFIGURATION_5.read(raw, at)
+                v = _FRAME_CONFIG_5.read(raw, at)
                 at += 12
                 rotation = v[0:3]
             elif format == 2:
-                v = _FRAME_CONFIGURATION_6.read(raw, at)
+                v = _FRAME_CONFIG_6.read(raw, at)
                 at += 16
                 rotation = v[0:4]
             done, end = 5, at
@@ -360,26 +378,26 @@ class FrameConfiguration(Command):
         return cls(function, frame_id, format, tracking_enabled, translation, rotation), at
 
     def _write(self) -> bytes:
-        out = _FRAME_CONFIGURATION_0.write(self.function)
+        out = _FRAME_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _FRAME_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _FRAME_CONFIG_GROUPS)
         if there >= 1:
-            out += _FRAME_CONFIGURATION_1.write(self.frame_id)
+            out += _FRAME_CONFIG_1.write(self.frame_id)
         if there >= 2:
-            out += _FRAME_CONFIGURATION_2.write(self.format)
+            out += _FRAME_CONFIG_2.write(self.format)
         if there >= 3:
-            out += _FRAME_CONFIGURATION_3.write(self.tracking_enabled)
+            out += _FRAME_CONFIG_3.write(self.tracking_enabled)
         if there >= 4:
-            out += _FRAME_CONFIGURATION_4.write(*codec.exactly("translation", self.translation, 3))
+            out += _FRAME_CONFIG_4.write(*codec.exactly("translation", self.translation, 3))
         if there >= 5:
             if self.format == 1:
                 if self.rotation is None or isinstance(self.rotation, Structure):
                     raise codec.mismatch("rotation", self.format)
-                out += _FRAME_CONFIGURATION_5.write(*codec.exactly("rotation", self.rotation, 3))
+                out += _FRAME_CONFIG_5.write(*codec.exactly("rotation", self.rotation, 3))
             elif self.format == 2:
                 if self.rotation is None or isinstance(self.rotation, Structure):
                     raise codec.mismatch("rotation", self.format)
-                out += _FRAME_CONFIGURATION_6.write(*codec.exactly("rotation", self.rotation, 4))
+                out += _FRAME_CONFIG_6.write(*codec.exactly("rotation", self.rotation, 4))
             elif self.rotation is not None:
                 raise codec.mismatch("rotation", self.format)
         return codec.finished(out)
@@ -395,8 +413,11 @@ class EchoControl(Command):
     """Echo control (0x13,0x1F).
 
     How the device answers aiding measurements.
-    The manual does not give the layout of the responses that carry the data back.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EchoControlResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    The manual does not give the layout of the responses that carry the data back.
 
     - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -412,7 +433,7 @@ class EchoControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     mode: AidingEchoMode | None = None
-    """How they are answered."""
+    """How they are answered. Required for `write`."""
 
     @classmethod
     def write(cls, mode: AidingEchoMode) -> EchoControl:
@@ -440,8 +461,8 @@ class EchoControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return EchoControlResponse
         return None
 
@@ -476,15 +497,7 @@ class EchoControl(Command):
 
 
 _ECEF_POSITION_0 = codec.Block(
-    "BdddfffH",
-    "frame_id",
-    "position",
-    "position",
-    "position",
-    "uncertainty",
-    "uncertainty",
-    "uncertainty",
-    "valid_flags",
+    "BdddfffH", "frame_id", *["position"] * 3, *["uncertainty"] * 3, "valid_flags"
 )
 
 
@@ -493,10 +506,13 @@ class EcefPosition(Command):
     """ECEF position (0x13,0x21).
 
     A measured position in Earth-fixed coordinates.
-    Use only one form of position: ECEF or LLH.
-    The uncertainty of a valid axis must be greater than 0.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `pos_ecef`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+
+    Use only one form of position: ECEF or LLH. The uncertainty of a valid axis must be greater than
+    0. In mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back
+    in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Position
@@ -512,10 +528,14 @@ class EcefPosition(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     position: types.Vector3d
-    """Position. [m] Frame: ecef. Valid if valid_flags.x, valid_flags.y, valid_flags.z."""
+    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid by its bit: x by
+    `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
+    `valid_flags`.
+    """
     uncertainty: types.Vector3f
-    """Uncertainty of the position. [m] Frame: ecef. Valid if valid_flags.x, valid_flags.y,
-    valid_flags.z.
+    """Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid
+    by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
+    `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -543,15 +563,7 @@ class EcefPosition(Command):
 
 
 _LLH_POSITION_0 = codec.Block(
-    "BdddfffH",
-    "frame_id",
-    "latitude",
-    "longitude",
-    "height",
-    "uncertainty",
-    "uncertainty",
-    "uncertainty",
-    "valid_flags",
+    "BdddfffH", "frame_id", "latitude", "longitude", "height", *["uncertainty"] * 3, "valid_flags"
 )
 
 
@@ -560,10 +572,13 @@ class LlhPosition(Command):
     """LLH position (0x13,0x22).
 
     A measured position as latitude, longitude and height.
-    Use only one form of position: ECEF or LLH.
-    The uncertainty of a valid axis must be greater than 0.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `pos_llh`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+
+    Use only one form of position: ECEF or LLH. The uncertainty of a valid axis must be greater than
+    0. In mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back
+    in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x13,0x22)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > LLH Position
@@ -579,14 +594,18 @@ class LlhPosition(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     latitude: float
-    """Latitude. [deg] Frame: llh. Valid if valid_flags.latitude."""
+    """Latitude. Unit: deg. Frame: llh. Valid if `LlhAxisFlags.LATITUDE` of `valid_flags` is set."""
     longitude: float
-    """Longitude. [deg] Frame: llh. Valid if valid_flags.longitude."""
+    """Longitude. Unit: deg. Frame: llh. Valid if `LlhAxisFlags.LONGITUDE` of `valid_flags` is set.
+    """
     height: float
-    """Height above the ellipsoid. [m] Frame: llh. Valid if valid_flags.height."""
+    """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `LlhAxisFlags.HEIGHT` of
+    `valid_flags` is set.
+    """
     uncertainty: types.Vector3f
-    """Uncertainty along north, east and down. [m] Frame: ned. Valid if valid_flags.latitude,
-    valid_flags.longitude, valid_flags.height.
+    """Uncertainty along north, east and down. Elements: x, y, z. Unit: m. Frame: ned. Each element
+    is valid by its bit: x by `LlhAxisFlags.LATITUDE` of `valid_flags`, y by
+    `LlhAxisFlags.LONGITUDE` of `valid_flags`, z by `LlhAxisFlags.HEIGHT` of `valid_flags`.
     """
     valid_flags: LlhAxisFlags
     """Which coordinates are valid."""
@@ -625,8 +644,12 @@ class HeightAboveEllipsoid(Command):
     """Height above ellipsoid (0x13,0x23).
 
     A measured height.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+    3DM-CV7-GNSS/INS.
+
+    In mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in
+    a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23)
     """
@@ -641,9 +664,9 @@ class HeightAboveEllipsoid(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     height: float
-    """Height above the ellipsoid. [m] Frame: llh."""
+    """Height above the ellipsoid. Unit: m. Frame: llh."""
     uncertainty: float
-    """Uncertainty of the height. [m]"""
+    """Uncertainty of the height. Unit: m."""
     valid_flags: int
     """Not 0: the measurement is valid."""
 
@@ -667,15 +690,7 @@ class HeightAboveEllipsoid(Command):
 
 
 _ECEF_VELOCITY_0 = codec.Block(
-    "BffffffH",
-    "frame_id",
-    "velocity",
-    "velocity",
-    "velocity",
-    "uncertainty",
-    "uncertainty",
-    "uncertainty",
-    "valid_flags",
+    "BffffffH", "frame_id", *["velocity"] * 3, *["uncertainty"] * 3, "valid_flags"
 )
 
 
@@ -684,11 +699,14 @@ class EcefVelocity(Command):
     """ECEF velocity (0x13,0x28).
 
     A measured velocity in Earth-fixed coordinates.
-    Use only one form of velocity: ECEF or NED.
-    Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
-    The uncertainty of a valid axis must be greater than 0.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `vel_ecef`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+
+    Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; that
+    takes body_frame_velocity. The uncertainty of a valid axis must be greater than 0. In mode
+    `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in a
+    response of unknown layout.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
@@ -704,10 +722,14 @@ class EcefVelocity(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. [m/s] Frame: ecef. Valid if valid_flags.x, valid_flags.y, valid_flags.z."""
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid by its bit: x by
+    `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
+    `valid_flags`.
+    """
     uncertainty: types.Vector3f
-    """Uncertainty of the velocity. [m/s] Frame: ecef. Valid if valid_flags.x, valid_flags.y,
-    valid_flags.z.
+    """Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid
+    by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
+    `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -735,15 +757,7 @@ class EcefVelocity(Command):
 
 
 _NED_VELOCITY_0 = codec.Block(
-    "BffffffH",
-    "frame_id",
-    "velocity",
-    "velocity",
-    "velocity",
-    "uncertainty",
-    "uncertainty",
-    "uncertainty",
-    "valid_flags",
+    "BffffffH", "frame_id", *["velocity"] * 3, *["uncertainty"] * 3, "valid_flags"
 )
 
 
@@ -752,11 +766,14 @@ class NedVelocity(Command):
     """NED velocity (0x13,0x29).
 
     A measured velocity in the local level frame.
-    Use only one form of velocity: ECEF or NED.
-    Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
-    The uncertainty of a valid axis must be greater than 0.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `vel_ned`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+
+    Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; that
+    takes body_frame_velocity. The uncertainty of a valid axis must be greater than 0. In mode
+    `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in a
+    response of unknown layout.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity
@@ -772,10 +789,14 @@ class NedVelocity(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. [m/s] Frame: ned. Valid if valid_flags.x, valid_flags.y, valid_flags.z."""
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid by its bit: x by
+    `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
+    `valid_flags`.
+    """
     uncertainty: types.Vector3f
-    """Uncertainty of the velocity. [m/s] Frame: ned. Valid if valid_flags.x, valid_flags.y,
-    valid_flags.z.
+    """Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid
+    by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
+    `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -803,15 +824,7 @@ class NedVelocity(Command):
 
 
 _BODY_FRAME_VELOCITY_0 = codec.Block(
-    "BffffffH",
-    "frame_id",
-    "velocity",
-    "velocity",
-    "velocity",
-    "uncertainty",
-    "uncertainty",
-    "uncertainty",
-    "valid_flags",
+    "BffffffH", "frame_id", *["velocity"] * 3, *["uncertainty"] * 3, "valid_flags"
 )
 
 
@@ -820,14 +833,15 @@ class BodyFrameVelocity(Command):
     """Body frame velocity (0x13,0x2A).
 
     A measured velocity of the vehicle in the frame of the sensor.
+
+    Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+
     An uncertainty of a valid axis that is not greater than 0 is refused as an invalid parameter.
-    The device takes up to four sensors of this kind.
-    A wheeled vehicle constraint is a velocity of 0 with y valid only, sent at least once in a
-    second.
-    A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold of the
-    user.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+    The device takes up to four sensors of this kind. A wheeled vehicle constraint is a velocity of
+    0 with y valid only, sent at least once in a second. A zero velocity update is a velocity of 0,
+    sent while the GNSS speed is below a threshold of the user. In mode `response` of echo control
+    `EchoControl` (0x13,0x1F), the device sends the data back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > Body Frame Velocity
@@ -844,12 +858,14 @@ class BodyFrameVelocity(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity in the frame of the sensor. [m/s] Valid if valid_flags.x, valid_flags.y,
-    valid_flags.z.
+    """Velocity in the frame of the sensor. Elements: x, y, z. Unit: m/s. Each element is valid by
+    its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
+    `AxisFlags.Z` of `valid_flags`.
     """
     uncertainty: types.Vector3f
-    """Standard deviation of the velocity. [m/s] Valid if valid_flags.x, valid_flags.y,
-    valid_flags.z.
+    """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Each element is valid by
+    its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
+    `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -884,9 +900,13 @@ class TrueHeading(Command):
     """True heading (0x13,0x31).
 
     A measured heading relative to true north.
-    The uncertainty of a valid measurement must be greater than 0.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+
+    The uncertainty of a valid measurement must be greater than 0. In mode `response` of echo
+    control `EchoControl` (0x13,0x1F), the device sends the data back in a response of unknown
+    layout.
 
     - 3dm-cv7-gnss-ins: True Heading (0x13,0x31)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > True Heading
@@ -902,9 +922,9 @@ class TrueHeading(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     heading: float
-    """Heading. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
     uncertainty: float
-    """Uncertainty of the heading. [rad]"""
+    """Uncertainty of the heading. Unit: rad."""
     valid_flags: int
     """Not 0: the measurement is valid."""
 
@@ -928,15 +948,7 @@ class TrueHeading(Command):
 
 
 _MAGNETIC_FIELD_0 = codec.Block(
-    "BffffffH",
-    "frame_id",
-    "magnetic_field",
-    "magnetic_field",
-    "magnetic_field",
-    "uncertainty",
-    "uncertainty",
-    "uncertainty",
-    "valid_flags",
+    "BffffffH", "frame_id", *["magnetic_field"] * 3, *["uncertainty"] * 3, "valid_flags"
 )
 
 
@@ -945,10 +957,13 @@ class MagneticField(Command):
     """Magnetic field (0x13,0x32).
 
     A magnetic field measured by an external magnetometer.
-    The magnetometer must be calibrated.
-    The uncertainty of a valid axis must be greater than 0.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+    3DM-CV7-GNSS/INS.
+
+    The magnetometer must be calibrated. The uncertainty of a valid axis must be greater than 0. In
+    mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in a
+    response of unknown layout.
 
     - 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Magnetometer
@@ -964,12 +979,14 @@ class MagneticField(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     magnetic_field: types.Vector3f
-    """Magnetic field in the frame of the sensor. [gauss] Valid if valid_flags.x, valid_flags.y,
-    valid_flags.z.
+    """Magnetic field in the frame of the sensor. Elements: x, y, z. Unit: gauss. Each element is
+    valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
+    `AxisFlags.Z` of `valid_flags`.
     """
     uncertainty: types.Vector3f
-    """Standard deviation of the magnetic field. [gauss] Valid if valid_flags.x, valid_flags.y,
-    valid_flags.z.
+    """Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Each element is
+    valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
+    `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -1004,9 +1021,13 @@ class Pressure(Command):
     """Pressure (0x13,0x33).
 
     A static air pressure measured by an external sensor.
-    The uncertainty of a valid measurement must be greater than 0.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+    3DM-CV7-GNSS/INS.
+
+    The uncertainty of a valid measurement must be greater than 0. In mode `response` of echo
+    control `EchoControl` (0x13,0x1F), the device sends the data back in a response of unknown
+    layout.
 
     - 3dm-cv7-gnss-ins: Pressure (0x13,0x33)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Pressure
@@ -1022,9 +1043,9 @@ class Pressure(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     pressure: float
-    """Air pressure. [mbar]"""
+    """Air pressure. Unit: mbar."""
     uncertainty: float
-    """Standard deviation of the pressure. [mbar]"""
+    """Standard deviation of the pressure. Unit: mbar."""
     valid_flags: int
     """Not 0: the measurement is valid."""
 
@@ -1045,13 +1066,12 @@ class Pressure(Command):
         return codec.finished(out)
 
 
-FrameConfigurationResponse.COMMANDS = (FrameConfiguration,)
+FrameConfigResponse.COMMANDS = (FrameConfig,)
 EchoControlResponse.COMMANDS = (EchoControl,)
-
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0x01: (FrameConfiguration,),
+    0x01: (FrameConfig,),
     0x1F: (EchoControl,),
     0x21: (EcefPosition,),
     0x22: (LlhPosition,),
@@ -1062,6 +1082,6 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x31: (TrueHeading,),
     0x32: (MagneticField,),
     0x33: (Pressure,),
-    0x81: (FrameConfigurationResponse,),
+    0x81: (FrameConfigResponse,),
     0x9F: (EchoControlResponse,),
 }

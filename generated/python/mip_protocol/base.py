@@ -1,6 +1,9 @@
 """Base (0x01).
 
 Commands common to all devices: identity, supported descriptors, idle and resume, self test, reset.
+
+- 3dm-gx5-15: 4.1 Base Commands
+- 3dm-cv7-gnss-ins: Base (0x01)
 """
 
 from __future__ import annotations
@@ -9,7 +12,7 @@ from dataclasses import dataclass
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, Structure
+from .field import Command, Field, Response, ResponseClass, Structure
 from .protocol import FunctionSelector
 
 _BASE_DEVICE_INFO_0 = codec.Block("H", "firmware_version")
@@ -17,7 +20,11 @@ _BASE_DEVICE_INFO_0 = codec.Block("H", "firmware_version")
 
 @dataclass(slots=True)
 class BaseDeviceInfo(Structure):
-    """Identity of a device. The strings are padded with spaces."""
+    """Identity of a device. The strings are padded with spaces.
+
+    - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
+    - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
+    """
 
     firmware_version: int
     """Firmware version as one decimal number: 1202 stands for 1.2.02."""
@@ -71,16 +78,15 @@ class GpsTimeField(codec.OpenEnum):
 
     WEEK_NUMBER = 1
     """Week number."""
-    TIME_OF_WEEK = 2
+    TOW = 2
     """Time of week in whole seconds."""
 
 
 @dataclass(slots=True)
-class GetDeviceInformationResponse(Response):
+class GetDeviceInfoResponse(Response):
     """Get device information response (0x01,0x81).
 
-    Answers Get device information (0x01,0x03).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GetDeviceInfo`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -88,14 +94,14 @@ class GetDeviceInformationResponse(Response):
 
     SET = 0x01
     DESCRIPTOR = 0x81
-    NAME = "base.get_device_information_response"
+    NAME = "base.get_device_info_response"
     ROLE = "response"
 
     device_info: BaseDeviceInfo
     """Identity of the device."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInformationResponse, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInfoResponse, int]:
         device_info, at = BaseDeviceInfo._read(raw, at)
         return cls(device_info), at
 
@@ -108,8 +114,7 @@ class GetDeviceInformationResponse(Response):
 class GetDeviceDescriptorsResponse(Response):
     """Get device descriptors response (0x01,0x82).
 
-    Answers Get device descriptors (0x01,0x04).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GetDeviceDescriptors`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -121,8 +126,8 @@ class GetDeviceDescriptorsResponse(Response):
     ROLE = "response"
 
     descriptors: tuple[int, ...]
-    """Supported descriptors: the descriptor set in the high byte, the field descriptor in the
-    low byte.
+    """Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
+    byte.
     """
 
     @classmethod
@@ -146,8 +151,7 @@ _BUILT_IN_TEST_RESPONSE_0 = codec.Block("I", "result")
 class BuiltInTestResponse(Response):
     """Built-in test response (0x01,0x83).
 
-    Answers Built-in test (0x01,0x05).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `BuiltInTest`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
     - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -160,12 +164,16 @@ class BuiltInTestResponse(Response):
     READINGS = {
         "result": (
             "device",
-            {"3dm-gx5-15": types.Gx5BuiltInTest, "3dm-cv7-gnss-ins": types.Cv7BuiltInTest},
-        ),
+            {"3dm-cv7-gnss-ins": types.Cv7BuiltInTest, "3dm-gx5-15": types.Gx5BuiltInTest},
+        )
     }
 
     result: int
-    """Failure flags, defined by each device. Zero means that every test passed."""
+    """Failure flags, defined by each device. Zero means that every test passed.
+
+    - On the 3DM-CV7-GNSS/INS: values of `types.Cv7BuiltInTest`.
+    - On the 3DM-GX5-15: values of `types.Gx5BuiltInTest`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[BuiltInTestResponse, int]:
@@ -187,7 +195,9 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     """GPS time update, week number (0x01,0x84).
 
     The current week number.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.WEEK_NUMBER`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -199,7 +209,7 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     ROLE = "response"
 
     week_number: int
-    """GPS week number. [week]"""
+    """GPS week number. Unit: week."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateWeekNumberResponse, int]:
@@ -213,15 +223,16 @@ class GpsTimeUpdateWeekNumberResponse(Response):
         return codec.finished(out)
 
 
-_GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_0 = codec.Block("I", "time_of_week")
+_GPS_TIME_UPDATE_TOW_RESPONSE_0 = codec.Block("I", "tow")
 
 
 @dataclass(slots=True)
-class GpsTimeUpdateTimeOfWeekResponse(Response):
+class GpsTimeUpdateTowResponse(Response):
     """GPS time update, time of week (0x01,0x85).
 
     The current time of week.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.TOW`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -229,30 +240,29 @@ class GpsTimeUpdateTimeOfWeekResponse(Response):
 
     SET = 0x01
     DESCRIPTOR = 0x85
-    NAME = "base.gps_time_update_time_of_week_response"
+    NAME = "base.gps_time_update_tow_response"
     ROLE = "response"
 
-    time_of_week: int
-    """GPS time of week in whole seconds. [s]"""
+    tow: int
+    """GPS time of week in whole seconds. Unit: s."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateTimeOfWeekResponse, int]:
-        v = _GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateTowResponse, int]:
+        v = _GPS_TIME_UPDATE_TOW_RESPONSE_0.read(raw, at)
         at += 4
-        time_of_week = v[0]
-        return cls(time_of_week), at
+        tow = v[0]
+        return cls(tow), at
 
     def _write(self) -> bytes:
-        out = _GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_0.write(self.time_of_week)
+        out = _GPS_TIME_UPDATE_TOW_RESPONSE_0.write(self.tow)
         return codec.finished(out)
 
 
 @dataclass(slots=True)
-class GetDeviceDescriptorsExtendedResponse(Response):
+class GetExtendedDescriptorsResponse(Response):
     """Get device descriptors (extended) response (0x01,0x86).
 
-    Answers Get device descriptors (extended) (0x01,0x07).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GetExtendedDescriptors`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -260,16 +270,16 @@ class GetDeviceDescriptorsExtendedResponse(Response):
 
     SET = 0x01
     DESCRIPTOR = 0x86
-    NAME = "base.get_device_descriptors_extended_response"
+    NAME = "base.get_extended_descriptors_response"
     ROLE = "response"
 
     descriptors: tuple[int, ...]
-    """Supported descriptors: the descriptor set in the high byte, the field descriptor in the
-    low byte.
+    """Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
+    byte.
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptorsExtendedResponse, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetExtendedDescriptorsResponse, int]:
         n = codec.remaining(raw, at, 2)
         descriptors = codec.read_numbers("H", raw, at, n)
         at += n * 2
@@ -282,33 +292,15 @@ class GetDeviceDescriptorsExtendedResponse(Response):
         return codec.finished(out)
 
 
-_CONTINUOUS_BUILT_IN_TEST_RESPONSE_0 = codec.Block(
-    "BBBBBBBBBBBBBBBB",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-)
+_CONTINUOUS_BUILT_IN_TEST_RESPONSE_0 = codec.Block("BBBBBBBBBBBBBBBB", *["result"] * 16)
 
 
 @dataclass(slots=True)
 class ContinuousBuiltInTestResponse(Response):
     """Continuous built-in test response (0x01,0x88).
 
-    Answers Continuous built-in test (0x01,0x08).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `continuous_bit_response`. Answers `ContinuousBuiltInTest`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
@@ -317,16 +309,13 @@ class ContinuousBuiltInTestResponse(Response):
     DESCRIPTOR = 0x88
     NAME = "base.continuous_built_in_test_response"
     ROLE = "response"
-    READINGS = {
-        "result": (
-            "device",
-            {"3dm-cv7-gnss-ins": types.Cv7ContinuousBuiltInTest},
-        ),
-    }
+    READINGS = {"result": ("device", {"3dm-cv7-gnss-ins": types.Cv7ContinuousBuiltInTest})}
 
     result: tuple[int, ...]
     """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
     byte.
+
+    - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
     """
 
     @classmethod
@@ -341,39 +330,38 @@ class ContinuousBuiltInTestResponse(Response):
         return codec.finished(out)
 
 
-_COMM_PORT_SPEED_RESPONSE_0 = codec.Block("BI", "port", "baud")
+_COMM_SPEED_RESPONSE_0 = codec.Block("BI", "port", "baud")
 
 
 @dataclass(slots=True)
-class CommPortSpeedResponse(Response):
+class CommSpeedResponse(Response):
     """Comm port speed response (0x01,0x89).
 
-    Answers Comm port speed (0x01,0x09).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `CommSpeed`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
 
     SET = 0x01
     DESCRIPTOR = 0x89
-    NAME = "base.comm_port_speed_response"
+    NAME = "base.comm_speed_response"
     ROLE = "response"
 
     port: int
     """Port id of the device; 0 means all ports, and is for save, load and default only."""
     baud: int
-    """Baud rate; one that the port supports. [Bd]"""
+    """Baud rate; one that the port supports. Unit: Bd."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommPortSpeedResponse, int]:
-        v = _COMM_PORT_SPEED_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[CommSpeedResponse, int]:
+        v = _COMM_SPEED_RESPONSE_0.read(raw, at)
         at += 5
         port = v[0]
         baud = v[1]
         return cls(port, baud), at
 
     def _write(self) -> bytes:
-        out = _COMM_PORT_SPEED_RESPONSE_0.write(self.port, self.baud)
+        out = _COMM_SPEED_RESPONSE_0.write(self.port, self.baud)
         return codec.finished(out)
 
 
@@ -382,8 +370,10 @@ class Ping(Command):
     """Ping (0x01,0x01).
 
     Asks whether a device is there and answers commands.
-    A device that is not in a normal operating mode may refuse the command.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    A device that is not in a normal operating mode may refuse the command.
 
     - 3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)
     - 3dm-cv7-gnss-ins: Ping (0x01,0x01)
@@ -403,13 +393,15 @@ class Ping(Command):
 
 
 @dataclass(slots=True)
-class SetToIdle(Command):
+class SetIdle(Command):
     """Set to idle (0x01,0x02).
 
     Stops all data streams, and wakes a sleeping device, so that it can be set up.
-    The resume command restores the previous mode.
-    While idle the device sends no NMEA sentences either.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The resume command restores the previous mode. While idle the device sends no NMEA sentences
+    either.
 
     - 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02)
     - 3dm-cv7-gnss-ins: Set to idle (0x01,0x02)
@@ -417,11 +409,11 @@ class SetToIdle(Command):
 
     SET = 0x01
     DESCRIPTOR = 0x02
-    NAME = "base.set_to_idle"
+    NAME = "base.set_idle"
     ROLE = "command"
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetToIdle, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SetIdle, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -429,11 +421,12 @@ class SetToIdle(Command):
 
 
 @dataclass(slots=True)
-class GetDeviceInformation(Command):
+class GetDeviceInfo(Command):
     """Get device information (0x01,0x03).
 
     Gets the firmware version and the identity strings of the device.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Answered by `GetDeviceInfoResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -441,12 +434,12 @@ class GetDeviceInformation(Command):
 
     SET = 0x01
     DESCRIPTOR = 0x03
-    NAME = "base.get_device_information"
+    NAME = "base.get_device_info"
     ROLE = "command"
-    RESPONSES = (GetDeviceInformationResponse,)
+    RESPONSES = (GetDeviceInfoResponse,)
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInformation, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInfo, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -458,8 +451,11 @@ class GetDeviceDescriptors(Command):
     """Get device descriptors (0x01,0x04).
 
     Gets the command and data descriptors that the device supports.
-    When the list contains (0x01,0x07), more descriptors come from the extended command.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Answered by `GetDeviceDescriptorsResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    When the list contains `GetExtendedDescriptors` (0x01,0x07), more descriptors come from the
+    extended command.
 
     - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -484,10 +480,13 @@ class BuiltInTest(Command):
     """Built-in test (0x01,0x05).
 
     Runs the self test of the device and gets its result.
+
+    Answered by `BuiltInTestResponse`. The device may take 10 s to answer. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     The test interrupts normal operation for up to several seconds; no data is available meanwhile.
-    The device must be at rest; acceleration, rotation or vibration cause false failures.
-    The continuous built-in test, where there is one, tells more about a failure.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    The device must be at rest; acceleration, rotation or vibration cause false failures. The
+    continuous built-in test, where there is one, tells more about a failure.
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
     - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -513,8 +512,10 @@ class Resume(Command):
     """Resume (0x01,0x06).
 
     Ends idle mode and returns the device to the mode that it was in before.
-    If the device was not idle, it enters its default mode (3DM-GX5-15).
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    If the device was not idle, it enters its default mode (3DM-GX5-15).
 
     - 3dm-gx5-15: 4.1.6 Resume (0x01, 0x06)
     - 3dm-cv7-gnss-ins: Resume (0x01,0x06)
@@ -534,12 +535,14 @@ class Resume(Command):
 
 
 @dataclass(slots=True)
-class GetDeviceDescriptorsExtended(Command):
+class GetExtendedDescriptors(Command):
     """Get device descriptors (extended) (0x01,0x07).
 
     Gets the supported descriptors that did not fit into the reply of get device descriptors.
-    Only supported if get device descriptors lists (0x01,0x07).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Answered by `GetExtendedDescriptorsResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Only supported if get device descriptors lists `GetExtendedDescriptors` (0x01,0x07).
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -547,12 +550,12 @@ class GetDeviceDescriptorsExtended(Command):
 
     SET = 0x01
     DESCRIPTOR = 0x07
-    NAME = "base.get_device_descriptors_extended"
+    NAME = "base.get_extended_descriptors"
     ROLE = "command"
-    RESPONSES = (GetDeviceDescriptorsExtendedResponse,)
+    RESPONSES = (GetExtendedDescriptorsResponse,)
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptorsExtended, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetExtendedDescriptors, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -564,11 +567,13 @@ class ContinuousBuiltInTest(Command):
     """Continuous built-in test (0x01,0x08).
 
     Gets the flags of the tests that run all the time. It does not interrupt operation.
-    It is less thorough than the built-in test command.
-    Each flag stays set until it is reported by this command, apart from the copy of the streamed
-    field.
-    The self-test flags change only when the built-in test command runs.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `continuous_bit`. Answered by `ContinuousBuiltInTestResponse`. Supported by
+    3DM-CV7-GNSS/INS.
+
+    It is less thorough than the built-in test command. Each flag stays set until it is reported by
+    this command, apart from the copy of the streamed field. The self-test flags change only when
+    the built-in test command runs.
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
@@ -587,30 +592,33 @@ class ContinuousBuiltInTest(Command):
         return b""
 
 
-_COMM_PORT_SPEED_0 = codec.Block("B", "function")
-_COMM_PORT_SPEED_1 = codec.Block("B", "port")
-_COMM_PORT_SPEED_2 = codec.Block("I", "baud")
-_COMM_PORT_SPEED_GROUPS = ((1, ("port",), False), (2, ("baud",), False))
+_COMM_SPEED_0 = codec.Block("B", "function")
+_COMM_SPEED_1 = codec.Block("B", "port")
+_COMM_SPEED_2 = codec.Block("I", "baud")
+_COMM_SPEED_GROUPS = ((1, ("port",), False), (2, ("baud",), False))
 
 
 @dataclass(slots=True)
-class CommPortSpeed(Command):
+class CommSpeed(Command):
     """Comm port speed (0x01,0x09).
 
     Baud rate of one communication port.
-    The change waits until pending data is sent and received, at most 250 ms.
-    Send it alone in a packet while the device is idle, and wait 250 ms before going on.
-    Commands and data during the change may be lost or come at either rate.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `CommSpeedResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    The change waits until pending data is sent and received, at most 250 ms. Send it alone in a
+    packet while the device is idle, and wait 250 ms before going on. Commands and data during the
+    change may be lost or come at either rate.
 
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
 
     SET = 0x01
     DESCRIPTOR = 0x09
-    NAME = "base.comm_port_speed"
+    NAME = "base.comm_speed"
     ROLE = "command"
-    RESPONSES = (CommPortSpeedResponse,)
+    RESPONSES = (CommSpeedResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
@@ -618,44 +626,44 @@ class CommPortSpeed(Command):
     port: int | None = None
     """Port id of the device; 0 means all ports, and is for save, load and default only."""
     baud: int | None = None
-    """Baud rate; one that the port supports. [Bd]"""
+    """Baud rate; one that the port supports. Unit: Bd. Required for `write`."""
 
     @classmethod
-    def write(cls, port: int, baud: int) -> CommPortSpeed:
+    def write(cls, port: int, baud: int) -> CommSpeed:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, port=port, baud=baud)
 
     @classmethod
-    def read(cls, port: int) -> CommPortSpeed:
+    def read(cls, port: int) -> CommSpeed:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, port=port)
 
     @classmethod
-    def save(cls, port: int) -> CommPortSpeed:
+    def save(cls, port: int) -> CommSpeed:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, port=port)
 
     @classmethod
-    def load(cls, port: int) -> CommPortSpeed:
+    def load(cls, port: int) -> CommSpeed:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, port=port)
 
     @classmethod
-    def default(cls, port: int) -> CommPortSpeed:
+    def default(cls, port: int) -> CommSpeed:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, port=port)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return CommPortSpeedResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return CommSpeedResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommPortSpeed, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[CommSpeed, int]:
         port: int | None = None
         baud: int | None = None
-        v = _COMM_PORT_SPEED_0.read(raw, at)
+        v = _COMM_SPEED_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -663,13 +671,13 @@ class CommPortSpeed(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _COMM_PORT_SPEED_1.read(raw, at)
+            v = _COMM_SPEED_1.read(raw, at)
             at += 1
             port = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _COMM_PORT_SPEED_2.read(raw, at)
+            v = _COMM_SPEED_2.read(raw, at)
             at += 4
             baud = v[0]
             done, end = 2, at
@@ -680,13 +688,13 @@ class CommPortSpeed(Command):
         return cls(function, port, baud), at
 
     def _write(self) -> bytes:
-        out = _COMM_PORT_SPEED_0.write(self.function)
+        out = _COMM_SPEED_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _COMM_PORT_SPEED_GROUPS)
+        there = codec.present(self, required, _COMM_SPEED_GROUPS)
         if there >= 1:
-            out += _COMM_PORT_SPEED_1.write(self.port)
+            out += _COMM_SPEED_1.write(self.port)
         if there >= 2:
-            out += _COMM_PORT_SPEED_2.write(self.baud)
+            out += _COMM_SPEED_2.write(self.baud)
         return codec.finished(out)
 
 
@@ -701,13 +709,16 @@ class GpsTimeUpdate(Command):
     """GPS time update (0x01,0x72).
 
     Sets the week number or the time of week of the external (GPS) time.
-    Send it once for the time of week and once for the week number after the PPS is locked.
-    The PPS supplies the fraction of the second; send the whole second that began at its last edge.
-    Send it within 250 ms after the rising edge of the PPS.
-    The 3DM-GX5-15 wants it once per second; the 3DM-CV7-GNSS/INS at least once.
-    Send it again after a glitch of the PPS. An internal GNSS receiver as PPS source mostly makes it
-    needless.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Functions: `write`, `read` and `apply`. Answered by `GpsTimeUpdateWeekNumberResponse` or
+    `GpsTimeUpdateTowResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+    3DM-CV7-GNSS/INS: `write` only.
+
+    Send it once for the time of week and once for the week number after the PPS is locked. The PPS
+    supplies the fraction of the second; send the whole second that began at its last edge. Send it
+    within 250 ms after the rising edge of the PPS. The 3DM-GX5-15 wants it once per second; the
+    3DM-CV7-GNSS/INS at least once. Send it again after a glitch of the PPS. An internal GNSS
+    receiver as PPS source mostly makes it needless.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -717,7 +728,7 @@ class GpsTimeUpdate(Command):
     DESCRIPTOR = 0x72
     NAME = "base.gps_time_update"
     ROLE = "command"
-    RESPONSES = (GpsTimeUpdateWeekNumberResponse, GpsTimeUpdateTimeOfWeekResponse)
+    RESPONSES = (GpsTimeUpdateWeekNumberResponse, GpsTimeUpdateTowResponse)
     REQUIRED = {1: 2, 2: 1, 6: 2}
 
     function: FunctionSelector
@@ -725,8 +736,10 @@ class GpsTimeUpdate(Command):
     field_id: GpsTimeField | None = None
     """What the value is."""
     value: int | None = None
-    """What field_id says. If field_id is week_number: unit week; GPS week number since 6 January
-    1980. If field_id is time_of_week: unit s; Whole seconds of the GPS week.
+    """What field_id says. Required for `write` and `apply`.
+
+    - If `field_id` is `GpsTimeField.WEEK_NUMBER`: unit week. GPS week number since 6 January 1980.
+    - If `field_id` is `GpsTimeField.TOW`: unit s. Whole seconds of the GPS week.
     """
 
     @classmethod
@@ -746,14 +759,14 @@ class GpsTimeUpdate(Command):
 
     @property
     def answered(self) -> bool:
-        return not (self.function == 6)
+        return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2 and self.field_id == 1:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ and self.field_id == 1:
             return GpsTimeUpdateWeekNumberResponse
-        if self.function == 2 and self.field_id == 2:
-            return GpsTimeUpdateTimeOfWeekResponse
+        if self.function == FunctionSelector.READ and self.field_id == 2:
+            return GpsTimeUpdateTowResponse
         return None
 
     @classmethod
@@ -796,10 +809,11 @@ class GpsTimeUpdate(Command):
 
 
 @dataclass(slots=True)
-class ResetDevice(Command):
+class SoftReset(Command):
     """Reset device (0x01,0x7E).
 
     Acknowledges the command, then resets the device at once.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
@@ -808,46 +822,45 @@ class ResetDevice(Command):
 
     SET = 0x01
     DESCRIPTOR = 0x7E
-    NAME = "base.reset_device"
+    NAME = "base.soft_reset"
     ROLE = "command"
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ResetDevice, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SoftReset, int]:
         return cls(), at
 
     def _write(self) -> bytes:
         return b""
 
 
-GetDeviceInformationResponse.COMMANDS = (GetDeviceInformation,)
+GetDeviceInfoResponse.COMMANDS = (GetDeviceInfo,)
 GetDeviceDescriptorsResponse.COMMANDS = (GetDeviceDescriptors,)
 BuiltInTestResponse.COMMANDS = (BuiltInTest,)
 GpsTimeUpdateWeekNumberResponse.COMMANDS = (GpsTimeUpdate,)
-GpsTimeUpdateTimeOfWeekResponse.COMMANDS = (GpsTimeUpdate,)
-GetDeviceDescriptorsExtendedResponse.COMMANDS = (GetDeviceDescriptorsExtended,)
+GpsTimeUpdateTowResponse.COMMANDS = (GpsTimeUpdate,)
+GetExtendedDescriptorsResponse.COMMANDS = (GetExtendedDescriptors,)
 ContinuousBuiltInTestResponse.COMMANDS = (ContinuousBuiltInTest,)
-CommPortSpeedResponse.COMMANDS = (CommPortSpeed,)
-
+CommSpeedResponse.COMMANDS = (CommSpeed,)
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Ping,),
-    0x02: (SetToIdle,),
-    0x03: (GetDeviceInformation,),
+    0x02: (SetIdle,),
+    0x03: (GetDeviceInfo,),
     0x04: (GetDeviceDescriptors,),
     0x05: (BuiltInTest,),
     0x06: (Resume,),
-    0x07: (GetDeviceDescriptorsExtended,),
+    0x07: (GetExtendedDescriptors,),
     0x08: (ContinuousBuiltInTest,),
-    0x09: (CommPortSpeed,),
+    0x09: (CommSpeed,),
     0x72: (GpsTimeUpdate,),
-    0x7E: (ResetDevice,),
-    0x81: (GetDeviceInformationResponse,),
+    0x7E: (SoftReset,),
+    0x81: (GetDeviceInfoResponse,),
     0x82: (GetDeviceDescriptorsResponse,),
     0x83: (BuiltInTestResponse,),
     0x84: (GpsTimeUpdateWeekNumberResponse,),
-    0x85: (GpsTimeUpdateTimeOfWeekResponse,),
-    0x86: (GetDeviceDescriptorsExtendedResponse,),
+    0x85: (GpsTimeUpdateTowResponse,),
+    0x86: (GetExtendedDescriptorsResponse,),
     0x88: (ContinuousBuiltInTestResponse,),
-    0x89: (CommPortSpeedResponse,),
+    0x89: (CommSpeedResponse,),
 }

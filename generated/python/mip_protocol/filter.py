@@ -1,6 +1,9 @@
 """Filter commands (0x0D).
 
 Commands that set up, start and aid the navigation filter.
+
+- 3dm-gx5-15: 4.3 Estimation Filter Commands
+- 3dm-cv7-gnss-ins: Filter (0x0D)
 """
 
 from __future__ import annotations
@@ -10,8 +13,26 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response
+from .field import Command, Field, Response, ResponseClass
 from .protocol import FunctionSelector
+
+
+class DynamicsMode(codec.OpenEnum):
+    """Kind of vehicle that the filter is tuned for. Uncertain: The SDK names the modes only; the
+    descriptions follow from the names. Uncertain: The filter status `filter_data.Status`
+    (0x82,0x10) reports a mode too, but is known to have the values 1 to 3 only.
+
+    - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+    """
+
+    PORTABLE = 1
+    """Carried by hand."""
+    AUTOMOTIVE = 2
+    """Ground vehicle."""
+    AIRBORNE = 3
+    """Aircraft."""
+    AIRBORNE_HIGH_G = 4
+    """Aircraft under high acceleration."""
 
 
 @codec.open_flag(16)
@@ -19,19 +40,19 @@ class EstimatedStates(IntFlag):
     """States that the filter estimates."""
 
     GYRO_BIAS = 1 << 0
-    """Estimate the gyroscope bias (recommended)."""
+    """Estimate the gyroscope bias (recommended). Bit 0."""
 
 
 class GnssAidingSource(codec.OpenEnum):
     """Where the filter takes GNSS data from."""
 
-    ALL_INT = 1
+    ALL_INTERNAL = 1
     """All internal receivers."""
-    EXT = 2
+    EXTERNAL = 2
     """GNSS measurements that the user sends."""
-    INT_1 = 3
+    INTERNAL_1 = 3
     """Internal receiver 1 only."""
-    INT_2 = 4
+    INTERNAL_2 = 4
     """Internal receiver 2 only."""
 
 
@@ -58,36 +79,36 @@ class TareAxes(IntFlag):
     """Axes to tare; 0 resets all axes."""
 
     ROLL = 1 << 0
-    """Tare roll."""
+    """Tare roll. Bit 0."""
     PITCH = 1 << 1
-    """Tare pitch."""
+    """Tare pitch. Bit 1."""
     YAW = 1 << 2
-    """Tare yaw."""
+    """Tare yaw. Bit 2."""
 
 
 @codec.open_flag(16)
 class MeasurementFlags(IntFlag):
     """Measurements that the filter uses."""
 
-    ACCELEROMETER = 1 << 0
-    """Accelerometer measurements."""
-    MAGNETOMETER = 1 << 1
-    """Magnetometer measurements, on models that have a magnetometer."""
+    ACCEL = 1 << 0
+    """Accelerometer measurements. Bit 0."""
+    MAG = 1 << 1
+    """Magnetometer measurements, on models that have a magnetometer. Bit 1."""
 
 
-class DeclinationSource(codec.OpenEnum):
-    """Where the declination of the magnetic field comes from."""
+class MagParameterSource(codec.OpenEnum):
+    """Where the declination, the inclination or the magnitude of the magnetic field comes from."""
 
     NONE = 1
-    """No source."""
+    """No source. Uncertain: What the device does without a source."""
     WMM = 2
     """The World Magnetic Model, at the estimated position."""
     MANUAL = 3
-    """The angle that the command gives."""
+    """The value that the command gives."""
 
 
 class AdaptiveMeasurementSelector(codec.OpenEnum):
-    """How measurements of the gravity direction are weighted."""
+    """How measurements are weighted whose magnitude is not as expected."""
 
     DISABLED = 0
     """No adaptation."""
@@ -95,6 +116,18 @@ class AdaptiveMeasurementSelector(codec.OpenEnum):
     """Adapted by the limits that the command gives."""
     AUTO = 2
     """Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later."""
+
+
+class AltitudeAidingSource(codec.OpenEnum):
+    """What aids the altitude.
+
+    - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+    """
+
+    NONE = 0
+    """No aiding."""
+    PRESSURE = 1
+    """The pressure sensor."""
 
 
 class PitchRollAidingSource(codec.OpenEnum):
@@ -109,7 +142,7 @@ class PitchRollAidingSource(codec.OpenEnum):
 class AidingSource(codec.OpenEnum):
     """A source of aiding measurements."""
 
-    GNSS_POS_VEL = 0
+    GNSS_POSITION_VELOCITY = 0
     """GNSS position and velocity."""
     GNSS_HEADING = 1
     """GNSS heading of two antennas."""
@@ -117,28 +150,66 @@ class AidingSource(codec.OpenEnum):
     """Built-in pressure altimeter."""
     SPEED = 3
     """Speed sensor or odometer."""
-    MAGNETOMETER = 4
+    MAG = 4
     """Built-in magnetometer."""
     EXTERNAL_HEADING = 5
     """Heading that the user sends."""
     EXTERNAL_ALTIMETER = 6
     """Pressure altitude that the user sends."""
-    EXTERNAL_MAGNETOMETER = 7
+    EXTERNAL_MAG = 7
     """Magnetic field that the user sends."""
-    BODY_FRAME_VEL = 8
+    BODY_FRAME_VELOCITY = 8
     """Velocity in the vehicle that the user sends."""
     ALL = 0xFFFF
     """All sources, for save, load and default."""
 
 
+class AccelConstraint(codec.OpenEnum):
+    """What the filter assumes about the acceleration.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
+
+    NONE = 0
+    """Nothing."""
+    ZERO_ACCEL = 1
+    """It is zero."""
+
+
+class VelocityConstraint(codec.OpenEnum):
+    """What the filter assumes about the velocity.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
+
+    NONE = 0
+    """Nothing."""
+    ZERO_VELOCITY = 1
+    """It is zero."""
+    WHEELED_VEHICLE = 2
+    """It is that of a wheeled vehicle."""
+
+
+class AngularConstraint(codec.OpenEnum):
+    """What the filter assumes about the angular rate.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
+
+    NONE = 0
+    """Nothing."""
+    ZERO_ANGULAR_RATE = 1
+    """It is zero."""
+
+
 class InitialConditionSource(codec.OpenEnum):
     """Which initial conditions the device finds itself and which the user gives."""
 
-    AUTO_POS_VEL_ATT = 0
+    AUTO_POSITION_VELOCITY_ATTITUDE = 0
     """Position, velocity and attitude are found."""
-    AUTO_POS_VEL_PITCH_ROLL = 1
+    AUTO_POSITION_VELOCITY_PITCH_ROLL = 1
     """Position, velocity, pitch and roll are found; the heading is given."""
-    AUTO_POS_VEL = 2
+    AUTO_POSITION_VELOCITY = 2
     """Position and velocity are found; the attitude is given."""
     MANUAL = 3
     """Position, velocity and attitude are given."""
@@ -149,13 +220,13 @@ class HeadingAlignment(IntFlag):
     """Ways in which the device may find its initial heading."""
 
     DUAL_ANTENNA = 1 << 0
-    """From the baseline between two GNSS antennas."""
+    """From the baseline between two GNSS antennas. Bit 0."""
     KINEMATIC = 1 << 1
-    """From the GNSS velocity; assumes motion along the positive x axis of the vehicle."""
-    MAGNETOMETER = 1 << 2
-    """From the built-in magnetometer."""
+    """From the GNSS velocity; assumes motion along the positive x axis of the vehicle. Bit 1."""
+    MAG = 1 << 2
+    """From the built-in magnetometer. Bit 2."""
     EXTERNAL = 1 << 3
-    """From the heading that the user sends."""
+    """From the heading that the user sends. Bit 3."""
 
 
 class ReferenceFrame(codec.OpenEnum):
@@ -192,38 +263,69 @@ class RelativePositionSource(codec.OpenEnum):
 class ReferencePoint(codec.OpenEnum):
     """A point of reference."""
 
-    VEH = 1
+    VEHICLE = 1
     """The origin of the vehicle."""
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_0 = codec.Block("fff", "roll", "pitch", "yaw")
+_VEHICLE_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformationResponse(Response):
+class VehicleDynamicsModeResponse(Response):
+    """Vehicle dynamics mode response (0x0D,0x80).
+
+    Answers `VehicleDynamicsMode`.
+
+    - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x80
+    NAME = "filter.vehicle_dynamics_mode_response"
+    ROLE = "response"
+
+    mode: DynamicsMode
+    """Kind of vehicle."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsModeResponse, int]:
+        v = _VEHICLE_DYNAMICS_MODE_RESPONSE_0.read(raw, at)
+        at += 1
+        mode = DynamicsMode(v[0])
+        return cls(mode), at
+
+    def _write(self) -> bytes:
+        out = _VEHICLE_DYNAMICS_MODE_RESPONSE_0.write(self.mode)
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0 = codec.Block("fff", "roll", "pitch", "yaw")
+
+
+@dataclass(slots=True)
+class SensorToVehicleRotationEulerResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
-    Answers Sensor to vehicle frame transformation (0x0D,0x11).
-    Supported by 3DM-GX5-15.
+    Answers `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x81
-    NAME = "filter.sensor_to_vehicle_frame_transformation_response"
+    NAME = "filter.sensor_to_vehicle_rotation_euler_response"
     ROLE = "response"
 
     roll: float
-    """Roll angle. [rad]"""
+    """Roll angle. Unit: rad."""
     pitch: float
-    """Pitch angle. [rad]"""
+    """Pitch angle. Unit: rad."""
     yaw: float
-    """Yaw angle. [rad]"""
+    """Yaw angle. Unit: rad."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationResponse, int]:
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationEulerResponse, int]:
+        v = _SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0.read(raw, at)
         at += 12
         roll = v[0]
         pitch = v[1]
@@ -231,143 +333,171 @@ class SensorToVehicleFrameTransformationResponse(Response):
         return cls(roll, pitch, yaw), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_0.write(
-            self.roll, self.pitch, self.yaw
-        )
+        out = _SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0.write(self.roll, self.pitch, self.yaw)
         return codec.finished(out)
 
 
-_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block("fff", "offset", "offset", "offset")
+_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
 @dataclass(slots=True)
-class GnssAntennaOffsetControlResponse(Response):
+class SensorToVehicleOffsetResponse(Response):
+    """Sensor to vehicle offset response (0x0D,0x82).
+
+    Answers `SensorToVehicleOffset`.
+
+    - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x82
+    NAME = "filter.sensor_to_vehicle_offset_response"
+    ROLE = "response"
+
+    offset: types.Vector3f
+    """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+    sensor. Range: -10 to 10.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffsetResponse, int]:
+        v = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.read(raw, at)
+        at += 12
+        offset = v[0:3]
+        return cls(offset), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.write(*codec.exactly("offset", self.offset, 3))
+        return codec.finished(out)
+
+
+_ANTENNA_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
+
+
+@dataclass(slots=True)
+class AntennaOffsetResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
-    Answers GNSS antenna offset (0x0D,0x13).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x83
-    NAME = "filter.gnss_antenna_offset_control_response"
+    NAME = "filter.antenna_offset_response"
     ROLE = "response"
 
     offset: types.Vector3f
-    """From the sensor origin to the centre of the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+    vehicle. Range: -10 to 10.
+    """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetControlResponse, int]:
-        v = _GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetResponse, int]:
+        v = _ANTENNA_OFFSET_RESPONSE_0.read(raw, at)
         at += 12
         offset = v[0:3]
         return cls(offset), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_0.write(
-            *codec.exactly("offset", self.offset, 3)
-        )
+        out = _ANTENNA_OFFSET_RESPONSE_0.write(*codec.exactly("offset", self.offset, 3))
         return codec.finished(out)
 
 
-_ESTIMATION_CONTROL_FLAGS_RESPONSE_0 = codec.Block("H", "flags")
+_ESTIMATION_CONTROL_RESPONSE_0 = codec.Block("H", "flags")
 
 
 @dataclass(slots=True)
-class EstimationControlFlagsResponse(Response):
+class EstimationControlResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
-    Answers Estimation control flags (0x0D,0x14).
-    Supported by 3DM-GX5-15.
+    Answers `EstimationControl`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x84
-    NAME = "filter.estimation_control_flags_response"
+    NAME = "filter.estimation_control_response"
     ROLE = "response"
 
     flags: EstimatedStates
     """States to estimate."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EstimationControlFlagsResponse, int]:
-        v = _ESTIMATION_CONTROL_FLAGS_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[EstimationControlResponse, int]:
+        v = _ESTIMATION_CONTROL_RESPONSE_0.read(raw, at)
         at += 2
         flags = EstimatedStates(v[0])
         return cls(flags), at
 
     def _write(self) -> bytes:
-        out = _ESTIMATION_CONTROL_FLAGS_RESPONSE_0.write(self.flags)
+        out = _ESTIMATION_CONTROL_RESPONSE_0.write(self.flags)
         return codec.finished(out)
 
 
-_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
+_GNSS_SOURCE_RESPONSE_0 = codec.Block("B", "source")
 
 
 @dataclass(slots=True)
-class GnssAidingSourceControlResponse(Response):
+class GnssSourceResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
-    Answers GNSS aiding source (0x0D,0x15).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssSource`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x86
-    NAME = "filter.gnss_aiding_source_control_response"
+    NAME = "filter.gnss_source_response"
     ROLE = "response"
 
     source: GnssAidingSource
     """Source of the GNSS data."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAidingSourceControlResponse, int]:
-        v = _GNSS_AIDING_SOURCE_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssSourceResponse, int]:
+        v = _GNSS_SOURCE_RESPONSE_0.read(raw, at)
         at += 1
         source = GnssAidingSource(v[0])
         return cls(source), at
 
     def _write(self) -> bytes:
-        out = _GNSS_AIDING_SOURCE_CONTROL_RESPONSE_0.write(self.source)
+        out = _GNSS_SOURCE_RESPONSE_0.write(self.source)
         return codec.finished(out)
 
 
-_HEADING_UPDATE_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
+_HEADING_SOURCE_RESPONSE_0 = codec.Block("B", "source")
 
 
 @dataclass(slots=True)
-class HeadingUpdateControlResponse(Response):
+class HeadingSourceResponse(Response):
     """Heading update control response (0x0D,0x87).
 
-    Answers Heading update control (0x0D,0x18).
-    Supported by 3DM-GX5-15.
+    Answers `HeadingSource`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x87
-    NAME = "filter.heading_update_control_response"
+    NAME = "filter.heading_source_response"
     ROLE = "response"
 
-    enable: HeadingUpdateSource
+    source: HeadingUpdateSource
     """Source of the heading."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateControlResponse, int]:
-        v = _HEADING_UPDATE_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[HeadingSourceResponse, int]:
+        v = _HEADING_SOURCE_RESPONSE_0.read(raw, at)
         at += 1
-        enable = HeadingUpdateSource(v[0])
-        return cls(enable), at
+        source = HeadingUpdateSource(v[0])
+        return cls(source), at
 
     def _write(self) -> bytes:
-        out = _HEADING_UPDATE_CONTROL_RESPONSE_0.write(self.enable)
+        out = _HEADING_SOURCE_RESPONSE_0.write(self.source)
         return codec.finished(out)
 
 
@@ -378,8 +508,8 @@ _AUTO_INITIALIZATION_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
-    Answers Automatic initialization (0x0D,0x19).
-    Supported by 3DM-GX5-15.
+    Also called `auto_init_control_response`. Answers `AutoInitializationControl`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -404,15 +534,14 @@ class AutoInitializationControlResponse(Response):
         return codec.finished(out)
 
 
-_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_ACCEL_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
-class AccelerometerNoiseStandardDeviationResponse(Response):
+class AccelNoiseResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
-    Answers Accelerometer noise (0x0D,0x1A).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AccelNoise`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -420,35 +549,32 @@ class AccelerometerNoiseStandardDeviationResponse(Response):
 
     SET = 0x0D
     DESCRIPTOR = 0x89
-    NAME = "filter.accelerometer_noise_standard_deviation_response"
+    NAME = "filter.accel_noise_response"
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [m/s^2]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerNoiseStandardDeviationResponse, int]:
-        v = _ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelNoiseResponse, int]:
+        v = _ACCEL_NOISE_RESPONSE_0.read(raw, at)
         at += 12
         noise = v[0:3]
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_0.write(
-            *codec.exactly("noise", self.noise, 3)
-        )
+        out = _ACCEL_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
-_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_GYRO_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
-class GyroscopeNoiseStandardDeviationResponse(Response):
+class GyroNoiseResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
-    Answers Gyroscope noise (0x0D,0x1B).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GyroNoise`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -456,77 +582,71 @@ class GyroscopeNoiseStandardDeviationResponse(Response):
 
     SET = 0x0D
     DESCRIPTOR = 0x8A
-    NAME = "filter.gyroscope_noise_standard_deviation_response"
+    NAME = "filter.gyro_noise_response"
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [rad/s]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeNoiseStandardDeviationResponse, int]:
-        v = _GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroNoiseResponse, int]:
+        v = _GYRO_NOISE_RESPONSE_0.read(raw, at)
         at += 12
         noise = v[0:3]
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_0.write(
-            *codec.exactly("noise", self.noise, 3)
-        )
+        out = _GYRO_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block(
-    "ffffff", "beta", "beta", "beta", "noise", "noise", "noise"
-)
+_ACCEL_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
 
 
 @dataclass(slots=True)
-class AccelerometerBiasModelParametersResponse(Response):
+class AccelBiasModelResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
-    Answers Accelerometer bias model (0x0D,0x1C).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x8B
-    NAME = "filter.accelerometer_bias_model_parameters_response"
+    NAME = "filter.accel_bias_model_response"
     ROLE = "response"
 
     beta: types.Vector3f
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s."""
     noise: types.Vector3f
-    """Standard deviation of the noise per axis. [m/s^2]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than
+    0.
+    """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasModelParametersResponse, int]:
-        v = _ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasModelResponse, int]:
+        v = _ACCEL_BIAS_MODEL_RESPONSE_0.read(raw, at)
         at += 24
         beta = v[0:3]
         noise = v[3:6]
         return cls(beta, noise), at
 
     def _write(self) -> bytes:
-        out = _ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_0.write(
+        out = _ACCEL_BIAS_MODEL_RESPONSE_0.write(
             *codec.exactly("beta", self.beta, 3), *codec.exactly("noise", self.noise, 3)
         )
         return codec.finished(out)
 
 
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block(
-    "ffffff", "beta", "beta", "beta", "noise", "noise", "noise"
-)
+_GYRO_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
 
 
 @dataclass(slots=True)
-class GyroscopeBiasModelParametersResponse(Response):
+class GyroBiasModelResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
-    Answers Gyroscope bias model (0x0D,0x1D).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -534,38 +654,74 @@ class GyroscopeBiasModelParametersResponse(Response):
 
     SET = 0x0D
     DESCRIPTOR = 0x8C
-    NAME = "filter.gyroscope_bias_model_parameters_response"
+    NAME = "filter.gyro_bias_model_response"
     ROLE = "response"
 
     beta: types.Vector3f
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s."""
     noise: types.Vector3f
-    """Standard deviation of the noise per axis. [rad/s]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater than
+    0.
+    """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasModelParametersResponse, int]:
-        v = _GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasModelResponse, int]:
+        v = _GYRO_BIAS_MODEL_RESPONSE_0.read(raw, at)
         at += 24
         beta = v[0:3]
         noise = v[3:6]
         return cls(beta, noise), at
 
     def _write(self) -> bytes:
-        out = _GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_0.write(
+        out = _GYRO_BIAS_MODEL_RESPONSE_0.write(
             *codec.exactly("beta", self.beta, 3), *codec.exactly("noise", self.noise, 3)
         )
         return codec.finished(out)
 
 
-_ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
+_AUTO_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 
 
 @dataclass(slots=True)
-class ZeroAngularRateUpdateControlResponse(Response):
+class AutoZuptResponse(Response):
+    """Automatic zero velocity update response (0x0D,0x8D).
+
+    Answers `AutoZupt`.
+
+    - mip-sdk-4: Auto Zupt (0x0D,0x1E)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x8D
+    NAME = "filter.auto_zupt_response"
+    ROLE = "response"
+
+    enable: int
+    """0 disables, 1 enables. Range: 0 to 1."""
+    threshold: float
+    """Largest speed that is taken as zero. Unit: m/s. Range: at least 0."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AutoZuptResponse, int]:
+        v = _AUTO_ZUPT_RESPONSE_0.read(raw, at)
+        at += 5
+        enable = v[0]
+        threshold = v[1]
+        return cls(enable, threshold), at
+
+    def _write(self) -> bytes:
+        out = _AUTO_ZUPT_RESPONSE_0.write(self.enable, self.threshold)
+        return codec.finished(out)
+
+
+_AUTO_ANGULAR_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
+
+
+@dataclass(slots=True)
+class AutoAngularZuptResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
-    Answers Zero angular rate update (0x0D,0x20).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AutoAngularZupt`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -573,59 +729,56 @@ class ZeroAngularRateUpdateControlResponse(Response):
 
     SET = 0x0D
     DESCRIPTOR = 0x8E
-    NAME = "filter.zero_angular_rate_update_control_response"
+    NAME = "filter.auto_angular_zupt_response"
     ROLE = "response"
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     threshold: float
-    """Largest angular rate that is taken as zero. [rad/s] Range: 0 to …."""
+    """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ZeroAngularRateUpdateControlResponse, int]:
-        v = _ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AutoAngularZuptResponse, int]:
+        v = _AUTO_ANGULAR_ZUPT_RESPONSE_0.read(raw, at)
         at += 5
         enable = v[0]
         threshold = v[1]
         return cls(enable, threshold), at
 
     def _write(self) -> bytes:
-        out = _ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_0.write(self.enable, self.threshold)
+        out = _AUTO_ANGULAR_ZUPT_RESPONSE_0.write(self.enable, self.threshold)
         return codec.finished(out)
 
 
-_SET_REFERENCE_POSITION_RESPONSE_0 = codec.Block(
-    "Bddd", "enable", "latitude", "longitude", "altitude"
-)
+_REFERENCE_POSITION_RESPONSE_0 = codec.Block("Bddd", "enable", "latitude", "longitude", "altitude")
 
 
 @dataclass(slots=True)
-class SetReferencePositionResponse(Response):
+class ReferencePositionResponse(Response):
     """Set reference position response (0x0D,0x90).
 
-    Answers Set reference position (0x0D,0x26).
-    Supported by 3DM-GX5-15.
+    Answers `ReferencePosition`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x90
-    NAME = "filter.set_reference_position_response"
+    NAME = "filter.reference_position_response"
     ROLE = "response"
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     latitude: float
-    """Latitude. [deg] Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh."""
     longitude: float
-    """Longitude. [deg] Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh."""
     altitude: float
-    """Altitude. [m] Frame: llh."""
+    """Altitude. Unit: m. Frame: llh."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetReferencePositionResponse, int]:
-        v = _SET_REFERENCE_POSITION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePositionResponse, int]:
+        v = _REFERENCE_POSITION_RESPONSE_0.read(raw, at)
         at += 25
         enable = v[0]
         latitude = v[1]
@@ -634,21 +787,20 @@ class SetReferencePositionResponse(Response):
         return cls(enable, latitude, longitude, altitude), at
 
     def _write(self) -> bytes:
-        out = _SET_REFERENCE_POSITION_RESPONSE_0.write(
+        out = _REFERENCE_POSITION_RESPONSE_0.write(
             self.enable, self.latitude, self.longitude, self.altitude
         )
         return codec.finished(out)
 
 
-_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_GRAVITY_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
-class GravityNoiseStandardDeviationResponse(Response):
+class GravityNoiseResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
-    Answers Gravity noise (0x0D,0x28).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GravityNoise`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -656,100 +808,256 @@ class GravityNoiseStandardDeviationResponse(Response):
 
     SET = 0x0D
     DESCRIPTOR = 0x93
-    NAME = "filter.gravity_noise_standard_deviation_response"
+    NAME = "filter.gravity_noise_response"
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [g]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseStandardDeviationResponse, int]:
-        v = _GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseResponse, int]:
+        v = _GRAVITY_NOISE_RESPONSE_0.read(raw, at)
         at += 12
         noise = v[0:3]
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_0.write(
-            *codec.exactly("noise", self.noise, 3)
-        )
+        out = _GRAVITY_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
-_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_0 = codec.Block("H", "control")
+_PRESSURE_ALTITUDE_NOISE_RESPONSE_0 = codec.Block("f", "noise")
 
 
 @dataclass(slots=True)
-class EnableDisableMeasurementsResponse(Response):
+class PressureAltitudeNoiseResponse(Response):
+    """Pressure altitude noise response (0x0D,0x94).
+
+    Answers `PressureAltitudeNoise`.
+
+    - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x94
+    NAME = "filter.pressure_altitude_noise_response"
+    ROLE = "response"
+
+    noise: float
+    """Standard deviation. Unit: m. Range: greater than 0."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoiseResponse, int]:
+        v = _PRESSURE_ALTITUDE_NOISE_RESPONSE_0.read(raw, at)
+        at += 4
+        noise = v[0]
+        return cls(noise), at
+
+    def _write(self) -> bytes:
+        out = _PRESSURE_ALTITUDE_NOISE_RESPONSE_0.write(self.noise)
+        return codec.finished(out)
+
+
+_HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
+
+
+@dataclass(slots=True)
+class HardIronOffsetNoiseResponse(Response):
+    """Hard iron offset noise response (0x0D,0x96).
+
+    Answers `HardIronOffsetNoise`.
+
+    - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x96
+    NAME = "filter.hard_iron_offset_noise_response"
+    ROLE = "response"
+
+    noise: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoiseResponse, int]:
+        v = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.read(raw, at)
+        at += 12
+        noise = v[0:3]
+        return cls(noise), at
+
+    def _write(self) -> bytes:
+        out = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        return codec.finished(out)
+
+
+_SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block("fffffffff", *["noise"] * 9)
+
+
+@dataclass(slots=True)
+class SoftIronMatrixNoiseResponse(Response):
+    """Soft iron matrix noise response (0x0D,0x97).
+
+    Answers `SoftIronMatrixNoise`.
+
+    - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x97
+    NAME = "filter.soft_iron_matrix_noise_response"
+    ROLE = "response"
+
+    noise: types.Matrix3f
+    """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1. Range: greater than 0.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoiseResponse, int]:
+        v = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.read(raw, at)
+        at += 36
+        noise = v[0:9]
+        return cls(noise), at
+
+    def _write(self) -> bytes:
+        out = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 9))
+        return codec.finished(out)
+
+
+_TARE_ORIENTATION_RESPONSE_0 = codec.Block("B", "axes")
+
+
+@dataclass(slots=True)
+class TareOrientationResponse(Response):
+    """Tare orientation response (0x0D,0xA1).
+
+    Answers `TareOrientation`. Uncertain: Which devices send it. The SDK reads the setting back; the
+    manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.
+
+    - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
+    - mip-sdk-4: Tare Orientation (0x0D,0x21)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xA1
+    NAME = "filter.tare_orientation_response"
+    ROLE = "response"
+
+    axes: TareAxes
+    """Axes to tare; 0 resets all axes."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[TareOrientationResponse, int]:
+        v = _TARE_ORIENTATION_RESPONSE_0.read(raw, at)
+        at += 1
+        axes = TareAxes(v[0])
+        return cls(axes), at
+
+    def _write(self) -> bytes:
+        out = _TARE_ORIENTATION_RESPONSE_0.write(self.axes)
+        return codec.finished(out)
+
+
+_ENABLE_MEASUREMENTS_RESPONSE_0 = codec.Block("H", "control")
+
+
+@dataclass(slots=True)
+class EnableMeasurementsResponse(Response):
     """Enable or disable measurements response (0x0D,0xB0).
 
-    Answers Enable or disable measurements (0x0D,0x41).
-    Supported by 3DM-GX5-15.
+    Answers `EnableMeasurements`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xB0
-    NAME = "filter.enable_disable_measurements_response"
+    NAME = "filter.enable_measurements_response"
     ROLE = "response"
 
     control: MeasurementFlags
     """Measurements to use."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EnableDisableMeasurementsResponse, int]:
-        v = _ENABLE_DISABLE_MEASUREMENTS_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[EnableMeasurementsResponse, int]:
+        v = _ENABLE_MEASUREMENTS_RESPONSE_0.read(raw, at)
         at += 2
         control = MeasurementFlags(v[0])
         return cls(control), at
 
     def _write(self) -> bytes:
-        out = _ENABLE_DISABLE_MEASUREMENTS_RESPONSE_0.write(self.control)
+        out = _ENABLE_MEASUREMENTS_RESPONSE_0.write(self.control)
         return codec.finished(out)
 
 
-_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_0 = codec.Block("Bf", "source", "declination")
+_MAG_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
-class MagneticFieldDeclinationSourceControlResponse(Response):
+class MagNoiseResponse(Response):
+    """Magnetometer noise response (0x0D,0xB1).
+
+    Answers `MagNoise`.
+
+    - mip-sdk-4: Mag Noise (0x0D,0x42)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xB1
+    NAME = "filter.mag_noise_response"
+    ROLE = "response"
+
+    noise: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagNoiseResponse, int]:
+        v = _MAG_NOISE_RESPONSE_0.read(raw, at)
+        at += 12
+        noise = v[0:3]
+        return cls(noise), at
+
+    def _write(self) -> bytes:
+        out = _MAG_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        return codec.finished(out)
+
+
+_MAGNETIC_DECLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "declination")
+
+
+@dataclass(slots=True)
+class MagneticDeclinationSourceResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
-    Answers Magnetic declination source (0x0D,0x43).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MagneticDeclinationSource`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xB2
-    NAME = "filter.magnetic_field_declination_source_control_response"
+    NAME = "filter.magnetic_declination_source_response"
     ROLE = "response"
 
-    source: DeclinationSource
+    source: MagParameterSource
     """Source of the declination."""
     declination: float
-    """Declination; used only if `source` is manual. [rad]"""
+    """Declination; used only if `source` is manual. Unit: rad."""
 
     @classmethod
-    def _read(
-        cls, raw: bytes, at: int
-    ) -> tuple[MagneticFieldDeclinationSourceControlResponse, int]:
-        v = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticDeclinationSourceResponse, int]:
+        v = _MAGNETIC_DECLINATION_SOURCE_RESPONSE_0.read(raw, at)
         at += 5
-        source = DeclinationSource(v[0])
+        source = MagParameterSource(v[0])
         declination = v[1]
         return cls(source, declination), at
 
     def _write(self) -> bytes:
-        out = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_0.write(
-            self.source, self.declination
-        )
+        out = _MAGNETIC_DECLINATION_SOURCE_RESPONSE_0.write(self.source, self.declination)
         return codec.finished(out)
 
 
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
     "Bffffff",
     "adaptive_measurement",
     "frequency",
@@ -762,40 +1070,39 @@ _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
+class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
-    Answers Gravity magnitude error adaptive measurement (0x0D,0x44).
-    Supported by 3DM-GX5-15.
+    Answers `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xB3
-    NAME = "filter.gravity_magnitude_error_adaptive_measurement_response"
+    NAME = "filter.accel_magnitude_error_adaptive_measurement_response"
     ROLE = "response"
 
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
     frequency: float
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz."""
     low_limit: float
-    """Lower limit of the error. [m/s^2]"""
+    """Lower limit of the error. Unit: m/s^2."""
     high_limit: float
-    """Upper limit of the error. [m/s^2]"""
+    """Upper limit of the error. Unit: m/s^2."""
     low_limit_uncertainty: float
-    """Standard deviation at the lower limit. [m/s^2]"""
+    """Standard deviation at the lower limit. Unit: m/s^2."""
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. [m/s^2]"""
+    """Standard deviation at the upper limit. Unit: m/s^2."""
     minimum_uncertainty: float
-    """Smallest standard deviation. [m/s^2]"""
+    """Smallest standard deviation. Unit: m/s^2."""
 
     @classmethod
     def _read(
         cls, raw: bytes, at: int
-    ) -> tuple[GravityMagnitudeErrorAdaptiveMeasurementResponse, int]:
-        v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
+    ) -> tuple[AccelMagnitudeErrorAdaptiveMeasurementResponse, int]:
+        v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
         at += 25
         adaptive_measurement = AdaptiveMeasurementSelector(v[0])
         frequency = v[1]
@@ -815,7 +1122,7 @@ class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
         ), at
 
     def _write(self) -> bytes:
-        out = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
+        out = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
             self.adaptive_measurement,
             self.frequency,
             self.low_limit,
@@ -827,55 +1134,370 @@ class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
         return codec.finished(out)
 
 
-_PITCH_ROLL_AIDING_CONTROL_RESPONSE_0 = codec.Block("B", "aiding")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
+    "Bffffff",
+    "adaptive_measurement",
+    "frequency",
+    "low_limit",
+    "high_limit",
+    "low_limit_uncertainty",
+    "high_limit_uncertainty",
+    "minimum_uncertainty",
+)
 
 
 @dataclass(slots=True)
-class PitchRollAidingControlResponse(Response):
+class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
+    """Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
+
+    Answers `MagMagnitudeErrorAdaptiveMeasurement`.
+
+    - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xB4
+    NAME = "filter.mag_magnitude_error_adaptive_measurement_response"
+    ROLE = "response"
+
+    adaptive_measurement: AdaptiveMeasurementSelector
+    """Kind of adaptation."""
+    frequency: float
+    """Cut-off frequency of the low-pass filter. Unit: Hz."""
+    low_limit: float
+    """Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
+    the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
+    high_limit: float
+    """Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
+    the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
+    low_limit_uncertainty: float
+    """Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK prints
+    m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
+    high_limit_uncertainty: float
+    """Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK prints
+    m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
+    minimum_uncertainty: float
+    """Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual
+    of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurementResponse, int]:
+        v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
+        at += 25
+        adaptive_measurement = AdaptiveMeasurementSelector(v[0])
+        frequency = v[1]
+        low_limit = v[2]
+        high_limit = v[3]
+        low_limit_uncertainty = v[4]
+        high_limit_uncertainty = v[5]
+        minimum_uncertainty = v[6]
+        return cls(
+            adaptive_measurement,
+            frequency,
+            low_limit,
+            high_limit,
+            low_limit_uncertainty,
+            high_limit_uncertainty,
+            minimum_uncertainty,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
+            self.adaptive_measurement,
+            self.frequency,
+            self.low_limit,
+            self.high_limit,
+            self.low_limit_uncertainty,
+            self.high_limit_uncertainty,
+            self.minimum_uncertainty,
+        )
+        return codec.finished(out)
+
+
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
+    "Bffff", "enable", "frequency", "high_limit", "high_limit_uncertainty", "minimum_uncertainty"
+)
+
+
+@dataclass(slots=True)
+class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
+    """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
+
+    Answers `MagDipAngleErrorAdaptiveMeasurement`.
+
+    - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xB5
+    NAME = "filter.mag_dip_angle_error_adaptive_measurement_response"
+    ROLE = "response"
+
+    enable: bool
+    """Whether the adaptation is on."""
+    frequency: float
+    """Cut-off frequency of the low-pass filter. Unit: Hz."""
+    high_limit: float
+    """Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+    inferred from the quantity.
+    """
+    high_limit_uncertainty: float
+    """Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK prints m/s^2;
+    rad is inferred from the quantity.
+    """
+    minimum_uncertainty: float
+    """Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+    inferred from the quantity.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurementResponse, int]:
+        v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
+        at += 17
+        enable = codec.truth(v[0])
+        frequency = v[1]
+        high_limit = v[2]
+        high_limit_uncertainty = v[3]
+        minimum_uncertainty = v[4]
+        return cls(enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty), at
+
+    def _write(self) -> bytes:
+        out = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
+            self.enable,
+            self.frequency,
+            self.high_limit,
+            self.high_limit_uncertainty,
+            self.minimum_uncertainty,
+        )
+        return codec.finished(out)
+
+
+_ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "selector")
+
+
+@dataclass(slots=True)
+class AltitudeAidingResponse(Response):
+    """Altitude aiding response (0x0D,0xB7).
+
+    Answers `AltitudeAiding`.
+
+    - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xB7
+    NAME = "filter.altitude_aiding_response"
+    ROLE = "response"
+
+    selector: AltitudeAidingSource
+    """Source of the aiding."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAidingResponse, int]:
+        v = _ALTITUDE_AIDING_RESPONSE_0.read(raw, at)
+        at += 1
+        selector = AltitudeAidingSource(v[0])
+        return cls(selector), at
+
+    def _write(self) -> bytes:
+        out = _ALTITUDE_AIDING_RESPONSE_0.write(self.selector)
+        return codec.finished(out)
+
+
+_PITCH_ROLL_AIDING_RESPONSE_0 = codec.Block("B", "aiding")
+
+
+@dataclass(slots=True)
+class PitchRollAidingResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
-    Answers Pitch and roll aiding (0x0D,0x4B).
-    Supported by 3DM-GX5-15.
+    Answers `PitchRollAiding`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xBB
-    NAME = "filter.pitch_roll_aiding_control_response"
+    NAME = "filter.pitch_roll_aiding_response"
     ROLE = "response"
 
     aiding: PitchRollAidingSource
     """Source of the aiding."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingControlResponse, int]:
-        v = _PITCH_ROLL_AIDING_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingResponse, int]:
+        v = _PITCH_ROLL_AIDING_RESPONSE_0.read(raw, at)
         at += 1
         aiding = PitchRollAidingSource(v[0])
         return cls(aiding), at
 
     def _write(self) -> bytes:
-        out = _PITCH_ROLL_AIDING_CONTROL_RESPONSE_0.write(self.aiding)
+        out = _PITCH_ROLL_AIDING_RESPONSE_0.write(self.aiding)
         return codec.finished(out)
 
 
-_AIDING_MEASUREMENT_CONTROL_RESPONSE_0 = codec.Block("HB", "aiding_source", "enable")
+_MAGNETIC_INCLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "inclination")
 
 
 @dataclass(slots=True)
-class AidingMeasurementControlResponse(Response):
+class MagneticInclinationSourceResponse(Response):
+    """Magnetic inclination source response (0x0D,0xBC).
+
+    Also called `inclination_source_response`. Answers `MagneticInclinationSource`.
+
+    - mip-sdk-4: Inclination Source (0x0D,0x4C)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xBC
+    NAME = "filter.magnetic_inclination_source_response"
+    ROLE = "response"
+
+    source: MagParameterSource
+    """Source of the inclination."""
+    inclination: float
+    """Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
+    out if `source` is not manual. The SDK sends it always.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticInclinationSourceResponse, int]:
+        v = _MAGNETIC_INCLINATION_SOURCE_RESPONSE_0.read(raw, at)
+        at += 5
+        source = MagParameterSource(v[0])
+        inclination = v[1]
+        return cls(source, inclination), at
+
+    def _write(self) -> bytes:
+        out = _MAGNETIC_INCLINATION_SOURCE_RESPONSE_0.write(self.source, self.inclination)
+        return codec.finished(out)
+
+
+_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "magnitude")
+
+
+@dataclass(slots=True)
+class MagneticMagnitudeSourceResponse(Response):
+    """Magnetic field magnitude source response (0x0D,0xBD).
+
+    Also called `mag_field_magnitude_source_response`. Answers `MagneticMagnitudeSource`.
+
+    - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xBD
+    NAME = "filter.magnetic_magnitude_source_response"
+    ROLE = "response"
+
+    source: MagParameterSource
+    """Source of the magnitude."""
+    magnitude: float
+    """Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
+    out if `source` is not manual. The SDK sends it always.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticMagnitudeSourceResponse, int]:
+        v = _MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0.read(raw, at)
+        at += 5
+        source = MagParameterSource(v[0])
+        magnitude = v[1]
+        return cls(source, magnitude), at
+
+    def _write(self) -> bytes:
+        out = _MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0.write(self.source, self.magnitude)
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] * 9)
+
+
+@dataclass(slots=True)
+class SensorToVehicleRotationDcmResponse(Response):
+    """Sensor to vehicle rotation, matrix response (0x0D,0xBE).
+
+    Answers `SensorToVehicleRotationDcm`.
+
+    - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xBE
+    NAME = "filter.sensor_to_vehicle_rotation_dcm_response"
+    ROLE = "response"
+
+    dcm: types.Matrix3f
+    """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcmResponse, int]:
+        v = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.read(raw, at)
+        at += 36
+        dcm = v[0:9]
+        return cls(dcm), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.write(*codec.exactly("dcm", self.dcm, 9))
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] * 4)
+
+
+@dataclass(slots=True)
+class SensorToVehicleRotationQuaternionResponse(Response):
+    """Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
+
+    Answers `SensorToVehicleRotationQuaternion`.
+
+    - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xBF
+    NAME = "filter.sensor_to_vehicle_rotation_quaternion_response"
+    ROLE = "response"
+
+    q: types.Quatf
+    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternionResponse, int]:
+        v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.read(raw, at)
+        at += 16
+        q = v[0:4]
+        return cls(q), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.write(
+            *codec.exactly("q", self.q, 4)
+        )
+        return codec.finished(out)
+
+
+_AIDING_MEASUREMENT_ENABLE_RESPONSE_0 = codec.Block("HB", "aiding_source", "enable")
+
+
+@dataclass(slots=True)
+class AidingMeasurementEnableResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
-    Answers Aiding measurement control (0x0D,0x50).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `AidingMeasurementEnable`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xD0
-    NAME = "filter.aiding_measurement_control_response"
+    NAME = "filter.aiding_measurement_enable_response"
     ROLE = "response"
 
     aiding_source: AidingSource
@@ -884,82 +1506,122 @@ class AidingMeasurementControlResponse(Response):
     """Whether the filter uses the source."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementControlResponse, int]:
-        v = _AIDING_MEASUREMENT_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementEnableResponse, int]:
+        v = _AIDING_MEASUREMENT_ENABLE_RESPONSE_0.read(raw, at)
         at += 3
         aiding_source = AidingSource(v[0])
         enable = codec.truth(v[1])
         return cls(aiding_source, enable), at
 
     def _write(self) -> bytes:
-        out = _AIDING_MEASUREMENT_CONTROL_RESPONSE_0.write(self.aiding_source, self.enable)
+        out = _AIDING_MEASUREMENT_ENABLE_RESPONSE_0.write(self.aiding_source, self.enable)
         return codec.finished(out)
 
 
-_NAVIGATION_FILTER_INITIALIZATION_RESPONSE_0 = codec.Block(
+_KINEMATIC_CONSTRAINT_RESPONSE_0 = codec.Block(
+    "BBB", "accel_constraint", "velocity_constraint", "angular_constraint"
+)
+
+
+@dataclass(slots=True)
+class KinematicConstraintResponse(Response):
+    """Kinematic constraint response (0x0D,0xD1).
+
+    Answers `KinematicConstraint`.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xD1
+    NAME = "filter.kinematic_constraint_response"
+    ROLE = "response"
+
+    accel_constraint: AccelConstraint
+    """Assumption about the acceleration. Default: `AccelConstraint.NONE`."""
+    velocity_constraint: VelocityConstraint
+    """Assumption about the velocity. Default: `VelocityConstraint.NONE`."""
+    angular_constraint: AngularConstraint
+    """Assumption about the angular rate. Default: `AngularConstraint.NONE`."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraintResponse, int]:
+        v = _KINEMATIC_CONSTRAINT_RESPONSE_0.read(raw, at)
+        at += 3
+        accel_constraint = AccelConstraint(v[0])
+        velocity_constraint = VelocityConstraint(v[1])
+        angular_constraint = AngularConstraint(v[2])
+        return cls(accel_constraint, velocity_constraint, angular_constraint), at
+
+    def _write(self) -> bytes:
+        out = _KINEMATIC_CONSTRAINT_RESPONSE_0.write(
+            self.accel_constraint, self.velocity_constraint, self.angular_constraint
+        )
+        return codec.finished(out)
+
+
+_INITIALIZATION_CONFIG_RESPONSE_0 = codec.Block(
     "BBBfffffffffB",
     "wait_for_run_command",
-    "initial_cond_src",
+    "initial_condition_source",
     "auto_heading_alignment_selector",
     "initial_heading",
     "initial_pitch",
     "initial_roll",
-    "initial_position",
-    "initial_position",
-    "initial_position",
-    "initial_velocity",
-    "initial_velocity",
-    "initial_velocity",
+    *["initial_position"] * 3,
+    *["initial_velocity"] * 3,
     "reference_frame_selector",
 )
 
 
 @dataclass(slots=True)
-class NavigationFilterInitializationResponse(Response):
+class InitializationConfigResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
-    Answers Navigation filter initialization (0x0D,0x52).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `initialization_configuration_response`. Answers `InitializationConfig`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xD2
-    NAME = "filter.navigation_filter_initialization_response"
+    NAME = "filter.initialization_config_response"
     ROLE = "response"
 
     wait_for_run_command: int
-    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to
-    1.
-    """
-    initial_cond_src: InitialConditionSource
+    """1: the filter starts only after `run`; 0: as soon as it can. Range: 0 to 1."""
+    initial_condition_source: InitialConditionSource
     """Which initial conditions are found and which are given."""
     auto_heading_alignment_selector: HeadingAlignment
     """Ways in which the initial heading may be found."""
     initial_heading: float
-    """Given heading. [deg]"""
+    """Given heading. Unit: deg."""
     initial_pitch: float
-    """Given pitch. [deg]"""
+    """Given pitch. Unit: deg."""
     initial_roll: float
-    """Given roll. [deg]"""
+    """Given roll. Unit: deg."""
     initial_position: types.Vector3f
-    """Given position. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Given position. Elements: x, y, z.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f
-    """Given velocity. [m/s] If reference_frame_selector is ecef: frame ecef. If
-    reference_frame_selector is llh: frame ned.
+    """Given velocity. Elements: x, y, z. Unit: m/s.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
     """
     reference_frame_selector: ReferenceFrame
     """Frame of the given position and velocity."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NavigationFilterInitializationResponse, int]:
-        v = _NAVIGATION_FILTER_INITIALIZATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[InitializationConfigResponse, int]:
+        v = _INITIALIZATION_CONFIG_RESPONSE_0.read(raw, at)
         at += 40
         wait_for_run_command = v[0]
-        initial_cond_src = InitialConditionSource(v[1])
+        initial_condition_source = InitialConditionSource(v[1])
         auto_heading_alignment_selector = HeadingAlignment(v[2])
         initial_heading = v[3]
         initial_pitch = v[4]
@@ -969,7 +1631,7 @@ class NavigationFilterInitializationResponse(Response):
         reference_frame_selector = ReferenceFrame(v[12])
         return cls(
             wait_for_run_command,
-            initial_cond_src,
+            initial_condition_source,
             auto_heading_alignment_selector,
             initial_heading,
             initial_pitch,
@@ -980,9 +1642,9 @@ class NavigationFilterInitializationResponse(Response):
         ), at
 
     def _write(self) -> bytes:
-        out = _NAVIGATION_FILTER_INITIALIZATION_RESPONSE_0.write(
+        out = _INITIALIZATION_CONFIG_RESPONSE_0.write(
             self.wait_for_run_command,
-            self.initial_cond_src,
+            self.initial_condition_source,
             self.auto_heading_alignment_selector,
             self.initial_heading,
             self.initial_pitch,
@@ -994,105 +1656,97 @@ class NavigationFilterInitializationResponse(Response):
         return codec.finished(out)
 
 
-_ADAPTIVE_FILTER_CONTROL_RESPONSE_0 = codec.Block("BH", "level", "time_limit")
+_ADAPTIVE_FILTER_OPTIONS_RESPONSE_0 = codec.Block("BH", "level", "time_limit")
 
 
 @dataclass(slots=True)
-class AdaptiveFilterControlResponse(Response):
+class AdaptiveFilterOptionsResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
-    Answers Adaptive filter control (0x0D,0x53).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xD3
-    NAME = "filter.adaptive_filter_control_response"
+    NAME = "filter.adaptive_filter_options_response"
     ROLE = "response"
 
     level: AdaptiveLevel
-    """Strength of the adaptation. Factory default: 2."""
+    """Strength of the adaptation. Default: 2."""
     time_limit: int
-    """Longest time for which measurements are rejected before the filter recovers. [ms]"""
+    """Longest time for which measurements are rejected before the filter recovers. Unit: ms."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterControlResponse, int]:
-        v = _ADAPTIVE_FILTER_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterOptionsResponse, int]:
+        v = _ADAPTIVE_FILTER_OPTIONS_RESPONSE_0.read(raw, at)
         at += 3
         level = AdaptiveLevel(v[0])
         time_limit = v[1]
         return cls(level, time_limit), at
 
     def _write(self) -> bytes:
-        out = _ADAPTIVE_FILTER_CONTROL_RESPONSE_0.write(self.level, self.time_limit)
+        out = _ADAPTIVE_FILTER_OPTIONS_RESPONSE_0.write(self.level, self.time_limit)
         return codec.finished(out)
 
 
-_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block(
-    "Bfff", "receiver_id", "antenna_offset", "antenna_offset", "antenna_offset"
-)
+_MULTI_ANTENNA_OFFSET_RESPONSE_0 = codec.Block("Bfff", "receiver_id", *["antenna_offset"] * 3)
 
 
 @dataclass(slots=True)
-class GnssMultiAntennaOffsetControlResponse(Response):
+class MultiAntennaOffsetResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
 
-    Answers GNSS multi-antenna offset (0x0D,0x54).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xD4
-    NAME = "filter.gnss_multi_antenna_offset_control_response"
+    NAME = "filter.multi_antenna_offset_response"
     ROLE = "response"
 
     receiver_id: int
-    """Number of the receiver, from 1. Range: 1 to …."""
+    """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f
-    """From the sensor to the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssMultiAntennaOffsetControlResponse, int]:
-        v = _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffsetResponse, int]:
+        v = _MULTI_ANTENNA_OFFSET_RESPONSE_0.read(raw, at)
         at += 13
         receiver_id = v[0]
         antenna_offset = v[1:4]
         return cls(receiver_id, antenna_offset), at
 
     def _write(self) -> bytes:
-        out = _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_0.write(
+        out = _MULTI_ANTENNA_OFFSET_RESPONSE_0.write(
             self.receiver_id, *codec.exactly("antenna_offset", self.antenna_offset, 3)
         )
         return codec.finished(out)
 
 
-_RELATIVE_POSITION_CONFIGURATION_RESPONSE_0 = codec.Block(
-    "BBddd",
-    "source",
-    "reference_frame_selector",
-    "reference_coordinates",
-    "reference_coordinates",
-    "reference_coordinates",
+_RELATIVE_POSITION_CONFIG_RESPONSE_0 = codec.Block(
+    "BBddd", "source", "reference_frame_selector", *["reference_coordinates"] * 3
 )
 
 
 @dataclass(slots=True)
-class RelativePositionConfigurationResponse(Response):
+class RelativePositionConfigResponse(Response):
     """Relative position configuration response (0x0D,0xD5).
 
-    Answers Relative position configuration (0x0D,0x55).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `rel_pos_configuration_response`. Answers `RelativePositionConfig`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xD5
-    NAME = "filter.relative_position_configuration_response"
+    NAME = "filter.relative_position_config_response"
     ROLE = "response"
 
     source: RelativePositionSource
@@ -1100,13 +1754,15 @@ class RelativePositionConfigurationResponse(Response):
     reference_frame_selector: ReferenceFrame
     """Frame of the coordinates."""
     reference_coordinates: types.Vector3d
-    """Reference point. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Reference point. Elements: x, y, z.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfigurationResponse, int]:
-        v = _RELATIVE_POSITION_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfigResponse, int]:
+        v = _RELATIVE_POSITION_CONFIG_RESPONSE_0.read(raw, at)
         at += 26
         source = RelativePositionSource(v[0])
         reference_frame_selector = ReferenceFrame(v[1])
@@ -1114,7 +1770,7 @@ class RelativePositionConfigurationResponse(Response):
         return cls(source, reference_frame_selector, reference_coordinates), at
 
     def _write(self) -> bytes:
-        out = _RELATIVE_POSITION_CONFIGURATION_RESPONSE_0.write(
+        out = _RELATIVE_POSITION_CONFIG_RESPONSE_0.write(
             self.source,
             self.reference_frame_selector,
             *codec.exactly("reference_coordinates", self.reference_coordinates, 3),
@@ -1123,7 +1779,7 @@ class RelativePositionConfigurationResponse(Response):
 
 
 _REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
-    "Bfff", "ref_point_sel", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
+    "Bfff", "reference_point", *["lever_arm_offset"] * 3
 )
 
 
@@ -1131,8 +1787,8 @@ _REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
 class ReferencePointLeverArmResponse(Response):
     """Reference point lever arm response (0x0D,0xD6).
 
-    Answers Reference point lever arm (0x0D,0x56).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `ref_point_lever_arm_response`. Answers `ReferencePointLeverArm`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -1142,63 +1798,93 @@ class ReferencePointLeverArmResponse(Response):
     NAME = "filter.reference_point_lever_arm_response"
     ROLE = "response"
 
-    ref_point_sel: ReferencePoint
+    reference_point: ReferencePoint
     """Point to move; it must be 1."""
     lever_arm_offset: types.Vector3f
-    """From the sensor to the point. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArmResponse, int]:
         v = _REFERENCE_POINT_LEVER_ARM_RESPONSE_0.read(raw, at)
         at += 13
-        ref_point_sel = ReferencePoint(v[0])
+        reference_point = ReferencePoint(v[0])
         lever_arm_offset = v[1:4]
-        return cls(ref_point_sel, lever_arm_offset), at
+        return cls(reference_point, lever_arm_offset), at
 
     def _write(self) -> bytes:
         out = _REFERENCE_POINT_LEVER_ARM_RESPONSE_0.write(
-            self.ref_point_sel, *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
+            self.reference_point, *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
         )
         return codec.finished(out)
 
 
-_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_0 = codec.Block(
-    "Bfff", "source", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
-)
+_SPEED_LEVER_ARM_RESPONSE_0 = codec.Block("Bfff", "source", *["lever_arm_offset"] * 3)
 
 
 @dataclass(slots=True)
-class MeasurementSpeedLeverArmResponse(Response):
+class SpeedLeverArmResponse(Response):
     """Speed measurement lever arm response (0x0D,0xE1).
 
-    Answers Speed measurement lever arm (0x0D,0x61).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xE1
-    NAME = "filter.measurement_speed_lever_arm_response"
+    NAME = "filter.speed_lever_arm_response"
     ROLE = "response"
 
     source: int = field(default=1, kw_only=True)
-    """Send 1."""
+    """Reserved."""
     lever_arm_offset: types.Vector3f
-    """From the sensor to the point of measurement. [m] Frame: vehicle."""
+    """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MeasurementSpeedLeverArmResponse, int]:
-        v = _MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SpeedLeverArmResponse, int]:
+        v = _SPEED_LEVER_ARM_RESPONSE_0.read(raw, at)
         at += 13
         source = v[0]
         lever_arm_offset = v[1:4]
         return cls(lever_arm_offset, source=source), at
 
     def _write(self) -> bytes:
-        out = _MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_0.write(
+        out = _SPEED_LEVER_ARM_RESPONSE_0.write(
             self.source, *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
         )
+        return codec.finished(out)
+
+
+_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
+
+
+@dataclass(slots=True)
+class VerticalGyroConstraintControlResponse(Response):
+    """Vertical gyro constraint response (0x0D,0xE2).
+
+    Answers `VerticalGyroConstraintControl`.
+
+    - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xE2
+    NAME = "filter.vertical_gyro_constraint_control_response"
+    ROLE = "response"
+
+    enable: int
+    """0 disables, 1 enables. Range: 0 to 1."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControlResponse, int]:
+        v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0.read(raw, at)
+        at += 1
+        enable = v[0]
+        return cls(enable), at
+
+    def _write(self) -> bytes:
+        out = _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0.write(self.enable)
         return codec.finished(out)
 
 
@@ -1209,8 +1895,7 @@ _WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class WheeledVehicleConstraintControlResponse(Response):
     """Wheeled vehicle constraint response (0x0D,0xE3).
 
-    Answers Wheeled vehicle constraint (0x0D,0x63).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -1235,14 +1920,14 @@ class WheeledVehicleConstraintControlResponse(Response):
         return codec.finished(out)
 
 
-_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "max_offset")
+_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "max_offset")
 
 
 @dataclass(slots=True)
-class GnssAntennaOffsetCalibrationControlResponse(Response):
+class GnssAntennaCalibrationControlResponse(Response):
     """GNSS antenna offset calibration response (0x0D,0xE4).
 
-    Answers GNSS antenna offset calibration (0x0D,0x64).
+    Also called `gnss_antenna_cal_control_response`. Answers `GnssAntennaCalibrationControl`.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
@@ -1251,40 +1936,40 @@ class GnssAntennaOffsetCalibrationControlResponse(Response):
 
     SET = 0x0D
     DESCRIPTOR = 0xE4
-    NAME = "filter.gnss_antenna_offset_calibration_control_response"
+    NAME = "filter.gnss_antenna_calibration_control_response"
     ROLE = "response"
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     max_offset: float
-    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. [m] Frame:
-    vehicle. Range: 0 to 0.5. Factory default: 0.1.
+    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
+    vehicle. Range: 0 to 0.5. Default: 0.1.
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetCalibrationControlResponse, int]:
-        v = _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaCalibrationControlResponse, int]:
+        v = _GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_0.read(raw, at)
         at += 5
         enable = v[0]
         max_offset = v[1]
         return cls(enable, max_offset), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_0.write(
-            self.enable, self.max_offset
-        )
+        out = _GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_0.write(self.enable, self.max_offset)
         return codec.finished(out)
 
 
 @dataclass(slots=True)
-class ResetNavigationFilter(Command):
+class Reset(Command):
     """Reset navigation filter (0x0D,0x01).
 
     Puts the filter back into its initialization state.
-    If automatic initialization is off, the attitude or heading must be set before the filter runs
-    again.
-    3DM-CV7: send it after a large jump of the system time, for example when the PPS is first found.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    If automatic initialization is off, the attitude or heading must be set before the filter runs
+    again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
+    found.
 
     - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
     - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
@@ -1292,11 +1977,11 @@ class ResetNavigationFilter(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x01
-    NAME = "filter.reset_navigation_filter"
+    NAME = "filter.reset"
     ROLE = "command"
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ResetNavigationFilter, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[Reset, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -1311,8 +1996,10 @@ class SetInitialAttitude(Command):
     """Set initial attitude (0x0D,0x02).
 
     Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
-    Accepted only in the initialization state.
+
     Supported by 3DM-GX5-15.
+
+    Accepted only in the initialization state.
 
     - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
     """
@@ -1323,11 +2010,12 @@ class SetInitialAttitude(Command):
     ROLE = "command"
 
     roll: float
-    """Roll angle. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
     pitch: float
-    """Pitch angle. [rad] Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."""
+    """Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."""
     heading: float
-    """Heading (yaw) angle. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetInitialAttitude, int]:
@@ -1343,18 +2031,19 @@ class SetInitialAttitude(Command):
         return codec.finished(out)
 
 
-_SET_INITIAL_HEADING_CONTROL_0 = codec.Block("f", "heading")
+_SET_INITIAL_HEADING_0 = codec.Block("f", "heading")
 
 
 @dataclass(slots=True)
-class SetInitialHeadingControl(Command):
+class SetInitialHeading(Command):
     """Set initial heading (0x0D,0x03).
 
     Gives the filter its initial heading; pitch and roll come from the accelerometers.
-    3DM-GX5: accepted only in the initialization state.
-    3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
-    ignored.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
+    magnetometer aiding is on, the given heading is ignored.
 
     - 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
     - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
@@ -1362,127 +2051,115 @@ class SetInitialHeadingControl(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x03
-    NAME = "filter.set_initial_heading_control"
+    NAME = "filter.set_initial_heading"
     ROLE = "command"
 
     heading: float
-    """Initial heading. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetInitialHeadingControl, int]:
-        v = _SET_INITIAL_HEADING_CONTROL_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SetInitialHeading, int]:
+        v = _SET_INITIAL_HEADING_0.read(raw, at)
         at += 4
         heading = v[0]
         return cls(heading), at
 
     def _write(self) -> bytes:
-        out = _SET_INITIAL_HEADING_CONTROL_0.write(self.heading)
+        out = _SET_INITIAL_HEADING_0.write(self.heading)
         return codec.finished(out)
 
 
 @dataclass(slots=True)
-class RunNavigationFilter(Command):
+class Run(Command):
     """Run navigation filter (0x0D,0x05).
 
     Starts a filter that was set up to wait for this command.
-    The filter waits in its initialization state if `wait_for_run_command` of
-    `navigation_filter_initialization` is set.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    The filter waits in its initialization state if `wait_for_run_command` of
+    `initialization_config` is set.
 
     - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x05
-    NAME = "filter.run_navigation_filter"
+    NAME = "filter.run"
     ROLE = "command"
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RunNavigationFilter, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[Run, int]:
         return cls(), at
 
     def _write(self) -> bytes:
         return b""
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_1 = codec.Block("f", "roll")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_2 = codec.Block("f", "pitch")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_3 = codec.Block("f", "yaw")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_GROUPS = (
-    (1, ("roll",), False),
-    (2, ("pitch",), False),
-    (3, ("yaw",), False),
-)
+_VEHICLE_DYNAMICS_MODE_0 = codec.Block("B", "function")
+_VEHICLE_DYNAMICS_MODE_1 = codec.Block("B", "mode")
+_VEHICLE_DYNAMICS_MODE_GROUPS = ((1, ("mode",), False),)
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformation(Command):
-    """Sensor to vehicle frame transformation (0x0D,0x11).
+class VehicleDynamicsMode(Command):
+    """Vehicle dynamics mode (0x0D,0x10).
 
-    Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
-    It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
-    vector of the filter.
-    The 3DM-CV7 takes the inverse instead: `3dm.sensor_to_vehicle_frame_transformation_euler`.
-    Supported by 3DM-GX5-15.
+    Kind of vehicle that the filter is tuned for.
 
-    - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `VehicleDynamicsModeResponse`.
+
+    - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
 
     SET = 0x0D
-    DESCRIPTOR = 0x11
-    NAME = "filter.sensor_to_vehicle_frame_transformation"
+    DESCRIPTOR = 0x10
+    NAME = "filter.vehicle_dynamics_mode"
     ROLE = "command"
-    RESPONSES = (SensorToVehicleFrameTransformationResponse,)
-    REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+    RESPONSES = (VehicleDynamicsModeResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
-    roll: float | None = None
-    """Roll angle. [rad]"""
-    pitch: float | None = None
-    """Pitch angle. [rad]"""
-    yaw: float | None = None
-    """Yaw angle. [rad]"""
+    mode: DynamicsMode | None = None
+    """Kind of vehicle. Required for `write`."""
 
     @classmethod
-    def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleFrameTransformation:
+    def write(cls, mode: DynamicsMode) -> VehicleDynamicsMode:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, roll=roll, pitch=pitch, yaw=yaw)
+        return cls(FunctionSelector.WRITE, mode=mode)
 
     @classmethod
-    def read(cls) -> SensorToVehicleFrameTransformation:
+    def read(cls) -> VehicleDynamicsMode:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleFrameTransformation:
+    def save(cls) -> VehicleDynamicsMode:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleFrameTransformation:
+    def load(cls) -> VehicleDynamicsMode:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleFrameTransformation:
+    def default(cls) -> VehicleDynamicsMode:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return SensorToVehicleFrameTransformationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return VehicleDynamicsModeResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformation, int]:
-        roll: float | None = None
-        pitch: float | None = None
-        yaw: float | None = None
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsMode, int]:
+        mode: DynamicsMode | None = None
+        v = _VEHICLE_DYNAMICS_MODE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -1490,19 +2167,126 @@ class SensorToVehicleFrameTransformation(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_1.read(raw, at)
+            v = _VEHICLE_DYNAMICS_MODE_1.read(raw, at)
+            at += 1
+            mode = DynamicsMode(v[0])
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, mode), at
+
+    def _write(self) -> bytes:
+        out = _VEHICLE_DYNAMICS_MODE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _VEHICLE_DYNAMICS_MODE_GROUPS)
+        if there >= 1:
+            out += _VEHICLE_DYNAMICS_MODE_1.write(self.mode)
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_ROTATION_EULER_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_ROTATION_EULER_1 = codec.Block("f", "roll")
+_SENSOR_TO_VEHICLE_ROTATION_EULER_2 = codec.Block("f", "pitch")
+_SENSOR_TO_VEHICLE_ROTATION_EULER_3 = codec.Block("f", "yaw")
+_SENSOR_TO_VEHICLE_ROTATION_EULER_GROUPS = (
+    (1, ("roll",), False),
+    (2, ("pitch",), False),
+    (3, ("yaw",), False),
+)
+
+
+@dataclass(slots=True)
+class SensorToVehicleRotationEuler(Command):
+    """Sensor to vehicle frame transformation (0x0D,0x11).
+
+    Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleRotationEulerResponse`. Supported by 3DM-GX5-15.
+
+    It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+    velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
+    vector of the filter. The 3DM-CV7 takes the inverse instead:
+    `mip_3dm.SensorToVehicleTransformEuler`.
+
+    - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x11
+    NAME = "filter.sensor_to_vehicle_rotation_euler"
+    ROLE = "command"
+    RESPONSES = (SensorToVehicleRotationEulerResponse,)
+    REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    roll: float | None = None
+    """Roll angle. Unit: rad. Required for `write`."""
+    pitch: float | None = None
+    """Pitch angle. Unit: rad. Required for `write`."""
+    yaw: float | None = None
+    """Yaw angle. Unit: rad. Required for `write`."""
+
+    @classmethod
+    def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleRotationEuler:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, roll=roll, pitch=pitch, yaw=yaw)
+
+    @classmethod
+    def read(cls) -> SensorToVehicleRotationEuler:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SensorToVehicleRotationEuler:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SensorToVehicleRotationEuler:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SensorToVehicleRotationEuler:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleRotationEulerResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationEuler, int]:
+        roll: float | None = None
+        pitch: float | None = None
+        yaw: float | None = None
+        v = _SENSOR_TO_VEHICLE_ROTATION_EULER_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SENSOR_TO_VEHICLE_ROTATION_EULER_1.read(raw, at)
             at += 4
             roll = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_2.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_ROTATION_EULER_2.read(raw, at)
             at += 4
             pitch = v[0]
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_3.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_ROTATION_EULER_3.read(raw, at)
             at += 4
             yaw = v[0]
             done, end = 3, at
@@ -1513,84 +2297,89 @@ class SensorToVehicleFrameTransformation(Command):
         return cls(function, roll, pitch, yaw), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_0.write(self.function)
+        out = _SENSOR_TO_VEHICLE_ROTATION_EULER_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_GROUPS)
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_EULER_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_1.write(self.roll)
+            out += _SENSOR_TO_VEHICLE_ROTATION_EULER_1.write(self.roll)
         if there >= 2:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_2.write(self.pitch)
+            out += _SENSOR_TO_VEHICLE_ROTATION_EULER_2.write(self.pitch)
         if there >= 3:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_3.write(self.yaw)
+            out += _SENSOR_TO_VEHICLE_ROTATION_EULER_3.write(self.yaw)
         return codec.finished(out)
 
 
-_GNSS_ANTENNA_OFFSET_CONTROL_0 = codec.Block("B", "function")
-_GNSS_ANTENNA_OFFSET_CONTROL_1 = codec.Block("fff", "offset", "offset", "offset")
-_GNSS_ANTENNA_OFFSET_CONTROL_GROUPS = ((1, ("offset",), False),)
+_SENSOR_TO_VEHICLE_OFFSET_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
+_SENSOR_TO_VEHICLE_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
 @dataclass(slots=True)
-class GnssAntennaOffsetControl(Command):
-    """GNSS antenna offset (0x0D,0x13).
+class SensorToVehicleOffset(Command):
+    """Sensor to vehicle offset (0x0D,0x12).
 
-    Position of the GNSS antenna relative to the origin of the sensor.
-    The magnitude of the vector is limited to 10.
-    7-series devices expect the vehicle frame, 5-series devices the sensor frame.
-    On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands use
-    `aiding.frame_configuration`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Origin of the vehicle frame, as seen from the sensor.
 
-    - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleOffsetResponse`. Uncertain: The direction, from the sensor to the origin of the
+    vehicle frame, is inferred from the name.
+
+    It shifts the estimated position `filter_data.LlhPosition` (0x82,0x01) and nothing else. The
+    shift is constant. It does not follow the attitude, as a lever arm would. The magnitude of the
+    vector is limited to 10 m.
+
+    - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
 
     SET = 0x0D
-    DESCRIPTOR = 0x13
-    NAME = "filter.gnss_antenna_offset_control"
+    DESCRIPTOR = 0x12
+    NAME = "filter.sensor_to_vehicle_offset"
     ROLE = "command"
-    RESPONSES = (GnssAntennaOffsetControlResponse,)
+    RESPONSES = (SensorToVehicleOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Vector3f | None = None
-    """From the sensor origin to the centre of the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+    sensor. Range: -10 to 10. Required for `write`.
+    """
 
     @classmethod
-    def write(cls, offset: types.Vector3f) -> GnssAntennaOffsetControl:
+    def write(cls, offset: types.Vector3f) -> SensorToVehicleOffset:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, offset=offset)
 
     @classmethod
-    def read(cls) -> GnssAntennaOffsetControl:
+    def read(cls) -> SensorToVehicleOffset:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssAntennaOffsetControl:
+    def save(cls) -> SensorToVehicleOffset:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssAntennaOffsetControl:
+    def load(cls) -> SensorToVehicleOffset:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssAntennaOffsetControl:
+    def default(cls) -> SensorToVehicleOffset:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return GnssAntennaOffsetControlResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleOffsetResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffset, int]:
         offset: types.Vector3f | None = None
-        v = _GNSS_ANTENNA_OFFSET_CONTROL_0.read(raw, at)
+        v = _SENSOR_TO_VEHICLE_OFFSET_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -1598,7 +2387,7 @@ class GnssAntennaOffsetControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GNSS_ANTENNA_OFFSET_CONTROL_1.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_OFFSET_1.read(raw, at)
             at += 12
             offset = v[0:3]
             done, end = 1, at
@@ -1609,76 +2398,84 @@ class GnssAntennaOffsetControl(Command):
         return cls(function, offset), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ANTENNA_OFFSET_CONTROL_0.write(self.function)
+        out = _SENSOR_TO_VEHICLE_OFFSET_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_ANTENNA_OFFSET_CONTROL_GROUPS)
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_OFFSET_GROUPS)
         if there >= 1:
-            out += _GNSS_ANTENNA_OFFSET_CONTROL_1.write(*codec.exactly("offset", self.offset, 3))
+            out += _SENSOR_TO_VEHICLE_OFFSET_1.write(*codec.exactly("offset", self.offset, 3))
         return codec.finished(out)
 
 
-_ESTIMATION_CONTROL_FLAGS_0 = codec.Block("B", "function")
-_ESTIMATION_CONTROL_FLAGS_1 = codec.Block("H", "flags")
-_ESTIMATION_CONTROL_FLAGS_GROUPS = ((1, ("flags",), False),)
+_ANTENNA_OFFSET_0 = codec.Block("B", "function")
+_ANTENNA_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
+_ANTENNA_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
 @dataclass(slots=True)
-class EstimationControlFlags(Command):
-    """Estimation control flags (0x0D,0x14).
+class AntennaOffset(Command):
+    """GNSS antenna offset (0x0D,0x13).
 
-    Which states the filter estimates.
-    Supported by 3DM-GX5-15.
+    Position of the GNSS antenna relative to the origin of the sensor.
 
-    - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AntennaOffsetResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
+
+    The magnitude of the vector is limited to 10. 7-series devices expect the vehicle frame,
+    5-series devices the sensor frame. On the 3DM-CV7 it is for GNSS data that come as NMEA; data
+    that come by the aiding commands use `aiding.FrameConfig`.
+
+    - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
 
     SET = 0x0D
-    DESCRIPTOR = 0x14
-    NAME = "filter.estimation_control_flags"
+    DESCRIPTOR = 0x13
+    NAME = "filter.antenna_offset"
     ROLE = "command"
-    RESPONSES = (EstimationControlFlagsResponse,)
+    RESPONSES = (AntennaOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
-    flags: EstimatedStates | None = None
-    """States to estimate."""
+    offset: types.Vector3f | None = None
+    """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+    vehicle. Range: -10 to 10. Required for `write`.
+    """
 
     @classmethod
-    def write(cls, flags: EstimatedStates) -> EstimationControlFlags:
+    def write(cls, offset: types.Vector3f) -> AntennaOffset:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, flags=flags)
+        return cls(FunctionSelector.WRITE, offset=offset)
 
     @classmethod
-    def read(cls) -> EstimationControlFlags:
+    def read(cls) -> AntennaOffset:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> EstimationControlFlags:
+    def save(cls) -> AntennaOffset:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> EstimationControlFlags:
+    def load(cls) -> AntennaOffset:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> EstimationControlFlags:
+    def default(cls) -> AntennaOffset:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return EstimationControlFlagsResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AntennaOffsetResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EstimationControlFlags, int]:
-        flags: EstimatedStates | None = None
-        v = _ESTIMATION_CONTROL_FLAGS_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffset, int]:
+        offset: types.Vector3f | None = None
+        v = _ANTENNA_OFFSET_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -1686,7 +2483,97 @@ class EstimationControlFlags(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ESTIMATION_CONTROL_FLAGS_1.read(raw, at)
+            v = _ANTENNA_OFFSET_1.read(raw, at)
+            at += 12
+            offset = v[0:3]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, offset), at
+
+    def _write(self) -> bytes:
+        out = _ANTENNA_OFFSET_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _ANTENNA_OFFSET_GROUPS)
+        if there >= 1:
+            out += _ANTENNA_OFFSET_1.write(*codec.exactly("offset", self.offset, 3))
+        return codec.finished(out)
+
+
+_ESTIMATION_CONTROL_0 = codec.Block("B", "function")
+_ESTIMATION_CONTROL_1 = codec.Block("H", "flags")
+_ESTIMATION_CONTROL_GROUPS = ((1, ("flags",), False),)
+
+
+@dataclass(slots=True)
+class EstimationControl(Command):
+    """Estimation control flags (0x0D,0x14).
+
+    Which states the filter estimates.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `EstimationControlResponse`. Supported by 3DM-GX5-15.
+
+    - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x14
+    NAME = "filter.estimation_control"
+    ROLE = "command"
+    RESPONSES = (EstimationControlResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    flags: EstimatedStates | None = None
+    """States to estimate. Required for `write`."""
+
+    @classmethod
+    def write(cls, flags: EstimatedStates) -> EstimationControl:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, flags=flags)
+
+    @classmethod
+    def read(cls) -> EstimationControl:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> EstimationControl:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> EstimationControl:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> EstimationControl:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EstimationControlResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EstimationControl, int]:
+        flags: EstimatedStates | None = None
+        v = _ESTIMATION_CONTROL_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _ESTIMATION_CONTROL_1.read(raw, at)
             at += 2
             flags = EstimatedStates(v[0])
             done, end = 1, at
@@ -1697,78 +2584,81 @@ class EstimationControlFlags(Command):
         return cls(function, flags), at
 
     def _write(self) -> bytes:
-        out = _ESTIMATION_CONTROL_FLAGS_0.write(self.function)
+        out = _ESTIMATION_CONTROL_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ESTIMATION_CONTROL_FLAGS_GROUPS)
+        there = codec.present(self, required, _ESTIMATION_CONTROL_GROUPS)
         if there >= 1:
-            out += _ESTIMATION_CONTROL_FLAGS_1.write(self.flags)
+            out += _ESTIMATION_CONTROL_1.write(self.flags)
         return codec.finished(out)
 
 
-_GNSS_AIDING_SOURCE_CONTROL_0 = codec.Block("B", "function")
-_GNSS_AIDING_SOURCE_CONTROL_1 = codec.Block("B", "source")
-_GNSS_AIDING_SOURCE_CONTROL_GROUPS = ((1, ("source",), False),)
+_GNSS_SOURCE_0 = codec.Block("B", "function")
+_GNSS_SOURCE_1 = codec.Block("B", "source")
+_GNSS_SOURCE_GROUPS = ((1, ("source",), False),)
 
 
 @dataclass(slots=True)
-class GnssAidingSourceControl(Command):
+class GnssSource(Command):
     """GNSS aiding source (0x0D,0x15).
 
     Which GNSS receiver aids the filter.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSourceResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
+
     A change while the filter runs may put it back into initialization until the new source gives
     data.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x15
-    NAME = "filter.gnss_aiding_source_control"
+    NAME = "filter.gnss_source"
     ROLE = "command"
-    RESPONSES = (GnssAidingSourceControlResponse,)
+    RESPONSES = (GnssSourceResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     source: GnssAidingSource | None = None
-    """Source of the GNSS data."""
+    """Source of the GNSS data. Required for `write`."""
 
     @classmethod
-    def write(cls, source: GnssAidingSource) -> GnssAidingSourceControl:
+    def write(cls, source: GnssAidingSource) -> GnssSource:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=source)
 
     @classmethod
-    def read(cls) -> GnssAidingSourceControl:
+    def read(cls) -> GnssSource:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssAidingSourceControl:
+    def save(cls) -> GnssSource:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssAidingSourceControl:
+    def load(cls) -> GnssSource:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssAidingSourceControl:
+    def default(cls) -> GnssSource:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return GnssAidingSourceControlResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssSourceResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAidingSourceControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssSource, int]:
         source: GnssAidingSource | None = None
-        v = _GNSS_AIDING_SOURCE_CONTROL_0.read(raw, at)
+        v = _GNSS_SOURCE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -1776,7 +2666,7 @@ class GnssAidingSourceControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GNSS_AIDING_SOURCE_CONTROL_1.read(raw, at)
+            v = _GNSS_SOURCE_1.read(raw, at)
             at += 1
             source = GnssAidingSource(v[0])
             done, end = 1, at
@@ -1787,11 +2677,95 @@ class GnssAidingSourceControl(Command):
         return cls(function, source), at
 
     def _write(self) -> bytes:
-        out = _GNSS_AIDING_SOURCE_CONTROL_0.write(self.function)
+        out = _GNSS_SOURCE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_AIDING_SOURCE_CONTROL_GROUPS)
+        there = codec.present(self, required, _GNSS_SOURCE_GROUPS)
         if there >= 1:
-            out += _GNSS_AIDING_SOURCE_CONTROL_1.write(self.source)
+            out += _GNSS_SOURCE_1.write(self.source)
+        return codec.finished(out)
+
+
+_EXTERNAL_GNSS_UPDATE_0 = codec.Block(
+    "dHdddfffffffff",
+    "tow",
+    "week_number",
+    "latitude",
+    "longitude",
+    "height",
+    *["velocity"] * 3,
+    *["position_uncertainty"] * 3,
+    *["velocity_uncertainty"] * 3,
+)
+
+
+@dataclass(slots=True)
+class ExternalGnssUpdate(Command):
+    """External GNSS update (0x0D,0x16).
+
+    Gives the filter one position and velocity of a GNSS receiver that the user provides.
+
+    Refused unless the GNSS aiding source `GnssSource` (0x0D,0x15) is the external one. The highest
+    rate depends on the device.
+
+    - mip-sdk-4: External Gnss Update (0x0D,0x16)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x16
+    NAME = "filter.external_gnss_update"
+    ROLE = "command"
+
+    tow: float
+    """GPS time of week. Unit: s."""
+    week_number: int
+    """GPS week, counted without rollover. Unit: week."""
+    latitude: float
+    """Latitude. Unit: deg. Frame: llh."""
+    longitude: float
+    """Longitude. Unit: deg. Frame: llh."""
+    height: float
+    """Height above the ellipsoid. Unit: m. Frame: llh."""
+    velocity: types.Vector3f
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned."""
+    position_uncertainty: types.Vector3f
+    """Standard deviation of the position. Elements: x, y, z. Unit: m. Frame: ned."""
+    velocity_uncertainty: types.Vector3f
+    """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ExternalGnssUpdate, int]:
+        v = _EXTERNAL_GNSS_UPDATE_0.read(raw, at)
+        at += 70
+        tow = v[0]
+        week_number = v[1]
+        latitude = v[2]
+        longitude = v[3]
+        height = v[4]
+        velocity = v[5:8]
+        position_uncertainty = v[8:11]
+        velocity_uncertainty = v[11:14]
+        return cls(
+            tow,
+            week_number,
+            latitude,
+            longitude,
+            height,
+            velocity,
+            position_uncertainty,
+            velocity_uncertainty,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _EXTERNAL_GNSS_UPDATE_0.write(
+            self.tow,
+            self.week_number,
+            self.latitude,
+            self.longitude,
+            self.height,
+            *codec.exactly("velocity", self.velocity, 3),
+            *codec.exactly("position_uncertainty", self.position_uncertainty, 3),
+            *codec.exactly("velocity_uncertainty", self.velocity_uncertainty, 3),
+        )
         return codec.finished(out)
 
 
@@ -1803,12 +2777,13 @@ class ExternalHeadingUpdate(Command):
     """External heading update (0x0D,0x17).
 
     Gives the filter one measurement of the heading of the sensor frame in the NED frame.
-    Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
-    and by `aiding_measurement_control` on the 3DM-CV7.
-    The 3DM-GX5-15 takes at most 20 updates per second.
+
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5 and by
+    `aiding_measurement_enable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per second.
     If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
     ones.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
     - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
@@ -1820,11 +2795,13 @@ class ExternalHeadingUpdate(Command):
     ROLE = "command"
 
     heading: float
-    """Heading relative to the north that `type` names. [rad] Frame: ned. Range:
+    """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
     -3.141592653589793 to 3.141592653589793.
     """
     heading_uncertainty: float
-    """Standard deviation; it must be greater than 0, other values are refused. [rad]"""
+    """Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+    0.
+    """
     type: HeadingType
     """North that the heading refers to."""
 
@@ -1842,16 +2819,18 @@ class ExternalHeadingUpdate(Command):
         return codec.finished(out)
 
 
-_HEADING_UPDATE_CONTROL_0 = codec.Block("B", "function")
-_HEADING_UPDATE_CONTROL_1 = codec.Block("B", "enable")
-_HEADING_UPDATE_CONTROL_GROUPS = ((1, ("enable",), False),)
+_HEADING_SOURCE_0 = codec.Block("B", "function")
+_HEADING_SOURCE_1 = codec.Block("B", "source")
+_HEADING_SOURCE_GROUPS = ((1, ("source",), False),)
 
 
 @dataclass(slots=True)
-class HeadingUpdateControl(Command):
+class HeadingSource(Command):
     """Heading update control (0x0D,0x18).
 
     Source of the heading that aids the filter.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HeadingSourceResponse`.
     Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
@@ -1859,51 +2838,51 @@ class HeadingUpdateControl(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x18
-    NAME = "filter.heading_update_control"
+    NAME = "filter.heading_source"
     ROLE = "command"
-    RESPONSES = (HeadingUpdateControlResponse,)
+    RESPONSES = (HeadingSourceResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: HeadingUpdateSource | None = None
-    """Source of the heading."""
+    source: HeadingUpdateSource | None = None
+    """Source of the heading. Required for `write`."""
 
     @classmethod
-    def write(cls, enable: HeadingUpdateSource) -> HeadingUpdateControl:
+    def write(cls, source: HeadingUpdateSource) -> HeadingSource:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, enable=enable)
+        return cls(FunctionSelector.WRITE, source=source)
 
     @classmethod
-    def read(cls) -> HeadingUpdateControl:
+    def read(cls) -> HeadingSource:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> HeadingUpdateControl:
+    def save(cls) -> HeadingSource:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> HeadingUpdateControl:
+    def load(cls) -> HeadingSource:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> HeadingUpdateControl:
+    def default(cls) -> HeadingSource:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return HeadingUpdateControlResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return HeadingSourceResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateControl, int]:
-        enable: HeadingUpdateSource | None = None
-        v = _HEADING_UPDATE_CONTROL_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[HeadingSource, int]:
+        source: HeadingUpdateSource | None = None
+        v = _HEADING_SOURCE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -1911,22 +2890,22 @@ class HeadingUpdateControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _HEADING_UPDATE_CONTROL_1.read(raw, at)
+            v = _HEADING_SOURCE_1.read(raw, at)
             at += 1
-            enable = HeadingUpdateSource(v[0])
+            source = HeadingUpdateSource(v[0])
             done, end = 1, at
         except Truncated:
             if done < required:
                 raise
         at = end
-        return cls(function, enable), at
+        return cls(function, source), at
 
     def _write(self) -> bytes:
-        out = _HEADING_UPDATE_CONTROL_0.write(self.function)
+        out = _HEADING_SOURCE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _HEADING_UPDATE_CONTROL_GROUPS)
+        there = codec.present(self, required, _HEADING_SOURCE_GROUPS)
         if there >= 1:
-            out += _HEADING_UPDATE_CONTROL_1.write(self.enable)
+            out += _HEADING_SOURCE_1.write(self.source)
         return codec.finished(out)
 
 
@@ -1940,8 +2919,11 @@ class AutoInitializationControl(Command):
     """Automatic initialization (0x0D,0x19).
 
     Whether the filter initializes by itself when the device starts.
+
+    Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `AutoInitializationControlResponse`. Supported by 3DM-GX5-15.
+
     It needs a valid heading source.
-    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -1956,7 +2938,7 @@ class AutoInitializationControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
     @classmethod
     def write(cls, enable: int) -> AutoInitializationControl:
@@ -1984,8 +2966,8 @@ class AutoInitializationControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return AutoInitializationControlResponse
         return None
 
@@ -2019,18 +3001,21 @@ class AutoInitializationControl(Command):
         return codec.finished(out)
 
 
-_ACCELEROMETER_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
-_ACCELEROMETER_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", "noise", "noise", "noise")
-_ACCELEROMETER_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
+_ACCEL_NOISE_0 = codec.Block("B", "function")
+_ACCEL_NOISE_1 = codec.Block("fff", *["noise"] * 3)
+_ACCEL_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
 @dataclass(slots=True)
-class AccelerometerNoiseStandardDeviation(Command):
+class AccelNoise(Command):
     """Accelerometer noise (0x0D,0x1A).
 
     Standard deviation of the accelerometer noise that the filter assumes (process noise).
-    Every value must be greater than 0. The factory values suit most laboratory conditions.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelNoiseResponse`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The factory values suit most laboratory conditions.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -2038,51 +3023,53 @@ class AccelerometerNoiseStandardDeviation(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x1A
-    NAME = "filter.accelerometer_noise_standard_deviation"
+    NAME = "filter.accel_noise"
     ROLE = "command"
-    RESPONSES = (AccelerometerNoiseStandardDeviationResponse,)
+    RESPONSES = (AccelNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [m/s^2]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required
+    for `write`.
+    """
 
     @classmethod
-    def write(cls, noise: types.Vector3f) -> AccelerometerNoiseStandardDeviation:
+    def write(cls, noise: types.Vector3f) -> AccelNoise:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
     @classmethod
-    def read(cls) -> AccelerometerNoiseStandardDeviation:
+    def read(cls) -> AccelNoise:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AccelerometerNoiseStandardDeviation:
+    def save(cls) -> AccelNoise:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AccelerometerNoiseStandardDeviation:
+    def load(cls) -> AccelNoise:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AccelerometerNoiseStandardDeviation:
+    def default(cls) -> AccelNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return AccelerometerNoiseStandardDeviationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AccelNoiseResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerNoiseStandardDeviation, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelNoise, int]:
         noise: types.Vector3f | None = None
-        v = _ACCELEROMETER_NOISE_STANDARD_DEVIATION_0.read(raw, at)
+        v = _ACCEL_NOISE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -2090,7 +3077,7 @@ class AccelerometerNoiseStandardDeviation(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ACCELEROMETER_NOISE_STANDARD_DEVIATION_1.read(raw, at)
+            v = _ACCEL_NOISE_1.read(raw, at)
             at += 12
             noise = v[0:3]
             done, end = 1, at
@@ -2101,28 +3088,29 @@ class AccelerometerNoiseStandardDeviation(Command):
         return cls(function, noise), at
 
     def _write(self) -> bytes:
-        out = _ACCELEROMETER_NOISE_STANDARD_DEVIATION_0.write(self.function)
+        out = _ACCEL_NOISE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ACCELEROMETER_NOISE_STANDARD_DEVIATION_GROUPS)
+        there = codec.present(self, required, _ACCEL_NOISE_GROUPS)
         if there >= 1:
-            out += _ACCELEROMETER_NOISE_STANDARD_DEVIATION_1.write(
-                *codec.exactly("noise", self.noise, 3)
-            )
+            out += _ACCEL_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
-_GYROSCOPE_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
-_GYROSCOPE_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", "noise", "noise", "noise")
-_GYROSCOPE_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
+_GYRO_NOISE_0 = codec.Block("B", "function")
+_GYRO_NOISE_1 = codec.Block("fff", *["noise"] * 3)
+_GYRO_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
 @dataclass(slots=True)
-class GyroscopeNoiseStandardDeviation(Command):
+class GyroNoise(Command):
     """Gyroscope noise (0x0D,0x1B).
 
     Standard deviation of the gyroscope noise that the filter assumes (process noise).
-    Every value must be greater than 0. The factory values suit most laboratory conditions.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroNoiseResponse`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The factory values suit most laboratory conditions.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -2130,51 +3118,53 @@ class GyroscopeNoiseStandardDeviation(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x1B
-    NAME = "filter.gyroscope_noise_standard_deviation"
+    NAME = "filter.gyro_noise"
     ROLE = "command"
-    RESPONSES = (GyroscopeNoiseStandardDeviationResponse,)
+    RESPONSES = (GyroNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [rad/s]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required
+    for `write`.
+    """
 
     @classmethod
-    def write(cls, noise: types.Vector3f) -> GyroscopeNoiseStandardDeviation:
+    def write(cls, noise: types.Vector3f) -> GyroNoise:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
     @classmethod
-    def read(cls) -> GyroscopeNoiseStandardDeviation:
+    def read(cls) -> GyroNoise:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GyroscopeNoiseStandardDeviation:
+    def save(cls) -> GyroNoise:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GyroscopeNoiseStandardDeviation:
+    def load(cls) -> GyroNoise:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GyroscopeNoiseStandardDeviation:
+    def default(cls) -> GyroNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return GyroscopeNoiseStandardDeviationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GyroNoiseResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeNoiseStandardDeviation, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroNoise, int]:
         noise: types.Vector3f | None = None
-        v = _GYROSCOPE_NOISE_STANDARD_DEVIATION_0.read(raw, at)
+        v = _GYRO_NOISE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -2182,7 +3172,7 @@ class GyroscopeNoiseStandardDeviation(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GYROSCOPE_NOISE_STANDARD_DEVIATION_1.read(raw, at)
+            v = _GYRO_NOISE_1.read(raw, at)
             at += 12
             noise = v[0:3]
             done, end = 1, at
@@ -2193,28 +3183,27 @@ class GyroscopeNoiseStandardDeviation(Command):
         return cls(function, noise), at
 
     def _write(self) -> bytes:
-        out = _GYROSCOPE_NOISE_STANDARD_DEVIATION_0.write(self.function)
+        out = _GYRO_NOISE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GYROSCOPE_NOISE_STANDARD_DEVIATION_GROUPS)
+        there = codec.present(self, required, _GYRO_NOISE_GROUPS)
         if there >= 1:
-            out += _GYROSCOPE_NOISE_STANDARD_DEVIATION_1.write(
-                *codec.exactly("noise", self.noise, 3)
-            )
+            out += _GYRO_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_0 = codec.Block("B", "function")
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", "beta", "beta", "beta")
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", "noise", "noise", "noise")
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
+_ACCEL_BIAS_MODEL_0 = codec.Block("B", "function")
+_ACCEL_BIAS_MODEL_1 = codec.Block("fff", *["beta"] * 3)
+_ACCEL_BIAS_MODEL_2 = codec.Block("fff", *["noise"] * 3)
+_ACCEL_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
 @dataclass(slots=True)
-class AccelerometerBiasModelParameters(Command):
+class AccelBiasModel(Command):
     """Accelerometer bias model (0x0D,0x1C).
 
     Parameters of the model by which the accelerometer bias drifts.
-    Every noise value must be greater than 0.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
@@ -2222,54 +3211,58 @@ class AccelerometerBiasModelParameters(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x1C
-    NAME = "filter.accelerometer_bias_model_parameters"
+    NAME = "filter.accel_bias_model"
     ROLE = "command"
-    RESPONSES = (AccelerometerBiasModelParametersResponse,)
+    RESPONSES = (AccelBiasModelResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     beta: types.Vector3f | None = None
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+    `write`.
+    """
     noise: types.Vector3f | None = None
-    """Standard deviation of the noise per axis. [m/s^2]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than
+    0. Required for `write`.
+    """
 
     @classmethod
-    def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> AccelerometerBiasModelParameters:
+    def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> AccelBiasModel:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, beta=beta, noise=noise)
 
     @classmethod
-    def read(cls) -> AccelerometerBiasModelParameters:
+    def read(cls) -> AccelBiasModel:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AccelerometerBiasModelParameters:
+    def save(cls) -> AccelBiasModel:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AccelerometerBiasModelParameters:
+    def load(cls) -> AccelBiasModel:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AccelerometerBiasModelParameters:
+    def default(cls) -> AccelBiasModel:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return AccelerometerBiasModelParametersResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AccelBiasModelResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasModelParameters, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasModel, int]:
         beta: types.Vector3f | None = None
         noise: types.Vector3f | None = None
-        v = _ACCELEROMETER_BIAS_MODEL_PARAMETERS_0.read(raw, at)
+        v = _ACCEL_BIAS_MODEL_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -2277,13 +3270,13 @@ class AccelerometerBiasModelParameters(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ACCELEROMETER_BIAS_MODEL_PARAMETERS_1.read(raw, at)
+            v = _ACCEL_BIAS_MODEL_1.read(raw, at)
             at += 12
             beta = v[0:3]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _ACCELEROMETER_BIAS_MODEL_PARAMETERS_2.read(raw, at)
+            v = _ACCEL_BIAS_MODEL_2.read(raw, at)
             at += 12
             noise = v[0:3]
             done, end = 2, at
@@ -2294,32 +3287,29 @@ class AccelerometerBiasModelParameters(Command):
         return cls(function, beta, noise), at
 
     def _write(self) -> bytes:
-        out = _ACCELEROMETER_BIAS_MODEL_PARAMETERS_0.write(self.function)
+        out = _ACCEL_BIAS_MODEL_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ACCELEROMETER_BIAS_MODEL_PARAMETERS_GROUPS)
+        there = codec.present(self, required, _ACCEL_BIAS_MODEL_GROUPS)
         if there >= 1:
-            out += _ACCELEROMETER_BIAS_MODEL_PARAMETERS_1.write(
-                *codec.exactly("beta", self.beta, 3)
-            )
+            out += _ACCEL_BIAS_MODEL_1.write(*codec.exactly("beta", self.beta, 3))
         if there >= 2:
-            out += _ACCELEROMETER_BIAS_MODEL_PARAMETERS_2.write(
-                *codec.exactly("noise", self.noise, 3)
-            )
+            out += _ACCEL_BIAS_MODEL_2.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_0 = codec.Block("B", "function")
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", "beta", "beta", "beta")
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", "noise", "noise", "noise")
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
+_GYRO_BIAS_MODEL_0 = codec.Block("B", "function")
+_GYRO_BIAS_MODEL_1 = codec.Block("fff", *["beta"] * 3)
+_GYRO_BIAS_MODEL_2 = codec.Block("fff", *["noise"] * 3)
+_GYRO_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
 @dataclass(slots=True)
-class GyroscopeBiasModelParameters(Command):
+class GyroBiasModel(Command):
     """Gyroscope bias model (0x0D,0x1D).
 
     Parameters of the model by which the gyroscope bias drifts.
-    Every noise value must be greater than 0.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
@@ -2328,54 +3318,58 @@ class GyroscopeBiasModelParameters(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x1D
-    NAME = "filter.gyroscope_bias_model_parameters"
+    NAME = "filter.gyro_bias_model"
     ROLE = "command"
-    RESPONSES = (GyroscopeBiasModelParametersResponse,)
+    RESPONSES = (GyroBiasModelResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     beta: types.Vector3f | None = None
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+    `write`.
+    """
     noise: types.Vector3f | None = None
-    """Standard deviation of the noise per axis. [rad/s]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater than
+    0. Required for `write`.
+    """
 
     @classmethod
-    def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> GyroscopeBiasModelParameters:
+    def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> GyroBiasModel:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, beta=beta, noise=noise)
 
     @classmethod
-    def read(cls) -> GyroscopeBiasModelParameters:
+    def read(cls) -> GyroBiasModel:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GyroscopeBiasModelParameters:
+    def save(cls) -> GyroBiasModel:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GyroscopeBiasModelParameters:
+    def load(cls) -> GyroBiasModel:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GyroscopeBiasModelParameters:
+    def default(cls) -> GyroBiasModel:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return GyroscopeBiasModelParametersResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GyroBiasModelResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasModelParameters, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasModel, int]:
         beta: types.Vector3f | None = None
         noise: types.Vector3f | None = None
-        v = _GYROSCOPE_BIAS_MODEL_PARAMETERS_0.read(raw, at)
+        v = _GYRO_BIAS_MODEL_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -2383,13 +3377,13 @@ class GyroscopeBiasModelParameters(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GYROSCOPE_BIAS_MODEL_PARAMETERS_1.read(raw, at)
+            v = _GYRO_BIAS_MODEL_1.read(raw, at)
             at += 12
             beta = v[0:3]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _GYROSCOPE_BIAS_MODEL_PARAMETERS_2.read(raw, at)
+            v = _GYRO_BIAS_MODEL_2.read(raw, at)
             at += 12
             noise = v[0:3]
             done, end = 2, at
@@ -2400,143 +3394,86 @@ class GyroscopeBiasModelParameters(Command):
         return cls(function, beta, noise), at
 
     def _write(self) -> bytes:
-        out = _GYROSCOPE_BIAS_MODEL_PARAMETERS_0.write(self.function)
+        out = _GYRO_BIAS_MODEL_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GYROSCOPE_BIAS_MODEL_PARAMETERS_GROUPS)
+        there = codec.present(self, required, _GYRO_BIAS_MODEL_GROUPS)
         if there >= 1:
-            out += _GYROSCOPE_BIAS_MODEL_PARAMETERS_1.write(*codec.exactly("beta", self.beta, 3))
+            out += _GYRO_BIAS_MODEL_1.write(*codec.exactly("beta", self.beta, 3))
         if there >= 2:
-            out += _GYROSCOPE_BIAS_MODEL_PARAMETERS_2.write(*codec.exactly("noise", self.noise, 3))
+            out += _GYRO_BIAS_MODEL_2.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
-_EXTERNAL_HEADING_UPDATE_WITH_TIME_0 = codec.Block(
-    "dHffB", "gps_time", "gps_week", "heading", "heading_uncertainty", "type"
-)
+_AUTO_ZUPT_0 = codec.Block("B", "function")
+_AUTO_ZUPT_1 = codec.Block("B", "enable")
+_AUTO_ZUPT_2 = codec.Block("f", "threshold")
+_AUTO_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
 
 
 @dataclass(slots=True)
-class ExternalHeadingUpdateWithTime(Command):
-    """External heading update with time (0x0D,0x1F).
+class AutoZupt(Command):
+    """Automatic zero velocity update (0x0D,0x1E).
 
-    Gives the filter one measurement of the heading of the sensor frame with its GPS time.
-    Better than `external_heading_update` where the heading changes quickly; the time must be
-    accurate.
-    Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
-    and by `aiding_measurement_control` on the 3DM-CV7.
-    The 3DM-GX5-15 takes at most 20 updates per second.
-    If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
-    ones.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Lets the filter take the device as standing still while its GNSS speed is small.
 
-    - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
-    - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
+
+    The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
+    The device refuses a negative threshold.
+
+    - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
 
     SET = 0x0D
-    DESCRIPTOR = 0x1F
-    NAME = "filter.external_heading_update_with_time"
+    DESCRIPTOR = 0x1E
+    NAME = "filter.auto_zupt"
     ROLE = "command"
-
-    gps_time: float
-    """GPS time of week of the measurement. [s]"""
-    gps_week: int
-    """GPS week, counted without rollover. [week]"""
-    heading: float
-    """Heading relative to the north that `type` names. [rad] Frame: ned. Range:
-    -3.141592653589793 to 3.141592653589793.
-    """
-    heading_uncertainty: float
-    """Standard deviation; it must be greater than 0, other values are refused. [rad]"""
-    type: HeadingType
-    """North that the heading refers to."""
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ExternalHeadingUpdateWithTime, int]:
-        v = _EXTERNAL_HEADING_UPDATE_WITH_TIME_0.read(raw, at)
-        at += 19
-        gps_time = v[0]
-        gps_week = v[1]
-        heading = v[2]
-        heading_uncertainty = v[3]
-        type = HeadingType(v[4])
-        return cls(gps_time, gps_week, heading, heading_uncertainty, type), at
-
-    def _write(self) -> bytes:
-        out = _EXTERNAL_HEADING_UPDATE_WITH_TIME_0.write(
-            self.gps_time, self.gps_week, self.heading, self.heading_uncertainty, self.type
-        )
-        return codec.finished(out)
-
-
-_ZERO_ANGULAR_RATE_UPDATE_CONTROL_0 = codec.Block("B", "function")
-_ZERO_ANGULAR_RATE_UPDATE_CONTROL_1 = codec.Block("B", "enable")
-_ZERO_ANGULAR_RATE_UPDATE_CONTROL_2 = codec.Block("f", "threshold")
-_ZERO_ANGULAR_RATE_UPDATE_CONTROL_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
-
-
-@dataclass(slots=True)
-class ZeroAngularRateUpdateControl(Command):
-    """Zero angular rate update (0x0D,0x20).
-
-    Lets the filter take the device as not rotating while its angular rate is small.
-    The update applies while the magnitude of the angular rate vector is at or below the threshold.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
-
-    - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
-    - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
-    """
-
-    SET = 0x0D
-    DESCRIPTOR = 0x20
-    NAME = "filter.zero_angular_rate_update_control"
-    ROLE = "command"
-    RESPONSES = (ZeroAngularRateUpdateControlResponse,)
+    RESPONSES = (AutoZuptResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     threshold: float | None = None
-    """Largest angular rate that is taken as zero. [rad/s] Range: 0 to …."""
+    """Largest speed that is taken as zero. Unit: m/s. Range: at least 0. Required for `write`."""
 
     @classmethod
-    def write(cls, enable: int, threshold: float) -> ZeroAngularRateUpdateControl:
+    def write(cls, enable: int, threshold: float) -> AutoZupt:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable, threshold=threshold)
 
     @classmethod
-    def read(cls) -> ZeroAngularRateUpdateControl:
+    def read(cls) -> AutoZupt:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ZeroAngularRateUpdateControl:
+    def save(cls) -> AutoZupt:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ZeroAngularRateUpdateControl:
+    def load(cls) -> AutoZupt:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ZeroAngularRateUpdateControl:
+    def default(cls) -> AutoZupt:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return ZeroAngularRateUpdateControlResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AutoZuptResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ZeroAngularRateUpdateControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AutoZupt, int]:
         enable: int | None = None
         threshold: float | None = None
-        v = _ZERO_ANGULAR_RATE_UPDATE_CONTROL_0.read(raw, at)
+        v = _AUTO_ZUPT_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -2544,13 +3481,13 @@ class ZeroAngularRateUpdateControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ZERO_ANGULAR_RATE_UPDATE_CONTROL_1.read(raw, at)
+            v = _AUTO_ZUPT_1.read(raw, at)
             at += 1
             enable = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _ZERO_ANGULAR_RATE_UPDATE_CONTROL_2.read(raw, at)
+            v = _AUTO_ZUPT_2.read(raw, at)
             at += 4
             threshold = v[0]
             done, end = 2, at
@@ -2561,13 +3498,181 @@ class ZeroAngularRateUpdateControl(Command):
         return cls(function, enable, threshold), at
 
     def _write(self) -> bytes:
-        out = _ZERO_ANGULAR_RATE_UPDATE_CONTROL_0.write(self.function)
+        out = _AUTO_ZUPT_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ZERO_ANGULAR_RATE_UPDATE_CONTROL_GROUPS)
+        there = codec.present(self, required, _AUTO_ZUPT_GROUPS)
         if there >= 1:
-            out += _ZERO_ANGULAR_RATE_UPDATE_CONTROL_1.write(self.enable)
+            out += _AUTO_ZUPT_1.write(self.enable)
         if there >= 2:
-            out += _ZERO_ANGULAR_RATE_UPDATE_CONTROL_2.write(self.threshold)
+            out += _AUTO_ZUPT_2.write(self.threshold)
+        return codec.finished(out)
+
+
+_EXTERNAL_HEADING_UPDATE_WITH_TIME_0 = codec.Block(
+    "dHffB", "tow", "week_number", "heading", "heading_uncertainty", "type"
+)
+
+
+@dataclass(slots=True)
+class ExternalHeadingUpdateWithTime(Command):
+    """External heading update with time (0x0D,0x1F).
+
+    Gives the filter one measurement of the heading of the sensor frame with its GPS time.
+
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Better than `external_heading_update` where the heading changes quickly; the time must be
+    accurate. Refused unless external heading updates are enabled, by `heading_source` on the
+    3DM-GX5 and by `aiding_measurement_enable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20
+    updates per second. If the declination source is not valid, -25 models refuse true headings and
+    -45 models magnetic ones.
+
+    - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
+    - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x1F
+    NAME = "filter.external_heading_update_with_time"
+    ROLE = "command"
+
+    tow: float
+    """GPS time of week of the measurement. Unit: s."""
+    week_number: int
+    """GPS week, counted without rollover. Unit: week."""
+    heading: float
+    """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+    -3.141592653589793 to 3.141592653589793.
+    """
+    heading_uncertainty: float
+    """Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+    0.
+    """
+    type: HeadingType
+    """North that the heading refers to."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ExternalHeadingUpdateWithTime, int]:
+        v = _EXTERNAL_HEADING_UPDATE_WITH_TIME_0.read(raw, at)
+        at += 19
+        tow = v[0]
+        week_number = v[1]
+        heading = v[2]
+        heading_uncertainty = v[3]
+        type = HeadingType(v[4])
+        return cls(tow, week_number, heading, heading_uncertainty, type), at
+
+    def _write(self) -> bytes:
+        out = _EXTERNAL_HEADING_UPDATE_WITH_TIME_0.write(
+            self.tow, self.week_number, self.heading, self.heading_uncertainty, self.type
+        )
+        return codec.finished(out)
+
+
+_AUTO_ANGULAR_ZUPT_0 = codec.Block("B", "function")
+_AUTO_ANGULAR_ZUPT_1 = codec.Block("B", "enable")
+_AUTO_ANGULAR_ZUPT_2 = codec.Block("f", "threshold")
+_AUTO_ANGULAR_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
+
+
+@dataclass(slots=True)
+class AutoAngularZupt(Command):
+    """Zero angular rate update (0x0D,0x20).
+
+    Lets the filter take the device as not rotating while its angular rate is small.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoAngularZuptResponse`.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The update applies while the magnitude of the angular rate vector is at or below the threshold.
+
+    - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
+    - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x20
+    NAME = "filter.auto_angular_zupt"
+    ROLE = "command"
+    RESPONSES = (AutoAngularZuptResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    enable: int | None = None
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
+    threshold: float | None = None
+    """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. Required for
+    `write`.
+    """
+
+    @classmethod
+    def write(cls, enable: int, threshold: float) -> AutoAngularZupt:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, enable=enable, threshold=threshold)
+
+    @classmethod
+    def read(cls) -> AutoAngularZupt:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> AutoAngularZupt:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> AutoAngularZupt:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> AutoAngularZupt:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AutoAngularZuptResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AutoAngularZupt, int]:
+        enable: int | None = None
+        threshold: float | None = None
+        v = _AUTO_ANGULAR_ZUPT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _AUTO_ANGULAR_ZUPT_1.read(raw, at)
+            at += 1
+            enable = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _AUTO_ANGULAR_ZUPT_2.read(raw, at)
+            at += 4
+            threshold = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, enable, threshold), at
+
+    def _write(self) -> bytes:
+        out = _AUTO_ANGULAR_ZUPT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _AUTO_ANGULAR_ZUPT_GROUPS)
+        if there >= 1:
+            out += _AUTO_ANGULAR_ZUPT_1.write(self.enable)
+        if there >= 2:
+            out += _AUTO_ANGULAR_ZUPT_2.write(self.threshold)
         return codec.finished(out)
 
 
@@ -2581,27 +3686,37 @@ class TareOrientation(Command):
     """Tare orientation (0x0D,0x21).
 
     Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `TareOrientationResponse`.
+    Supported by 3DM-GX5-15. On the 3DM-GX5-15: `write`, `save`, `load` and `default` only.
+
     Refused while the filter has no valid attitude.
-    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
+    - mip-sdk-4: Tare Orientation (0x0D,0x21)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x21
     NAME = "filter.tare_orientation"
     ROLE = "command"
-    REQUIRED = {1: 1, 3: 0, 4: 0, 5: 0}
+    RESPONSES = (TareOrientationResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     axes: TareAxes | None = None
-    """Axes to tare; 0 resets all axes."""
+    """Axes to tare; 0 resets all axes. Required for `write`."""
 
     @classmethod
     def write(cls, axes: TareAxes) -> TareOrientation:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, axes=axes)
+
+    @classmethod
+    def read(cls) -> TareOrientation:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
 
     @classmethod
     def save(cls) -> TareOrientation:
@@ -2617,6 +3732,12 @@ class TareOrientation(Command):
     def default(cls) -> TareOrientation:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return TareOrientationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TareOrientation, int]:
@@ -2649,35 +3770,61 @@ class TareOrientation(Command):
 
 
 @dataclass(slots=True)
-class CommandedZeroAngularRateUpdate(Command):
-    """Commanded zero angular rate update (0x0D,0x23).
+class CommandedZupt(Command):
+    """Commanded zero velocity update (0x0D,0x22).
 
-    Tells the filter once that the device is not rotating.
-    At most 10 per second.
-    Supported by 3DM-GX5-15.
+    Tells the filter once that the device stands still.
 
-    - 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
+    The highest rate depends on the device.
+
+    - mip-sdk-4: Commanded Zupt (0x0D,0x22)
     """
 
     SET = 0x0D
-    DESCRIPTOR = 0x23
-    NAME = "filter.commanded_zero_angular_rate_update"
+    DESCRIPTOR = 0x22
+    NAME = "filter.commanded_zupt"
     ROLE = "command"
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommandedZeroAngularRateUpdate, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[CommandedZupt, int]:
         return cls(), at
 
     def _write(self) -> bytes:
         return b""
 
 
-_SET_REFERENCE_POSITION_0 = codec.Block("B", "function")
-_SET_REFERENCE_POSITION_1 = codec.Block("B", "enable")
-_SET_REFERENCE_POSITION_2 = codec.Block("d", "latitude")
-_SET_REFERENCE_POSITION_3 = codec.Block("d", "longitude")
-_SET_REFERENCE_POSITION_4 = codec.Block("d", "altitude")
-_SET_REFERENCE_POSITION_GROUPS = (
+@dataclass(slots=True)
+class CommandedAngularZupt(Command):
+    """Commanded zero angular rate update (0x0D,0x23).
+
+    Tells the filter once that the device is not rotating.
+
+    Supported by 3DM-GX5-15.
+
+    At most 10 per second.
+
+    - 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x23
+    NAME = "filter.commanded_angular_zupt"
+    ROLE = "command"
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[CommandedAngularZupt, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+_REFERENCE_POSITION_0 = codec.Block("B", "function")
+_REFERENCE_POSITION_1 = codec.Block("B", "enable")
+_REFERENCE_POSITION_2 = codec.Block("d", "latitude")
+_REFERENCE_POSITION_3 = codec.Block("d", "longitude")
+_REFERENCE_POSITION_4 = codec.Block("d", "altitude")
+_REFERENCE_POSITION_GROUPS = (
     (1, ("enable",), False),
     (2, ("latitude",), False),
     (3, ("longitude",), False),
@@ -2686,37 +3833,39 @@ _SET_REFERENCE_POSITION_GROUPS = (
 
 
 @dataclass(slots=True)
-class SetReferencePosition(Command):
+class ReferencePosition(Command):
     """Set reference position (0x0D,0x26).
 
     Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ReferencePositionResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x26
-    NAME = "filter.set_reference_position"
+    NAME = "filter.reference_position"
     ROLE = "command"
-    RESPONSES = (SetReferencePositionResponse,)
+    RESPONSES = (ReferencePositionResponse,)
     REQUIRED = {1: 4, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     latitude: float | None = None
-    """Latitude. [deg] Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh. Required for `write`."""
     longitude: float | None = None
-    """Longitude. [deg] Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh. Required for `write`."""
     altitude: float | None = None
-    """Altitude. [m] Frame: llh."""
+    """Altitude. Unit: m. Frame: llh. Required for `write`."""
 
     @classmethod
     def write(
         cls, enable: int, latitude: float, longitude: float, altitude: float
-    ) -> SetReferencePosition:
+    ) -> ReferencePosition:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -2727,38 +3876,38 @@ class SetReferencePosition(Command):
         )
 
     @classmethod
-    def read(cls) -> SetReferencePosition:
+    def read(cls) -> ReferencePosition:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SetReferencePosition:
+    def save(cls) -> ReferencePosition:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SetReferencePosition:
+    def load(cls) -> ReferencePosition:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SetReferencePosition:
+    def default(cls) -> ReferencePosition:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return SetReferencePositionResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ReferencePositionResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetReferencePosition, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePosition, int]:
         enable: int | None = None
         latitude: float | None = None
         longitude: float | None = None
         altitude: float | None = None
-        v = _SET_REFERENCE_POSITION_0.read(raw, at)
+        v = _REFERENCE_POSITION_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -2766,25 +3915,25 @@ class SetReferencePosition(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _SET_REFERENCE_POSITION_1.read(raw, at)
+            v = _REFERENCE_POSITION_1.read(raw, at)
             at += 1
             enable = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _SET_REFERENCE_POSITION_2.read(raw, at)
+            v = _REFERENCE_POSITION_2.read(raw, at)
             at += 8
             latitude = v[0]
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _SET_REFERENCE_POSITION_3.read(raw, at)
+            v = _REFERENCE_POSITION_3.read(raw, at)
             at += 8
             longitude = v[0]
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _SET_REFERENCE_POSITION_4.read(raw, at)
+            v = _REFERENCE_POSITION_4.read(raw, at)
             at += 8
             altitude = v[0]
             done, end = 4, at
@@ -2795,32 +3944,84 @@ class SetReferencePosition(Command):
         return cls(function, enable, latitude, longitude, altitude), at
 
     def _write(self) -> bytes:
-        out = _SET_REFERENCE_POSITION_0.write(self.function)
+        out = _REFERENCE_POSITION_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SET_REFERENCE_POSITION_GROUPS)
+        there = codec.present(self, required, _REFERENCE_POSITION_GROUPS)
         if there >= 1:
-            out += _SET_REFERENCE_POSITION_1.write(self.enable)
+            out += _REFERENCE_POSITION_1.write(self.enable)
         if there >= 2:
-            out += _SET_REFERENCE_POSITION_2.write(self.latitude)
+            out += _REFERENCE_POSITION_2.write(self.latitude)
         if there >= 3:
-            out += _SET_REFERENCE_POSITION_3.write(self.longitude)
+            out += _REFERENCE_POSITION_3.write(self.longitude)
         if there >= 4:
-            out += _SET_REFERENCE_POSITION_4.write(self.altitude)
+            out += _REFERENCE_POSITION_4.write(self.altitude)
         return codec.finished(out)
 
 
-_GRAVITY_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
-_GRAVITY_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", "noise", "noise", "noise")
-_GRAVITY_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
+_MAG_CAPTURE_AUTO_CALIBRATION_0 = codec.Block("B", "function")
 
 
 @dataclass(slots=True)
-class GravityNoiseStandardDeviation(Command):
+class MagCaptureAutoCalibration(Command):
+    """Capture automatic magnetometer calibration (0x0D,0x27).
+
+    Makes the automatic magnetometer calibration part of the fixed one.
+
+    Also called `mag_capture_auto_cal`. Functions: `write` and `save`.
+
+    A write combines the automatic calibration with the hard iron offset `mip_3dm.MagHardIronOffset`
+    (0x0C,0x3A) and the soft iron matrix `mip_3dm.MagSoftIronMatrix` (0x0C,0x3B), and resets it. A
+    save does the same as the save of both of these commands.
+
+    - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x27
+    NAME = "filter.mag_capture_auto_calibration"
+    ROLE = "command"
+    REQUIRED = {1: 0, 3: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+
+    @classmethod
+    def write(cls) -> MagCaptureAutoCalibration:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE)
+
+    @classmethod
+    def save(cls) -> MagCaptureAutoCalibration:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagCaptureAutoCalibration, int]:
+        v = _MAG_CAPTURE_AUTO_CALIBRATION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        return cls(function), at
+
+    def _write(self) -> bytes:
+        out = _MAG_CAPTURE_AUTO_CALIBRATION_0.write(self.function)
+        return codec.finished(out)
+
+
+_GRAVITY_NOISE_0 = codec.Block("B", "function")
+_GRAVITY_NOISE_1 = codec.Block("fff", *["noise"] * 3)
+_GRAVITY_NOISE_GROUPS = ((1, ("noise",), False),)
+
+
+@dataclass(slots=True)
+class GravityNoise(Command):
     """Gravity noise (0x0D,0x28).
 
     Standard deviation of the gravity noise that the filter assumes (process noise).
-    Every value must be greater than 0. The factory values suit most laboratory conditions.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GravityNoiseResponse`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The factory values suit most laboratory conditions.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -2828,51 +4029,53 @@ class GravityNoiseStandardDeviation(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x28
-    NAME = "filter.gravity_noise_standard_deviation"
+    NAME = "filter.gravity_noise"
     ROLE = "command"
-    RESPONSES = (GravityNoiseStandardDeviationResponse,)
+    RESPONSES = (GravityNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [g]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required for
+    `write`.
+    """
 
     @classmethod
-    def write(cls, noise: types.Vector3f) -> GravityNoiseStandardDeviation:
+    def write(cls, noise: types.Vector3f) -> GravityNoise:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
     @classmethod
-    def read(cls) -> GravityNoiseStandardDeviation:
+    def read(cls) -> GravityNoise:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GravityNoiseStandardDeviation:
+    def save(cls) -> GravityNoise:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GravityNoiseStandardDeviation:
+    def load(cls) -> GravityNoise:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GravityNoiseStandardDeviation:
+    def default(cls) -> GravityNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return GravityNoiseStandardDeviationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GravityNoiseResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseStandardDeviation, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GravityNoise, int]:
         noise: types.Vector3f | None = None
-        v = _GRAVITY_NOISE_STANDARD_DEVIATION_0.read(raw, at)
+        v = _GRAVITY_NOISE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -2880,7 +4083,7 @@ class GravityNoiseStandardDeviation(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GRAVITY_NOISE_STANDARD_DEVIATION_1.read(raw, at)
+            v = _GRAVITY_NOISE_1.read(raw, at)
             at += 12
             noise = v[0:3]
             done, end = 1, at
@@ -2891,76 +4094,80 @@ class GravityNoiseStandardDeviation(Command):
         return cls(function, noise), at
 
     def _write(self) -> bytes:
-        out = _GRAVITY_NOISE_STANDARD_DEVIATION_0.write(self.function)
+        out = _GRAVITY_NOISE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GRAVITY_NOISE_STANDARD_DEVIATION_GROUPS)
+        there = codec.present(self, required, _GRAVITY_NOISE_GROUPS)
         if there >= 1:
-            out += _GRAVITY_NOISE_STANDARD_DEVIATION_1.write(*codec.exactly("noise", self.noise, 3))
+            out += _GRAVITY_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
-_ENABLE_DISABLE_MEASUREMENTS_0 = codec.Block("B", "function")
-_ENABLE_DISABLE_MEASUREMENTS_1 = codec.Block("H", "control")
-_ENABLE_DISABLE_MEASUREMENTS_GROUPS = ((1, ("control",), False),)
+_PRESSURE_ALTITUDE_NOISE_0 = codec.Block("B", "function")
+_PRESSURE_ALTITUDE_NOISE_1 = codec.Block("f", "noise")
+_PRESSURE_ALTITUDE_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
 @dataclass(slots=True)
-class EnableDisableMeasurements(Command):
-    """Enable or disable measurements (0x0D,0x41).
+class PressureAltitudeNoise(Command):
+    """Pressure altitude noise (0x0D,0x29).
 
-    Which inertial measurements the filter uses.
-    Supported by 3DM-GX5-15.
+    Standard deviation of the noise of the pressure altitude model that the filter assumes.
 
-    - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `PressureAltitudeNoiseResponse`.
+
+    A small value follows the pressure faster, and takes weather and draughts for changes of height.
+
+    - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
     """
 
     SET = 0x0D
-    DESCRIPTOR = 0x41
-    NAME = "filter.enable_disable_measurements"
+    DESCRIPTOR = 0x29
+    NAME = "filter.pressure_altitude_noise"
     ROLE = "command"
-    RESPONSES = (EnableDisableMeasurementsResponse,)
+    RESPONSES = (PressureAltitudeNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
-    control: MeasurementFlags | None = None
-    """Measurements to use."""
+    noise: float | None = None
+    """Standard deviation. Unit: m. Range: greater than 0. Required for `write`."""
 
     @classmethod
-    def write(cls, control: MeasurementFlags) -> EnableDisableMeasurements:
+    def write(cls, noise: float) -> PressureAltitudeNoise:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, control=control)
+        return cls(FunctionSelector.WRITE, noise=noise)
 
     @classmethod
-    def read(cls) -> EnableDisableMeasurements:
+    def read(cls) -> PressureAltitudeNoise:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> EnableDisableMeasurements:
+    def save(cls) -> PressureAltitudeNoise:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> EnableDisableMeasurements:
+    def load(cls) -> PressureAltitudeNoise:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> EnableDisableMeasurements:
+    def default(cls) -> PressureAltitudeNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return EnableDisableMeasurementsResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return PressureAltitudeNoiseResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EnableDisableMeasurements, int]:
-        control: MeasurementFlags | None = None
-        v = _ENABLE_DISABLE_MEASUREMENTS_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoise, int]:
+        noise: float | None = None
+        v = _PRESSURE_ALTITUDE_NOISE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -2968,7 +4175,281 @@ class EnableDisableMeasurements(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ENABLE_DISABLE_MEASUREMENTS_1.read(raw, at)
+            v = _PRESSURE_ALTITUDE_NOISE_1.read(raw, at)
+            at += 4
+            noise = v[0]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, noise), at
+
+    def _write(self) -> bytes:
+        out = _PRESSURE_ALTITUDE_NOISE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _PRESSURE_ALTITUDE_NOISE_GROUPS)
+        if there >= 1:
+            out += _PRESSURE_ALTITUDE_NOISE_1.write(self.noise)
+        return codec.finished(out)
+
+
+_HARD_IRON_OFFSET_NOISE_0 = codec.Block("B", "function")
+_HARD_IRON_OFFSET_NOISE_1 = codec.Block("fff", *["noise"] * 3)
+_HARD_IRON_OFFSET_NOISE_GROUPS = ((1, ("noise",), False),)
+
+
+@dataclass(slots=True)
+class HardIronOffsetNoise(Command):
+    """Hard iron offset noise (0x0D,0x2B).
+
+    Standard deviation of the noise of the estimated hard iron offset (process noise).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `HardIronOffsetNoiseResponse`.
+
+    - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x2B
+    NAME = "filter.hard_iron_offset_noise"
+    ROLE = "command"
+    RESPONSES = (HardIronOffsetNoiseResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    noise: types.Vector3f | None = None
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
+    for `write`.
+    """
+
+    @classmethod
+    def write(cls, noise: types.Vector3f) -> HardIronOffsetNoise:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, noise=noise)
+
+    @classmethod
+    def read(cls) -> HardIronOffsetNoise:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> HardIronOffsetNoise:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> HardIronOffsetNoise:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> HardIronOffsetNoise:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return HardIronOffsetNoiseResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoise, int]:
+        noise: types.Vector3f | None = None
+        v = _HARD_IRON_OFFSET_NOISE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _HARD_IRON_OFFSET_NOISE_1.read(raw, at)
+            at += 12
+            noise = v[0:3]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, noise), at
+
+    def _write(self) -> bytes:
+        out = _HARD_IRON_OFFSET_NOISE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _HARD_IRON_OFFSET_NOISE_GROUPS)
+        if there >= 1:
+            out += _HARD_IRON_OFFSET_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+        return codec.finished(out)
+
+
+_SOFT_IRON_MATRIX_NOISE_0 = codec.Block("B", "function")
+_SOFT_IRON_MATRIX_NOISE_1 = codec.Block("fffffffff", *["noise"] * 9)
+_SOFT_IRON_MATRIX_NOISE_GROUPS = ((1, ("noise",), False),)
+
+
+@dataclass(slots=True)
+class SoftIronMatrixNoise(Command):
+    """Soft iron matrix noise (0x0D,0x2C).
+
+    Standard deviation of the noise of the estimated soft iron matrix (process noise).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SoftIronMatrixNoiseResponse`.
+
+    - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x2C
+    NAME = "filter.soft_iron_matrix_noise"
+    ROLE = "command"
+    RESPONSES = (SoftIronMatrixNoiseResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    noise: types.Matrix3f | None = None
+    """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1. Range: greater than 0. Required for `write`.
+    """
+
+    @classmethod
+    def write(cls, noise: types.Matrix3f) -> SoftIronMatrixNoise:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, noise=noise)
+
+    @classmethod
+    def read(cls) -> SoftIronMatrixNoise:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SoftIronMatrixNoise:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SoftIronMatrixNoise:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SoftIronMatrixNoise:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SoftIronMatrixNoiseResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoise, int]:
+        noise: types.Matrix3f | None = None
+        v = _SOFT_IRON_MATRIX_NOISE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SOFT_IRON_MATRIX_NOISE_1.read(raw, at)
+            at += 36
+            noise = v[0:9]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, noise), at
+
+    def _write(self) -> bytes:
+        out = _SOFT_IRON_MATRIX_NOISE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SOFT_IRON_MATRIX_NOISE_GROUPS)
+        if there >= 1:
+            out += _SOFT_IRON_MATRIX_NOISE_1.write(*codec.exactly("noise", self.noise, 9))
+        return codec.finished(out)
+
+
+_ENABLE_MEASUREMENTS_0 = codec.Block("B", "function")
+_ENABLE_MEASUREMENTS_1 = codec.Block("H", "control")
+_ENABLE_MEASUREMENTS_GROUPS = ((1, ("control",), False),)
+
+
+@dataclass(slots=True)
+class EnableMeasurements(Command):
+    """Enable or disable measurements (0x0D,0x41).
+
+    Which inertial measurements the filter uses.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `EnableMeasurementsResponse`. Supported by 3DM-GX5-15.
+
+    - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x41
+    NAME = "filter.enable_measurements"
+    ROLE = "command"
+    RESPONSES = (EnableMeasurementsResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    control: MeasurementFlags | None = None
+    """Measurements to use. Required for `write`."""
+
+    @classmethod
+    def write(cls, control: MeasurementFlags) -> EnableMeasurements:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, control=control)
+
+    @classmethod
+    def read(cls) -> EnableMeasurements:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> EnableMeasurements:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> EnableMeasurements:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> EnableMeasurements:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EnableMeasurementsResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EnableMeasurements, int]:
+        control: MeasurementFlags | None = None
+        v = _ENABLE_MEASUREMENTS_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _ENABLE_MEASUREMENTS_1.read(raw, at)
             at += 2
             control = MeasurementFlags(v[0])
             done, end = 1, at
@@ -2979,86 +4460,80 @@ class EnableDisableMeasurements(Command):
         return cls(function, control), at
 
     def _write(self) -> bytes:
-        out = _ENABLE_DISABLE_MEASUREMENTS_0.write(self.function)
+        out = _ENABLE_MEASUREMENTS_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ENABLE_DISABLE_MEASUREMENTS_GROUPS)
+        there = codec.present(self, required, _ENABLE_MEASUREMENTS_GROUPS)
         if there >= 1:
-            out += _ENABLE_DISABLE_MEASUREMENTS_1.write(self.control)
+            out += _ENABLE_MEASUREMENTS_1.write(self.control)
         return codec.finished(out)
 
 
-_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_0 = codec.Block("B", "function")
-_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_1 = codec.Block("B", "source")
-_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_2 = codec.Block("f", "declination")
-_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_GROUPS = (
-    (1, ("source",), False),
-    (2, ("declination",), False),
-)
+_MAG_NOISE_0 = codec.Block("B", "function")
+_MAG_NOISE_1 = codec.Block("fff", *["noise"] * 3)
+_MAG_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
 @dataclass(slots=True)
-class MagneticFieldDeclinationSourceControl(Command):
-    """Magnetic declination source (0x0D,0x43).
+class MagNoise(Command):
+    """Magnetometer noise (0x0D,0x42).
 
-    Source of the local declination of the magnetic field.
-    Without a good declination source, keep automatic magnetometer calibration off.
-    Supported by 3DM-CV7-GNSS/INS.
+    Standard deviation of the magnetometer noise that the filter assumes.
 
-    - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
+    Uncertain: The SDK calls it process noise, although the noise is that of a measurement.
+
+    - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
 
     SET = 0x0D
-    DESCRIPTOR = 0x43
-    NAME = "filter.magnetic_field_declination_source_control"
+    DESCRIPTOR = 0x42
+    NAME = "filter.mag_noise"
     ROLE = "command"
-    RESPONSES = (MagneticFieldDeclinationSourceControlResponse,)
-    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    RESPONSES = (MagNoiseResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: DeclinationSource | None = None
-    """Source of the declination."""
-    declination: float | None = None
-    """Declination; used only if `source` is manual. [rad]"""
+    noise: types.Vector3f | None = None
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
+    for `write`.
+    """
 
     @classmethod
-    def write(
-        cls, source: DeclinationSource, declination: float
-    ) -> MagneticFieldDeclinationSourceControl:
+    def write(cls, noise: types.Vector3f) -> MagNoise:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, source=source, declination=declination)
+        return cls(FunctionSelector.WRITE, noise=noise)
 
     @classmethod
-    def read(cls) -> MagneticFieldDeclinationSourceControl:
+    def read(cls) -> MagNoise:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagneticFieldDeclinationSourceControl:
+    def save(cls) -> MagNoise:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagneticFieldDeclinationSourceControl:
+    def load(cls) -> MagNoise:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagneticFieldDeclinationSourceControl:
+    def default(cls) -> MagNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return MagneticFieldDeclinationSourceControlResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagNoiseResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticFieldDeclinationSourceControl, int]:
-        source: DeclinationSource | None = None
-        declination: float | None = None
-        v = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MagNoise, int]:
+        noise: types.Vector3f | None = None
+        v = _MAG_NOISE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3066,13 +4541,109 @@ class MagneticFieldDeclinationSourceControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_1.read(raw, at)
+            v = _MAG_NOISE_1.read(raw, at)
+            at += 12
+            noise = v[0:3]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, noise), at
+
+    def _write(self) -> bytes:
+        out = _MAG_NOISE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MAG_NOISE_GROUPS)
+        if there >= 1:
+            out += _MAG_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+        return codec.finished(out)
+
+
+_MAGNETIC_DECLINATION_SOURCE_0 = codec.Block("B", "function")
+_MAGNETIC_DECLINATION_SOURCE_1 = codec.Block("B", "source")
+_MAGNETIC_DECLINATION_SOURCE_2 = codec.Block("f", "declination")
+_MAGNETIC_DECLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("declination",), False))
+
+
+@dataclass(slots=True)
+class MagneticDeclinationSource(Command):
+    """Magnetic declination source (0x0D,0x43).
+
+    Source of the local declination of the magnetic field.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagneticDeclinationSourceResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    Without a good declination source, keep automatic magnetometer calibration off.
+
+    - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x43
+    NAME = "filter.magnetic_declination_source"
+    ROLE = "command"
+    RESPONSES = (MagneticDeclinationSourceResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    source: MagParameterSource | None = None
+    """Source of the declination. Required for `write`."""
+    declination: float | None = None
+    """Declination; used only if `source` is manual. Unit: rad. Required for `write`."""
+
+    @classmethod
+    def write(cls, source: MagParameterSource, declination: float) -> MagneticDeclinationSource:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, source=source, declination=declination)
+
+    @classmethod
+    def read(cls) -> MagneticDeclinationSource:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> MagneticDeclinationSource:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> MagneticDeclinationSource:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> MagneticDeclinationSource:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagneticDeclinationSourceResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticDeclinationSource, int]:
+        source: MagParameterSource | None = None
+        declination: float | None = None
+        v = _MAGNETIC_DECLINATION_SOURCE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _MAGNETIC_DECLINATION_SOURCE_1.read(raw, at)
             at += 1
-            source = DeclinationSource(v[0])
+            source = MagParameterSource(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_2.read(raw, at)
+            v = _MAGNETIC_DECLINATION_SOURCE_2.read(raw, at)
             at += 4
             declination = v[0]
             done, end = 2, at
@@ -3083,25 +4654,25 @@ class MagneticFieldDeclinationSourceControl(Command):
         return cls(function, source, declination), at
 
     def _write(self) -> bytes:
-        out = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_0.write(self.function)
+        out = _MAGNETIC_DECLINATION_SOURCE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_GROUPS)
+        there = codec.present(self, required, _MAGNETIC_DECLINATION_SOURCE_GROUPS)
         if there >= 1:
-            out += _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_1.write(self.source)
+            out += _MAGNETIC_DECLINATION_SOURCE_1.write(self.source)
         if there >= 2:
-            out += _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_2.write(self.declination)
+            out += _MAGNETIC_DECLINATION_SOURCE_2.write(self.declination)
         return codec.finished(out)
 
 
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "adaptive_measurement")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "low_limit")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "low_limit_uncertainty")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6 = codec.Block("f", "high_limit_uncertainty")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7 = codec.Block("f", "minimum_uncertainty")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "adaptive_measurement")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "low_limit")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "low_limit_uncertainty")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6 = codec.Block("f", "high_limit_uncertainty")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7 = codec.Block("f", "minimum_uncertainty")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
     (1, ("adaptive_measurement",), False),
     (2, ("frequency",), False),
     (3, ("low_limit",), False),
@@ -3113,43 +4684,45 @@ _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
 
 
 @dataclass(slots=True)
-class GravityMagnitudeErrorAdaptiveMeasurement(Command):
+class AccelMagnitudeErrorAdaptiveMeasurement(Command):
     """Gravity magnitude error adaptive measurement (0x0D,0x44).
 
     How far the filter trusts gravity measurements whose magnitude is not that of gravity.
-    Also called accelerometer magnitude error adaptive measurement.
-    All parameters after the selector keep their values if they are left out.
-    Filter and limits take effect only with `fixed`.
-    Raise the limits where vibration is strong, lower them where it is weak. High limits cost pitch
-    and roll accuracy under linear acceleration, low limits cost heading accuracy.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-15.
+
+    Also called accelerometer magnitude error adaptive measurement. All parameters after the
+    selector keep their values if they are left out. Filter and limits take effect only with
+    `fixed`. Raise the limits where vibration is strong, lower them where it is weak. High limits
+    cost pitch and roll accuracy under linear acceleration, low limits cost heading accuracy.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x44
-    NAME = "filter.gravity_magnitude_error_adaptive_measurement"
+    NAME = "filter.accel_magnitude_error_adaptive_measurement"
     ROLE = "command"
-    RESPONSES = (GravityMagnitudeErrorAdaptiveMeasurementResponse,)
+    RESPONSES = (AccelMagnitudeErrorAdaptiveMeasurementResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     adaptive_measurement: AdaptiveMeasurementSelector | None = None
-    """Kind of adaptation."""
+    """Kind of adaptation. Required for `write`."""
     frequency: float | None = None
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Optional."""
     low_limit: float | None = None
-    """Lower limit of the error. [m/s^2]"""
+    """Lower limit of the error. Unit: m/s^2. Optional."""
     high_limit: float | None = None
-    """Upper limit of the error. [m/s^2]"""
+    """Upper limit of the error. Unit: m/s^2. Optional."""
     low_limit_uncertainty: float | None = None
-    """Standard deviation at the lower limit. [m/s^2]"""
+    """Standard deviation at the lower limit. Unit: m/s^2. Optional."""
     high_limit_uncertainty: float | None = None
-    """Standard deviation at the upper limit. [m/s^2]"""
+    """Standard deviation at the upper limit. Unit: m/s^2. Optional."""
     minimum_uncertainty: float | None = None
-    """Smallest standard deviation. [m/s^2]"""
+    """Smallest standard deviation. Unit: m/s^2. Optional."""
 
     @classmethod
     def write(
@@ -3161,7 +4734,7 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
         low_limit_uncertainty: float | None = None,
         high_limit_uncertainty: float | None = None,
         minimum_uncertainty: float | None = None,
-    ) -> GravityMagnitudeErrorAdaptiveMeasurement:
+    ) -> AccelMagnitudeErrorAdaptiveMeasurement:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -3175,33 +4748,33 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
         )
 
     @classmethod
-    def read(cls) -> GravityMagnitudeErrorAdaptiveMeasurement:
+    def read(cls) -> AccelMagnitudeErrorAdaptiveMeasurement:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GravityMagnitudeErrorAdaptiveMeasurement:
+    def save(cls) -> AccelMagnitudeErrorAdaptiveMeasurement:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GravityMagnitudeErrorAdaptiveMeasurement:
+    def load(cls) -> AccelMagnitudeErrorAdaptiveMeasurement:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GravityMagnitudeErrorAdaptiveMeasurement:
+    def default(cls) -> AccelMagnitudeErrorAdaptiveMeasurement:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return GravityMagnitudeErrorAdaptiveMeasurementResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AccelMagnitudeErrorAdaptiveMeasurementResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GravityMagnitudeErrorAdaptiveMeasurement, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelMagnitudeErrorAdaptiveMeasurement, int]:
         adaptive_measurement: AdaptiveMeasurementSelector | None = None
         frequency: float | None = None
         low_limit: float | None = None
@@ -3209,7 +4782,7 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
         low_limit_uncertainty: float | None = None
         high_limit_uncertainty: float | None = None
         minimum_uncertainty: float | None = None
-        v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
+        v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3217,43 +4790,43 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
+            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
             at += 1
             adaptive_measurement = AdaptiveMeasurementSelector(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
+            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
             at += 4
             frequency = v[0]
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
+            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
             at += 4
             low_limit = v[0]
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
+            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
             at += 4
             high_limit = v[0]
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
-            v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
+            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
             at += 4
             low_limit_uncertainty = v[0]
             done, end = 5, at
             if at == len(raw) and required < 6:
                 raise Truncated(1, 0)
-            v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.read(raw, at)
+            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.read(raw, at)
             at += 4
             high_limit_uncertainty = v[0]
             done, end = 6, at
             if at == len(raw) and required < 7:
                 raise Truncated(1, 0)
-            v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.read(raw, at)
+            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.read(raw, at)
             at += 4
             minimum_uncertainty = v[0]
             done, end = 7, at
@@ -3273,90 +4846,158 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
         ), at
 
     def _write(self) -> bytes:
-        out = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
+        out = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
+        there = codec.present(self, required, _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
         if there >= 1:
-            out += _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.adaptive_measurement)
+            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.adaptive_measurement)
         if there >= 2:
-            out += _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
+            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
         if there >= 3:
-            out += _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.low_limit)
+            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.low_limit)
         if there >= 4:
-            out += _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit)
+            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit)
         if there >= 5:
-            out += _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.low_limit_uncertainty)
+            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.low_limit_uncertainty)
         if there >= 6:
-            out += _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.write(
-                self.high_limit_uncertainty
-            )
+            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.write(self.high_limit_uncertainty)
         if there >= 7:
-            out += _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.write(self.minimum_uncertainty)
+            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.write(self.minimum_uncertainty)
         return codec.finished(out)
 
 
-_PITCH_ROLL_AIDING_CONTROL_0 = codec.Block("B", "function")
-_PITCH_ROLL_AIDING_CONTROL_1 = codec.Block("B", "aiding")
-_PITCH_ROLL_AIDING_CONTROL_GROUPS = ((1, ("aiding",), False),)
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "adaptive_measurement")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "low_limit")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "low_limit_uncertainty")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6 = codec.Block("f", "high_limit_uncertainty")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7 = codec.Block("f", "minimum_uncertainty")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
+    (1, ("adaptive_measurement",), False),
+    (2, ("frequency",), False),
+    (3, ("low_limit",), False),
+    (4, ("high_limit",), False),
+    (5, ("low_limit_uncertainty",), False),
+    (6, ("high_limit_uncertainty",), False),
+    (7, ("minimum_uncertainty",), False),
+)
 
 
 @dataclass(slots=True)
-class PitchRollAidingControl(Command):
-    """Pitch and roll aiding (0x0D,0x4B).
+class MagMagnitudeErrorAdaptiveMeasurement(Command):
+    """Magnetometer magnitude error adaptive measurement (0x0D,0x45).
 
-    What aids pitch and roll while the motion is gentle.
-    Supported by 3DM-GX5-15.
+    How far the filter trusts a magnetic field whose magnitude is not as expected.
 
-    - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagMagnitudeErrorAdaptiveMeasurementResponse`. Uncertain: Whether the parameters behind the
+    selector may be left out on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement`
+    (0x0D,0x44) may.
+
+    The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
+    limits. High limits suit high dynamics but let disturbances of the field through; low limits can
+    spoil the heading.
+
+    - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
 
     SET = 0x0D
-    DESCRIPTOR = 0x4B
-    NAME = "filter.pitch_roll_aiding_control"
+    DESCRIPTOR = 0x45
+    NAME = "filter.mag_magnitude_error_adaptive_measurement"
     ROLE = "command"
-    RESPONSES = (PitchRollAidingControlResponse,)
-    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    RESPONSES = (MagMagnitudeErrorAdaptiveMeasurementResponse,)
+    REQUIRED = {1: 7, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
-    aiding: PitchRollAidingSource | None = None
-    """Source of the aiding."""
+    adaptive_measurement: AdaptiveMeasurementSelector | None = None
+    """Kind of adaptation. Required for `write`."""
+    frequency: float | None = None
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
+    low_limit: float | None = None
+    """Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
+    high_limit: float | None = None
+    """Upper limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
+    low_limit_uncertainty: float | None = None
+    """Standard deviation at the lower limit. Unit: gauss. Required for `write`. Uncertain: The
+    unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in
+    the response.
+    """
+    high_limit_uncertainty: float | None = None
+    """Standard deviation at the upper limit. Unit: gauss. Required for `write`. Uncertain: The
+    unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in
+    the response.
+    """
+    minimum_uncertainty: float | None = None
+    """Smallest standard deviation. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
 
     @classmethod
-    def write(cls, aiding: PitchRollAidingSource) -> PitchRollAidingControl:
+    def write(
+        cls,
+        adaptive_measurement: AdaptiveMeasurementSelector,
+        frequency: float,
+        low_limit: float,
+        high_limit: float,
+        low_limit_uncertainty: float,
+        high_limit_uncertainty: float,
+        minimum_uncertainty: float,
+    ) -> MagMagnitudeErrorAdaptiveMeasurement:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, aiding=aiding)
+        return cls(
+            FunctionSelector.WRITE,
+            adaptive_measurement=adaptive_measurement,
+            frequency=frequency,
+            low_limit=low_limit,
+            high_limit=high_limit,
+            low_limit_uncertainty=low_limit_uncertainty,
+            high_limit_uncertainty=high_limit_uncertainty,
+            minimum_uncertainty=minimum_uncertainty,
+        )
 
     @classmethod
-    def read(cls) -> PitchRollAidingControl:
+    def read(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> PitchRollAidingControl:
+    def save(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> PitchRollAidingControl:
+    def load(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> PitchRollAidingControl:
+    def default(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return PitchRollAidingControlResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagMagnitudeErrorAdaptiveMeasurementResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingControl, int]:
-        aiding: PitchRollAidingSource | None = None
-        v = _PITCH_ROLL_AIDING_CONTROL_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurement, int]:
+        adaptive_measurement: AdaptiveMeasurementSelector | None = None
+        frequency: float | None = None
+        low_limit: float | None = None
+        high_limit: float | None = None
+        low_limit_uncertainty: float | None = None
+        high_limit_uncertainty: float | None = None
+        minimum_uncertainty: float | None = None
+        v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3364,7 +5005,416 @@ class PitchRollAidingControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _PITCH_ROLL_AIDING_CONTROL_1.read(raw, at)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
+            at += 1
+            adaptive_measurement = AdaptiveMeasurementSelector(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
+            at += 4
+            frequency = v[0]
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
+            at += 4
+            low_limit = v[0]
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
+            at += 4
+            high_limit = v[0]
+            done, end = 4, at
+            if at == len(raw) and required < 5:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
+            at += 4
+            low_limit_uncertainty = v[0]
+            done, end = 5, at
+            if at == len(raw) and required < 6:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.read(raw, at)
+            at += 4
+            high_limit_uncertainty = v[0]
+            done, end = 6, at
+            if at == len(raw) and required < 7:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.read(raw, at)
+            at += 4
+            minimum_uncertainty = v[0]
+            done, end = 7, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(
+            function,
+            adaptive_measurement,
+            frequency,
+            low_limit,
+            high_limit,
+            low_limit_uncertainty,
+            high_limit_uncertainty,
+            minimum_uncertainty,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
+        if there >= 1:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.adaptive_measurement)
+        if there >= 2:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
+        if there >= 3:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.low_limit)
+        if there >= 4:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit)
+        if there >= 5:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.low_limit_uncertainty)
+        if there >= 6:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.write(self.high_limit_uncertainty)
+        if there >= 7:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.write(self.minimum_uncertainty)
+        return codec.finished(out)
+
+
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "enable")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "high_limit")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit_uncertainty")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "minimum_uncertainty")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
+    (1, ("enable",), False),
+    (2, ("frequency",), False),
+    (3, ("high_limit",), False),
+    (4, ("high_limit_uncertainty",), False),
+    (5, ("minimum_uncertainty",), False),
+)
+
+
+@dataclass(slots=True)
+class MagDipAngleErrorAdaptiveMeasurement(Command):
+    """Magnetometer dip angle error adaptive measurement (0x0D,0x46).
+
+    How far the filter trusts a magnetic field whose dip angle is not as expected.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagDipAngleErrorAdaptiveMeasurementResponse`.
+
+    It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` (0x0D,0x44) or
+    `MagMagnitudeErrorAdaptiveMeasurement` (0x0D,0x45) is set to `auto`. High limits suit high
+    dynamics but let disturbances of the field through; low limits can spoil the heading.
+
+    - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x46
+    NAME = "filter.mag_dip_angle_error_adaptive_measurement"
+    ROLE = "command"
+    RESPONSES = (MagDipAngleErrorAdaptiveMeasurementResponse,)
+    REQUIRED = {1: 5, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    enable: bool | None = None
+    """Whether the adaptation is on. Required for `write`."""
+    frequency: float | None = None
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
+    high_limit: float | None = None
+    """Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; rad is inferred from the quantity.
+    """
+    high_limit_uncertainty: float | None = None
+    """Standard deviation at the upper limit. Unit: rad. Required for `write`. Uncertain: The unit.
+    The SDK prints m/s^2; rad is inferred from the quantity.
+    """
+    minimum_uncertainty: float | None = None
+    """Smallest standard deviation. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; rad is inferred from the quantity.
+    """
+
+    @classmethod
+    def write(
+        cls,
+        enable: bool,
+        frequency: float,
+        high_limit: float,
+        high_limit_uncertainty: float,
+        minimum_uncertainty: float,
+    ) -> MagDipAngleErrorAdaptiveMeasurement:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            enable=enable,
+            frequency=frequency,
+            high_limit=high_limit,
+            high_limit_uncertainty=high_limit_uncertainty,
+            minimum_uncertainty=minimum_uncertainty,
+        )
+
+    @classmethod
+    def read(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagDipAngleErrorAdaptiveMeasurementResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurement, int]:
+        enable: bool | None = None
+        frequency: float | None = None
+        high_limit: float | None = None
+        high_limit_uncertainty: float | None = None
+        minimum_uncertainty: float | None = None
+        v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
+            at += 1
+            enable = codec.truth(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
+            at += 4
+            frequency = v[0]
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
+            at += 4
+            high_limit = v[0]
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
+            at += 4
+            high_limit_uncertainty = v[0]
+            done, end = 4, at
+            if at == len(raw) and required < 5:
+                raise Truncated(1, 0)
+            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
+            at += 4
+            minimum_uncertainty = v[0]
+            done, end = 5, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(
+            function, enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty
+        ), at
+
+    def _write(self) -> bytes:
+        out = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
+        if there >= 1:
+            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.enable)
+        if there >= 2:
+            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
+        if there >= 3:
+            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.high_limit)
+        if there >= 4:
+            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit_uncertainty)
+        if there >= 5:
+            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.minimum_uncertainty)
+        return codec.finished(out)
+
+
+_ALTITUDE_AIDING_0 = codec.Block("B", "function")
+_ALTITUDE_AIDING_1 = codec.Block("B", "selector")
+_ALTITUDE_AIDING_GROUPS = ((1, ("selector",), False),)
+
+
+@dataclass(slots=True)
+class AltitudeAiding(Command):
+    """Altitude aiding (0x0D,0x47).
+
+    What aids the altitude beside GNSS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
+
+    GNSS stays the main source of altitude; the aid improves it and bridges outages. Weather and
+    place shift the pressure altitude, at times by more than 40 m.
+
+    - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x47
+    NAME = "filter.altitude_aiding"
+    ROLE = "command"
+    RESPONSES = (AltitudeAidingResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    selector: AltitudeAidingSource | None = None
+    """Source of the aiding. Required for `write`."""
+
+    @classmethod
+    def write(cls, selector: AltitudeAidingSource) -> AltitudeAiding:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, selector=selector)
+
+    @classmethod
+    def read(cls) -> AltitudeAiding:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> AltitudeAiding:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> AltitudeAiding:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> AltitudeAiding:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AltitudeAidingResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAiding, int]:
+        selector: AltitudeAidingSource | None = None
+        v = _ALTITUDE_AIDING_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _ALTITUDE_AIDING_1.read(raw, at)
+            at += 1
+            selector = AltitudeAidingSource(v[0])
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, selector), at
+
+    def _write(self) -> bytes:
+        out = _ALTITUDE_AIDING_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _ALTITUDE_AIDING_GROUPS)
+        if there >= 1:
+            out += _ALTITUDE_AIDING_1.write(self.selector)
+        return codec.finished(out)
+
+
+_PITCH_ROLL_AIDING_0 = codec.Block("B", "function")
+_PITCH_ROLL_AIDING_1 = codec.Block("B", "aiding")
+_PITCH_ROLL_AIDING_GROUPS = ((1, ("aiding",), False),)
+
+
+@dataclass(slots=True)
+class PitchRollAiding(Command):
+    """Pitch and roll aiding (0x0D,0x4B).
+
+    What aids pitch and roll while the motion is gentle.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PitchRollAidingResponse`.
+    Supported by 3DM-GX5-15.
+
+    - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x4B
+    NAME = "filter.pitch_roll_aiding"
+    ROLE = "command"
+    RESPONSES = (PitchRollAidingResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    aiding: PitchRollAidingSource | None = None
+    """Source of the aiding. Required for `write`."""
+
+    @classmethod
+    def write(cls, aiding: PitchRollAidingSource) -> PitchRollAiding:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, aiding=aiding)
+
+    @classmethod
+    def read(cls) -> PitchRollAiding:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> PitchRollAiding:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> PitchRollAiding:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> PitchRollAiding:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return PitchRollAidingResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAiding, int]:
+        aiding: PitchRollAidingSource | None = None
+        v = _PITCH_ROLL_AIDING_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _PITCH_ROLL_AIDING_1.read(raw, at)
             at += 1
             aiding = PitchRollAidingSource(v[0])
             done, end = 1, at
@@ -3375,80 +5425,86 @@ class PitchRollAidingControl(Command):
         return cls(function, aiding), at
 
     def _write(self) -> bytes:
-        out = _PITCH_ROLL_AIDING_CONTROL_0.write(self.function)
+        out = _PITCH_ROLL_AIDING_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _PITCH_ROLL_AIDING_CONTROL_GROUPS)
+        there = codec.present(self, required, _PITCH_ROLL_AIDING_GROUPS)
         if there >= 1:
-            out += _PITCH_ROLL_AIDING_CONTROL_1.write(self.aiding)
+            out += _PITCH_ROLL_AIDING_1.write(self.aiding)
         return codec.finished(out)
 
 
-_AIDING_MEASUREMENT_CONTROL_0 = codec.Block("B", "function")
-_AIDING_MEASUREMENT_CONTROL_1 = codec.Block("H", "aiding_source")
-_AIDING_MEASUREMENT_CONTROL_2 = codec.Block("B", "enable")
-_AIDING_MEASUREMENT_CONTROL_GROUPS = ((1, ("aiding_source",), False), (2, ("enable",), False))
+_MAGNETIC_INCLINATION_SOURCE_0 = codec.Block("B", "function")
+_MAGNETIC_INCLINATION_SOURCE_1 = codec.Block("B", "source")
+_MAGNETIC_INCLINATION_SOURCE_2 = codec.Block("f", "inclination")
+_MAGNETIC_INCLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("inclination",), False))
 
 
 @dataclass(slots=True)
-class AidingMeasurementControl(Command):
-    """Aiding measurement control (0x0D,0x50).
+class MagneticInclinationSource(Command):
+    """Magnetic inclination source (0x0D,0x4C).
 
-    Enables or disables one source of aiding measurements.
-    Supported by 3DM-CV7-GNSS/INS.
+    Source of the local inclination (dip angle) of the magnetic field.
 
-    - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
+    Also called `inclination_source`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `MagneticInclinationSourceResponse`.
+
+    Without a good inclination source, keep automatic magnetometer calibration off.
+
+    - mip-sdk-4: Inclination Source (0x0D,0x4C)
     """
 
     SET = 0x0D
-    DESCRIPTOR = 0x50
-    NAME = "filter.aiding_measurement_control"
+    DESCRIPTOR = 0x4C
+    NAME = "filter.magnetic_inclination_source"
     ROLE = "command"
-    RESPONSES = (AidingMeasurementControlResponse,)
-    REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    RESPONSES = (MagneticInclinationSourceResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
-    aiding_source: AidingSource | None = None
-    """The source; `all` is for save, load and default."""
-    enable: bool | None = None
-    """Whether the filter uses the source."""
+    source: MagParameterSource | None = None
+    """Source of the inclination. Required for `write`."""
+    inclination: float | None = None
+    """Inclination; used only if `source` is manual. Unit: rad. Required for `write`. Uncertain:
+    Whether it may be left out if `source` is not manual. The SDK sends it always.
+    """
 
     @classmethod
-    def write(cls, aiding_source: AidingSource, enable: bool) -> AidingMeasurementControl:
+    def write(cls, source: MagParameterSource, inclination: float) -> MagneticInclinationSource:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, aiding_source=aiding_source, enable=enable)
+        return cls(FunctionSelector.WRITE, source=source, inclination=inclination)
 
     @classmethod
-    def read(cls, aiding_source: AidingSource) -> AidingMeasurementControl:
+    def read(cls) -> MagneticInclinationSource:
         """Send the current setting back in a response."""
-        return cls(FunctionSelector.READ, aiding_source=aiding_source)
+        return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls, aiding_source: AidingSource) -> AidingMeasurementControl:
+    def save(cls) -> MagneticInclinationSource:
         """Save the current setting to non-volatile memory."""
-        return cls(FunctionSelector.SAVE, aiding_source=aiding_source)
+        return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls, aiding_source: AidingSource) -> AidingMeasurementControl:
+    def load(cls) -> MagneticInclinationSource:
         """Load the saved setting."""
-        return cls(FunctionSelector.LOAD, aiding_source=aiding_source)
+        return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls, aiding_source: AidingSource) -> AidingMeasurementControl:
+    def default(cls) -> MagneticInclinationSource:
         """Load the factory default setting."""
-        return cls(FunctionSelector.DEFAULT, aiding_source=aiding_source)
+        return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return AidingMeasurementControlResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagneticInclinationSourceResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementControl, int]:
-        aiding_source: AidingSource | None = None
-        enable: bool | None = None
-        v = _AIDING_MEASUREMENT_CONTROL_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticInclinationSource, int]:
+        source: MagParameterSource | None = None
+        inclination: float | None = None
+        v = _MAGNETIC_INCLINATION_SOURCE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3456,13 +5512,416 @@ class AidingMeasurementControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _AIDING_MEASUREMENT_CONTROL_1.read(raw, at)
+            v = _MAGNETIC_INCLINATION_SOURCE_1.read(raw, at)
+            at += 1
+            source = MagParameterSource(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _MAGNETIC_INCLINATION_SOURCE_2.read(raw, at)
+            at += 4
+            inclination = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, source, inclination), at
+
+    def _write(self) -> bytes:
+        out = _MAGNETIC_INCLINATION_SOURCE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MAGNETIC_INCLINATION_SOURCE_GROUPS)
+        if there >= 1:
+            out += _MAGNETIC_INCLINATION_SOURCE_1.write(self.source)
+        if there >= 2:
+            out += _MAGNETIC_INCLINATION_SOURCE_2.write(self.inclination)
+        return codec.finished(out)
+
+
+_MAGNETIC_MAGNITUDE_SOURCE_0 = codec.Block("B", "function")
+_MAGNETIC_MAGNITUDE_SOURCE_1 = codec.Block("B", "source")
+_MAGNETIC_MAGNITUDE_SOURCE_2 = codec.Block("f", "magnitude")
+_MAGNETIC_MAGNITUDE_SOURCE_GROUPS = ((1, ("source",), False), (2, ("magnitude",), False))
+
+
+@dataclass(slots=True)
+class MagneticMagnitudeSource(Command):
+    """Magnetic field magnitude source (0x0D,0x4D).
+
+    Source of the local magnitude of the magnetic field.
+
+    Also called `mag_field_magnitude_source`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `MagneticMagnitudeSourceResponse`.
+
+    Without a good magnitude source, keep automatic magnetometer calibration off. The adaptive
+    measurement `MagMagnitudeErrorAdaptiveMeasurement` (0x0D,0x45) relies on it too.
+
+    - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x4D
+    NAME = "filter.magnetic_magnitude_source"
+    ROLE = "command"
+    RESPONSES = (MagneticMagnitudeSourceResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    source: MagParameterSource | None = None
+    """Source of the magnitude. Required for `write`."""
+    magnitude: float | None = None
+    """Magnitude; used only if `source` is manual. Unit: gauss. Required for `write`. Uncertain:
+    Whether it may be left out if `source` is not manual. The SDK sends it always.
+    """
+
+    @classmethod
+    def write(cls, source: MagParameterSource, magnitude: float) -> MagneticMagnitudeSource:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, source=source, magnitude=magnitude)
+
+    @classmethod
+    def read(cls) -> MagneticMagnitudeSource:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> MagneticMagnitudeSource:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> MagneticMagnitudeSource:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> MagneticMagnitudeSource:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagneticMagnitudeSourceResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticMagnitudeSource, int]:
+        source: MagParameterSource | None = None
+        magnitude: float | None = None
+        v = _MAGNETIC_MAGNITUDE_SOURCE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _MAGNETIC_MAGNITUDE_SOURCE_1.read(raw, at)
+            at += 1
+            source = MagParameterSource(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _MAGNETIC_MAGNITUDE_SOURCE_2.read(raw, at)
+            at += 4
+            magnitude = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, source, magnitude), at
+
+    def _write(self) -> bytes:
+        out = _MAGNETIC_MAGNITUDE_SOURCE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MAGNETIC_MAGNITUDE_SOURCE_GROUPS)
+        if there >= 1:
+            out += _MAGNETIC_MAGNITUDE_SOURCE_1.write(self.source)
+        if there >= 2:
+            out += _MAGNETIC_MAGNITUDE_SOURCE_2.write(self.magnitude)
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_ROTATION_DCM_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_ROTATION_DCM_1 = codec.Block("fffffffff", *["dcm"] * 9)
+_SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS = ((1, ("dcm",), False),)
+
+
+@dataclass(slots=True)
+class SensorToVehicleRotationDcm(Command):
+    """Sensor to vehicle rotation, matrix (0x0D,0x4E).
+
+    Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleRotationDcmResponse`.
+
+    It is the inverse of the matrix that `mip_3dm.SensorToVehicleTransformDcm` (0x0C,0x33) takes. It
+    turns the scaled acceleration, angular rate and magnetic field, delta theta and delta velocity,
+    and the orientation, linear acceleration, angular rate and gravity vector of the filter. The
+    device refuses a matrix that is not orthonormal to 0.001. The device keeps a quaternion, so the
+    elements read back may differ a little from those written.
+
+    - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x4E
+    NAME = "filter.sensor_to_vehicle_rotation_dcm"
+    ROLE = "command"
+    RESPONSES = (SensorToVehicleRotationDcmResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    dcm: types.Matrix3f | None = None
+    """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Required for `write`.
+    """
+
+    @classmethod
+    def write(cls, dcm: types.Matrix3f) -> SensorToVehicleRotationDcm:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, dcm=dcm)
+
+    @classmethod
+    def read(cls) -> SensorToVehicleRotationDcm:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SensorToVehicleRotationDcm:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SensorToVehicleRotationDcm:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SensorToVehicleRotationDcm:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleRotationDcmResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcm, int]:
+        dcm: types.Matrix3f | None = None
+        v = _SENSOR_TO_VEHICLE_ROTATION_DCM_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SENSOR_TO_VEHICLE_ROTATION_DCM_1.read(raw, at)
+            at += 36
+            dcm = v[0:9]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, dcm), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_ROTATION_DCM_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS)
+        if there >= 1:
+            out += _SENSOR_TO_VEHICLE_ROTATION_DCM_1.write(*codec.exactly("dcm", self.dcm, 9))
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS = ((1, ("q",), False),)
+
+
+@dataclass(slots=True)
+class SensorToVehicleRotationQuaternion(Command):
+    """Sensor to vehicle rotation, quaternion (0x0D,0x4F).
+
+    Rotation from the sensor frame to the vehicle frame as a quaternion.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleRotationQuaternionResponse`.
+
+    It is the inverse of the quaternion that `mip_3dm.SensorToVehicleTransformQuaternion`
+    (0x0C,0x32) takes. It turns the scaled acceleration, angular rate and magnetic field, delta
+    theta and delta velocity, and the orientation, linear acceleration, angular rate and gravity
+    vector of the filter. The device refuses a quaternion whose length is not 1 to 0.001. The device
+    normalizes it, so the elements read back may differ a little from those written.
+
+    - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x4F
+    NAME = "filter.sensor_to_vehicle_rotation_quaternion"
+    ROLE = "command"
+    RESPONSES = (SensorToVehicleRotationQuaternionResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    q: types.Quatf | None = None
+    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Required for `write`."""
+
+    @classmethod
+    def write(cls, q: types.Quatf) -> SensorToVehicleRotationQuaternion:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, q=q)
+
+    @classmethod
+    def read(cls) -> SensorToVehicleRotationQuaternion:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SensorToVehicleRotationQuaternion:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SensorToVehicleRotationQuaternion:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SensorToVehicleRotationQuaternion:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleRotationQuaternionResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternion, int]:
+        q: types.Quatf | None = None
+        v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.read(raw, at)
+            at += 16
+            q = v[0:4]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, q), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS)
+        if there >= 1:
+            out += _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.write(*codec.exactly("q", self.q, 4))
+        return codec.finished(out)
+
+
+_AIDING_MEASUREMENT_ENABLE_0 = codec.Block("B", "function")
+_AIDING_MEASUREMENT_ENABLE_1 = codec.Block("H", "aiding_source")
+_AIDING_MEASUREMENT_ENABLE_2 = codec.Block("B", "enable")
+_AIDING_MEASUREMENT_ENABLE_GROUPS = ((1, ("aiding_source",), False), (2, ("enable",), False))
+
+
+@dataclass(slots=True)
+class AidingMeasurementEnable(Command):
+    """Aiding measurement control (0x0D,0x50).
+
+    Enables or disables one source of aiding measurements.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AidingMeasurementEnableResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x50
+    NAME = "filter.aiding_measurement_enable"
+    ROLE = "command"
+    RESPONSES = (AidingMeasurementEnableResponse,)
+    REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    aiding_source: AidingSource | None = None
+    """The source; `all` is for save, load and default."""
+    enable: bool | None = None
+    """Whether the filter uses the source. Required for `write`."""
+
+    @classmethod
+    def write(cls, aiding_source: AidingSource, enable: bool) -> AidingMeasurementEnable:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, aiding_source=aiding_source, enable=enable)
+
+    @classmethod
+    def read(cls, aiding_source: AidingSource) -> AidingMeasurementEnable:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, aiding_source=aiding_source)
+
+    @classmethod
+    def save(cls, aiding_source: AidingSource) -> AidingMeasurementEnable:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE, aiding_source=aiding_source)
+
+    @classmethod
+    def load(cls, aiding_source: AidingSource) -> AidingMeasurementEnable:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD, aiding_source=aiding_source)
+
+    @classmethod
+    def default(cls, aiding_source: AidingSource) -> AidingMeasurementEnable:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT, aiding_source=aiding_source)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AidingMeasurementEnableResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementEnable, int]:
+        aiding_source: AidingSource | None = None
+        enable: bool | None = None
+        v = _AIDING_MEASUREMENT_ENABLE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _AIDING_MEASUREMENT_ENABLE_1.read(raw, at)
             at += 2
             aiding_source = AidingSource(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _AIDING_MEASUREMENT_CONTROL_2.read(raw, at)
+            v = _AIDING_MEASUREMENT_ENABLE_2.read(raw, at)
             at += 1
             enable = codec.truth(v[0])
             done, end = 2, at
@@ -3473,33 +5932,159 @@ class AidingMeasurementControl(Command):
         return cls(function, aiding_source, enable), at
 
     def _write(self) -> bytes:
-        out = _AIDING_MEASUREMENT_CONTROL_0.write(self.function)
+        out = _AIDING_MEASUREMENT_ENABLE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _AIDING_MEASUREMENT_CONTROL_GROUPS)
+        there = codec.present(self, required, _AIDING_MEASUREMENT_ENABLE_GROUPS)
         if there >= 1:
-            out += _AIDING_MEASUREMENT_CONTROL_1.write(self.aiding_source)
+            out += _AIDING_MEASUREMENT_ENABLE_1.write(self.aiding_source)
         if there >= 2:
-            out += _AIDING_MEASUREMENT_CONTROL_2.write(self.enable)
+            out += _AIDING_MEASUREMENT_ENABLE_2.write(self.enable)
         return codec.finished(out)
 
 
-_NAVIGATION_FILTER_INITIALIZATION_0 = codec.Block("B", "function")
-_NAVIGATION_FILTER_INITIALIZATION_1 = codec.Block("B", "wait_for_run_command")
-_NAVIGATION_FILTER_INITIALIZATION_2 = codec.Block("B", "initial_cond_src")
-_NAVIGATION_FILTER_INITIALIZATION_3 = codec.Block("B", "auto_heading_alignment_selector")
-_NAVIGATION_FILTER_INITIALIZATION_4 = codec.Block("f", "initial_heading")
-_NAVIGATION_FILTER_INITIALIZATION_5 = codec.Block("f", "initial_pitch")
-_NAVIGATION_FILTER_INITIALIZATION_6 = codec.Block("f", "initial_roll")
-_NAVIGATION_FILTER_INITIALIZATION_7 = codec.Block(
-    "fff", "initial_position", "initial_position", "initial_position"
+_KINEMATIC_CONSTRAINT_0 = codec.Block("B", "function")
+_KINEMATIC_CONSTRAINT_1 = codec.Block("B", "accel_constraint")
+_KINEMATIC_CONSTRAINT_2 = codec.Block("B", "velocity_constraint")
+_KINEMATIC_CONSTRAINT_3 = codec.Block("B", "angular_constraint")
+_KINEMATIC_CONSTRAINT_GROUPS = (
+    (1, ("accel_constraint",), False),
+    (2, ("velocity_constraint",), False),
+    (3, ("angular_constraint",), False),
 )
-_NAVIGATION_FILTER_INITIALIZATION_8 = codec.Block(
-    "fff", "initial_velocity", "initial_velocity", "initial_velocity"
-)
-_NAVIGATION_FILTER_INITIALIZATION_9 = codec.Block("B", "reference_frame_selector")
-_NAVIGATION_FILTER_INITIALIZATION_GROUPS = (
+
+
+@dataclass(slots=True)
+class KinematicConstraint(Command):
+    """Kinematic constraint (0x0D,0x51).
+
+    Assumptions about the motion that the filter uses as measurements.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `KinematicConstraintResponse`. Uncertain: Whether there are further values. The SDK has plain
+    numbers and gives the values in remarks.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x51
+    NAME = "filter.kinematic_constraint"
+    ROLE = "command"
+    RESPONSES = (KinematicConstraintResponse,)
+    REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    accel_constraint: AccelConstraint | None = None
+    """Assumption about the acceleration. Default: `AccelConstraint.NONE`. Required for `write`."""
+    velocity_constraint: VelocityConstraint | None = None
+    """Assumption about the velocity. Default: `VelocityConstraint.NONE`. Required for `write`."""
+    angular_constraint: AngularConstraint | None = None
+    """Assumption about the angular rate. Default: `AngularConstraint.NONE`. Required for `write`.
+    """
+
+    @classmethod
+    def write(
+        cls,
+        accel_constraint: AccelConstraint,
+        velocity_constraint: VelocityConstraint,
+        angular_constraint: AngularConstraint,
+    ) -> KinematicConstraint:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            accel_constraint=accel_constraint,
+            velocity_constraint=velocity_constraint,
+            angular_constraint=angular_constraint,
+        )
+
+    @classmethod
+    def read(cls) -> KinematicConstraint:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> KinematicConstraint:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> KinematicConstraint:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> KinematicConstraint:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return KinematicConstraintResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraint, int]:
+        accel_constraint: AccelConstraint | None = None
+        velocity_constraint: VelocityConstraint | None = None
+        angular_constraint: AngularConstraint | None = None
+        v = _KINEMATIC_CONSTRAINT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _KINEMATIC_CONSTRAINT_1.read(raw, at)
+            at += 1
+            accel_constraint = AccelConstraint(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _KINEMATIC_CONSTRAINT_2.read(raw, at)
+            at += 1
+            velocity_constraint = VelocityConstraint(v[0])
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _KINEMATIC_CONSTRAINT_3.read(raw, at)
+            at += 1
+            angular_constraint = AngularConstraint(v[0])
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, accel_constraint, velocity_constraint, angular_constraint), at
+
+    def _write(self) -> bytes:
+        out = _KINEMATIC_CONSTRAINT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _KINEMATIC_CONSTRAINT_GROUPS)
+        if there >= 1:
+            out += _KINEMATIC_CONSTRAINT_1.write(self.accel_constraint)
+        if there >= 2:
+            out += _KINEMATIC_CONSTRAINT_2.write(self.velocity_constraint)
+        if there >= 3:
+            out += _KINEMATIC_CONSTRAINT_3.write(self.angular_constraint)
+        return codec.finished(out)
+
+
+_INITIALIZATION_CONFIG_0 = codec.Block("B", "function")
+_INITIALIZATION_CONFIG_1 = codec.Block("B", "wait_for_run_command")
+_INITIALIZATION_CONFIG_2 = codec.Block("B", "initial_condition_source")
+_INITIALIZATION_CONFIG_3 = codec.Block("B", "auto_heading_alignment_selector")
+_INITIALIZATION_CONFIG_4 = codec.Block("f", "initial_heading")
+_INITIALIZATION_CONFIG_5 = codec.Block("f", "initial_pitch")
+_INITIALIZATION_CONFIG_6 = codec.Block("f", "initial_roll")
+_INITIALIZATION_CONFIG_7 = codec.Block("fff", *["initial_position"] * 3)
+_INITIALIZATION_CONFIG_8 = codec.Block("fff", *["initial_velocity"] * 3)
+_INITIALIZATION_CONFIG_9 = codec.Block("B", "reference_frame_selector")
+_INITIALIZATION_CONFIG_GROUPS = (
     (1, ("wait_for_run_command",), False),
-    (2, ("initial_cond_src",), False),
+    (2, ("initial_condition_source",), False),
     (3, ("auto_heading_alignment_selector",), False),
     (4, ("initial_heading",), False),
     (5, ("initial_pitch",), False),
@@ -3511,58 +6096,64 @@ _NAVIGATION_FILTER_INITIALIZATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class NavigationFilterInitialization(Command):
+class InitializationConfig(Command):
     """Navigation filter initialization (0x0D,0x52).
 
     Sources and values of the initial attitude, position and velocity of the filter.
+
+    Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `InitializationConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     Single precision resolves the latitude and longitude of the initial position to about a metre
-    only.
-    Kinematic alignment sets the heading once the speed reaches 2 m/s.
-    External alignment needs a heading at least every 5 seconds.
-    Supported by 3DM-CV7-GNSS/INS.
+    only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment
+    needs a heading at least every 5 seconds.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x52
-    NAME = "filter.navigation_filter_initialization"
+    NAME = "filter.initialization_config"
     ROLE = "command"
-    RESPONSES = (NavigationFilterInitializationResponse,)
+    RESPONSES = (InitializationConfigResponse,)
     REQUIRED = {1: 9, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     wait_for_run_command: int | None = None
-    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to
-    1.
+    """1: the filter starts only after `run`; 0: as soon as it can. Range: 0 to 1. Required for
+    `write`.
     """
-    initial_cond_src: InitialConditionSource | None = None
-    """Which initial conditions are found and which are given."""
+    initial_condition_source: InitialConditionSource | None = None
+    """Which initial conditions are found and which are given. Required for `write`."""
     auto_heading_alignment_selector: HeadingAlignment | None = None
-    """Ways in which the initial heading may be found."""
+    """Ways in which the initial heading may be found. Required for `write`."""
     initial_heading: float | None = None
-    """Given heading. [deg]"""
+    """Given heading. Unit: deg. Required for `write`."""
     initial_pitch: float | None = None
-    """Given pitch. [deg]"""
+    """Given pitch. Unit: deg. Required for `write`."""
     initial_roll: float | None = None
-    """Given roll. [deg]"""
+    """Given roll. Unit: deg. Required for `write`."""
     initial_position: types.Vector3f | None = None
-    """Given position. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Given position. Elements: x, y, z. Required for `write`.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f | None = None
-    """Given velocity. [m/s] If reference_frame_selector is ecef: frame ecef. If
-    reference_frame_selector is llh: frame ned.
+    """Given velocity. Elements: x, y, z. Unit: m/s. Required for `write`.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
     """
     reference_frame_selector: ReferenceFrame | None = None
-    """Frame of the given position and velocity."""
+    """Frame of the given position and velocity. Required for `write`."""
 
     @classmethod
     def write(
         cls,
         wait_for_run_command: int,
-        initial_cond_src: InitialConditionSource,
+        initial_condition_source: InitialConditionSource,
         auto_heading_alignment_selector: HeadingAlignment,
         initial_heading: float,
         initial_pitch: float,
@@ -3570,12 +6161,12 @@ class NavigationFilterInitialization(Command):
         initial_position: types.Vector3f,
         initial_velocity: types.Vector3f,
         reference_frame_selector: ReferenceFrame,
-    ) -> NavigationFilterInitialization:
+    ) -> InitializationConfig:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
             wait_for_run_command=wait_for_run_command,
-            initial_cond_src=initial_cond_src,
+            initial_condition_source=initial_condition_source,
             auto_heading_alignment_selector=auto_heading_alignment_selector,
             initial_heading=initial_heading,
             initial_pitch=initial_pitch,
@@ -3586,35 +6177,35 @@ class NavigationFilterInitialization(Command):
         )
 
     @classmethod
-    def read(cls) -> NavigationFilterInitialization:
+    def read(cls) -> InitializationConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> NavigationFilterInitialization:
+    def save(cls) -> InitializationConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> NavigationFilterInitialization:
+    def load(cls) -> InitializationConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> NavigationFilterInitialization:
+    def default(cls) -> InitializationConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return NavigationFilterInitializationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return InitializationConfigResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NavigationFilterInitialization, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[InitializationConfig, int]:
         wait_for_run_command: int | None = None
-        initial_cond_src: InitialConditionSource | None = None
+        initial_condition_source: InitialConditionSource | None = None
         auto_heading_alignment_selector: HeadingAlignment | None = None
         initial_heading: float | None = None
         initial_pitch: float | None = None
@@ -3622,7 +6213,7 @@ class NavigationFilterInitialization(Command):
         initial_position: types.Vector3f | None = None
         initial_velocity: types.Vector3f | None = None
         reference_frame_selector: ReferenceFrame | None = None
-        v = _NAVIGATION_FILTER_INITIALIZATION_0.read(raw, at)
+        v = _INITIALIZATION_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3630,55 +6221,55 @@ class NavigationFilterInitialization(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_1.read(raw, at)
+            v = _INITIALIZATION_CONFIG_1.read(raw, at)
             at += 1
             wait_for_run_command = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_2.read(raw, at)
+            v = _INITIALIZATION_CONFIG_2.read(raw, at)
             at += 1
-            initial_cond_src = InitialConditionSource(v[0])
+            initial_condition_source = InitialConditionSource(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_3.read(raw, at)
+            v = _INITIALIZATION_CONFIG_3.read(raw, at)
             at += 1
             auto_heading_alignment_selector = HeadingAlignment(v[0])
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_4.read(raw, at)
+            v = _INITIALIZATION_CONFIG_4.read(raw, at)
             at += 4
             initial_heading = v[0]
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_5.read(raw, at)
+            v = _INITIALIZATION_CONFIG_5.read(raw, at)
             at += 4
             initial_pitch = v[0]
             done, end = 5, at
             if at == len(raw) and required < 6:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_6.read(raw, at)
+            v = _INITIALIZATION_CONFIG_6.read(raw, at)
             at += 4
             initial_roll = v[0]
             done, end = 6, at
             if at == len(raw) and required < 7:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_7.read(raw, at)
+            v = _INITIALIZATION_CONFIG_7.read(raw, at)
             at += 12
             initial_position = v[0:3]
             done, end = 7, at
             if at == len(raw) and required < 8:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_8.read(raw, at)
+            v = _INITIALIZATION_CONFIG_8.read(raw, at)
             at += 12
             initial_velocity = v[0:3]
             done, end = 8, at
             if at == len(raw) and required < 9:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_9.read(raw, at)
+            v = _INITIALIZATION_CONFIG_9.read(raw, at)
             at += 1
             reference_frame_selector = ReferenceFrame(v[0])
             done, end = 9, at
@@ -3689,7 +6280,7 @@ class NavigationFilterInitialization(Command):
         return cls(
             function,
             wait_for_run_command,
-            initial_cond_src,
+            initial_condition_source,
             auto_heading_alignment_selector,
             initial_heading,
             initial_pitch,
@@ -3700,100 +6291,104 @@ class NavigationFilterInitialization(Command):
         ), at
 
     def _write(self) -> bytes:
-        out = _NAVIGATION_FILTER_INITIALIZATION_0.write(self.function)
+        out = _INITIALIZATION_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _NAVIGATION_FILTER_INITIALIZATION_GROUPS)
+        there = codec.present(self, required, _INITIALIZATION_CONFIG_GROUPS)
         if there >= 1:
-            out += _NAVIGATION_FILTER_INITIALIZATION_1.write(self.wait_for_run_command)
+            out += _INITIALIZATION_CONFIG_1.write(self.wait_for_run_command)
         if there >= 2:
-            out += _NAVIGATION_FILTER_INITIALIZATION_2.write(self.initial_cond_src)
+            out += _INITIALIZATION_CONFIG_2.write(self.initial_condition_source)
         if there >= 3:
-            out += _NAVIGATION_FILTER_INITIALIZATION_3.write(self.auto_heading_alignment_selector)
+            out += _INITIALIZATION_CONFIG_3.write(self.auto_heading_alignment_selector)
         if there >= 4:
-            out += _NAVIGATION_FILTER_INITIALIZATION_4.write(self.initial_heading)
+            out += _INITIALIZATION_CONFIG_4.write(self.initial_heading)
         if there >= 5:
-            out += _NAVIGATION_FILTER_INITIALIZATION_5.write(self.initial_pitch)
+            out += _INITIALIZATION_CONFIG_5.write(self.initial_pitch)
         if there >= 6:
-            out += _NAVIGATION_FILTER_INITIALIZATION_6.write(self.initial_roll)
+            out += _INITIALIZATION_CONFIG_6.write(self.initial_roll)
         if there >= 7:
-            out += _NAVIGATION_FILTER_INITIALIZATION_7.write(
+            out += _INITIALIZATION_CONFIG_7.write(
                 *codec.exactly("initial_position", self.initial_position, 3)
             )
         if there >= 8:
-            out += _NAVIGATION_FILTER_INITIALIZATION_8.write(
+            out += _INITIALIZATION_CONFIG_8.write(
                 *codec.exactly("initial_velocity", self.initial_velocity, 3)
             )
         if there >= 9:
-            out += _NAVIGATION_FILTER_INITIALIZATION_9.write(self.reference_frame_selector)
+            out += _INITIALIZATION_CONFIG_9.write(self.reference_frame_selector)
         return codec.finished(out)
 
 
-_ADAPTIVE_FILTER_CONTROL_0 = codec.Block("B", "function")
-_ADAPTIVE_FILTER_CONTROL_1 = codec.Block("B", "level")
-_ADAPTIVE_FILTER_CONTROL_2 = codec.Block("H", "time_limit")
-_ADAPTIVE_FILTER_CONTROL_GROUPS = ((1, ("level",), False), (2, ("time_limit",), False))
+_ADAPTIVE_FILTER_OPTIONS_0 = codec.Block("B", "function")
+_ADAPTIVE_FILTER_OPTIONS_1 = codec.Block("B", "level")
+_ADAPTIVE_FILTER_OPTIONS_2 = codec.Block("H", "time_limit")
+_ADAPTIVE_FILTER_OPTIONS_GROUPS = ((1, ("level",), False), (2, ("time_limit",), False))
 
 
 @dataclass(slots=True)
-class AdaptiveFilterControl(Command):
+class AdaptiveFilterOptions(Command):
     """Adaptive filter control (0x0D,0x53).
 
     How the filter adapts to measurements that do not fit its model.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AdaptiveFilterOptionsResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x53
-    NAME = "filter.adaptive_filter_control"
+    NAME = "filter.adaptive_filter_options"
     ROLE = "command"
-    RESPONSES = (AdaptiveFilterControlResponse,)
+    RESPONSES = (AdaptiveFilterOptionsResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     level: AdaptiveLevel | None = None
-    """Strength of the adaptation. Factory default: 2."""
+    """Strength of the adaptation. Default: 2. Required for `write`."""
     time_limit: int | None = None
-    """Longest time for which measurements are rejected before the filter recovers. [ms]"""
+    """Longest time for which measurements are rejected before the filter recovers. Unit: ms.
+    Required for `write`.
+    """
 
     @classmethod
-    def write(cls, level: AdaptiveLevel, time_limit: int) -> AdaptiveFilterControl:
+    def write(cls, level: AdaptiveLevel, time_limit: int) -> AdaptiveFilterOptions:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, level=level, time_limit=time_limit)
 
     @classmethod
-    def read(cls) -> AdaptiveFilterControl:
+    def read(cls) -> AdaptiveFilterOptions:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AdaptiveFilterControl:
+    def save(cls) -> AdaptiveFilterOptions:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AdaptiveFilterControl:
+    def load(cls) -> AdaptiveFilterOptions:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AdaptiveFilterControl:
+    def default(cls) -> AdaptiveFilterOptions:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return AdaptiveFilterControlResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AdaptiveFilterOptionsResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterOptions, int]:
         level: AdaptiveLevel | None = None
         time_limit: int | None = None
-        v = _ADAPTIVE_FILTER_CONTROL_0.read(raw, at)
+        v = _ADAPTIVE_FILTER_OPTIONS_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3801,13 +6396,13 @@ class AdaptiveFilterControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ADAPTIVE_FILTER_CONTROL_1.read(raw, at)
+            v = _ADAPTIVE_FILTER_OPTIONS_1.read(raw, at)
             at += 1
             level = AdaptiveLevel(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _ADAPTIVE_FILTER_CONTROL_2.read(raw, at)
+            v = _ADAPTIVE_FILTER_OPTIONS_2.read(raw, at)
             at += 2
             time_limit = v[0]
             done, end = 2, at
@@ -3818,90 +6413,88 @@ class AdaptiveFilterControl(Command):
         return cls(function, level, time_limit), at
 
     def _write(self) -> bytes:
-        out = _ADAPTIVE_FILTER_CONTROL_0.write(self.function)
+        out = _ADAPTIVE_FILTER_OPTIONS_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ADAPTIVE_FILTER_CONTROL_GROUPS)
+        there = codec.present(self, required, _ADAPTIVE_FILTER_OPTIONS_GROUPS)
         if there >= 1:
-            out += _ADAPTIVE_FILTER_CONTROL_1.write(self.level)
+            out += _ADAPTIVE_FILTER_OPTIONS_1.write(self.level)
         if there >= 2:
-            out += _ADAPTIVE_FILTER_CONTROL_2.write(self.time_limit)
+            out += _ADAPTIVE_FILTER_OPTIONS_2.write(self.time_limit)
         return codec.finished(out)
 
 
-_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_0 = codec.Block("B", "function")
-_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_1 = codec.Block("B", "receiver_id")
-_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_2 = codec.Block(
-    "fff", "antenna_offset", "antenna_offset", "antenna_offset"
-)
-_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_GROUPS = (
-    (1, ("receiver_id",), False),
-    (2, ("antenna_offset",), False),
-)
+_MULTI_ANTENNA_OFFSET_0 = codec.Block("B", "function")
+_MULTI_ANTENNA_OFFSET_1 = codec.Block("B", "receiver_id")
+_MULTI_ANTENNA_OFFSET_2 = codec.Block("fff", *["antenna_offset"] * 3)
+_MULTI_ANTENNA_OFFSET_GROUPS = ((1, ("receiver_id",), False), (2, ("antenna_offset",), False))
 
 
 @dataclass(slots=True)
-class GnssMultiAntennaOffsetControl(Command):
+class MultiAntennaOffset(Command):
     """GNSS multi-antenna offset (0x0D,0x54).
 
     Position of the antenna of one receiver on devices with several antennas.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MultiAntennaOffsetResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The magnitude of the vector is limited to 10.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x54
-    NAME = "filter.gnss_multi_antenna_offset_control"
+    NAME = "filter.multi_antenna_offset"
     ROLE = "command"
-    RESPONSES = (GnssMultiAntennaOffsetControlResponse,)
+    RESPONSES = (MultiAntennaOffsetResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
     """What to do with the setting."""
     receiver_id: int | None = None
-    """Number of the receiver, from 1. Range: 1 to …."""
+    """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f | None = None
-    """From the sensor to the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    Required for `write`.
+    """
 
     @classmethod
-    def write(
-        cls, receiver_id: int, antenna_offset: types.Vector3f
-    ) -> GnssMultiAntennaOffsetControl:
+    def write(cls, receiver_id: int, antenna_offset: types.Vector3f) -> MultiAntennaOffset:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, receiver_id=receiver_id, antenna_offset=antenna_offset)
 
     @classmethod
-    def read(cls, receiver_id: int) -> GnssMultiAntennaOffsetControl:
+    def read(cls, receiver_id: int) -> MultiAntennaOffset:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, receiver_id=receiver_id)
 
     @classmethod
-    def save(cls, receiver_id: int) -> GnssMultiAntennaOffsetControl:
+    def save(cls, receiver_id: int) -> MultiAntennaOffset:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, receiver_id=receiver_id)
 
     @classmethod
-    def load(cls, receiver_id: int) -> GnssMultiAntennaOffsetControl:
+    def load(cls, receiver_id: int) -> MultiAntennaOffset:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, receiver_id=receiver_id)
 
     @classmethod
-    def default(cls, receiver_id: int) -> GnssMultiAntennaOffsetControl:
+    def default(cls, receiver_id: int) -> MultiAntennaOffset:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, receiver_id=receiver_id)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return GnssMultiAntennaOffsetControlResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MultiAntennaOffsetResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssMultiAntennaOffsetControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffset, int]:
         receiver_id: int | None = None
         antenna_offset: types.Vector3f | None = None
-        v = _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_0.read(raw, at)
+        v = _MULTI_ANTENNA_OFFSET_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3909,13 +6502,13 @@ class GnssMultiAntennaOffsetControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_1.read(raw, at)
+            v = _MULTI_ANTENNA_OFFSET_1.read(raw, at)
             at += 1
             receiver_id = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_2.read(raw, at)
+            v = _MULTI_ANTENNA_OFFSET_2.read(raw, at)
             at += 12
             antenna_offset = v[0:3]
             done, end = 2, at
@@ -3926,25 +6519,23 @@ class GnssMultiAntennaOffsetControl(Command):
         return cls(function, receiver_id, antenna_offset), at
 
     def _write(self) -> bytes:
-        out = _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_0.write(self.function)
+        out = _MULTI_ANTENNA_OFFSET_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_GROUPS)
+        there = codec.present(self, required, _MULTI_ANTENNA_OFFSET_GROUPS)
         if there >= 1:
-            out += _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_1.write(self.receiver_id)
+            out += _MULTI_ANTENNA_OFFSET_1.write(self.receiver_id)
         if there >= 2:
-            out += _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_2.write(
+            out += _MULTI_ANTENNA_OFFSET_2.write(
                 *codec.exactly("antenna_offset", self.antenna_offset, 3)
             )
         return codec.finished(out)
 
 
-_RELATIVE_POSITION_CONFIGURATION_0 = codec.Block("B", "function")
-_RELATIVE_POSITION_CONFIGURATION_1 = codec.Block("B", "source")
-_RELATIVE_POSITION_CONFIGURATION_2 = codec.Block("B", "reference_frame_selector")
-_RELATIVE_POSITION_CONFIGURATION_3 = codec.Block(
-    "ddd", "reference_coordinates", "reference_coordinates", "reference_coordinates"
-)
-_RELATIVE_POSITION_CONFIGURATION_GROUPS = (
+_RELATIVE_POSITION_CONFIG_0 = codec.Block("B", "function")
+_RELATIVE_POSITION_CONFIG_1 = codec.Block("B", "source")
+_RELATIVE_POSITION_CONFIG_2 = codec.Block("B", "reference_frame_selector")
+_RELATIVE_POSITION_CONFIG_3 = codec.Block("ddd", *["reference_coordinates"] * 3)
+_RELATIVE_POSITION_CONFIG_GROUPS = (
     (1, ("source",), False),
     (2, ("reference_frame_selector",), False),
     (3, ("reference_coordinates",), False),
@@ -3952,31 +6543,35 @@ _RELATIVE_POSITION_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class RelativePositionConfiguration(Command):
+class RelativePositionConfig(Command):
     """Relative position configuration (0x0D,0x55).
 
     Reference point of the relative position that the filter reports.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `RelativePositionConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x55
-    NAME = "filter.relative_position_configuration"
+    NAME = "filter.relative_position_config"
     ROLE = "command"
-    RESPONSES = (RelativePositionConfigurationResponse,)
+    RESPONSES = (RelativePositionConfigResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     source: RelativePositionSource | None = None
-    """Source of the reference point."""
+    """Source of the reference point. Required for `write`."""
     reference_frame_selector: ReferenceFrame | None = None
-    """Frame of the coordinates."""
+    """Frame of the coordinates. Required for `write`."""
     reference_coordinates: types.Vector3d | None = None
-    """Reference point. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Reference point. Elements: x, y, z. Required for `write`.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
 
     @classmethod
@@ -3985,7 +6580,7 @@ class RelativePositionConfiguration(Command):
         source: RelativePositionSource,
         reference_frame_selector: ReferenceFrame,
         reference_coordinates: types.Vector3d,
-    ) -> RelativePositionConfiguration:
+    ) -> RelativePositionConfig:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -3995,37 +6590,37 @@ class RelativePositionConfiguration(Command):
         )
 
     @classmethod
-    def read(cls) -> RelativePositionConfiguration:
+    def read(cls) -> RelativePositionConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> RelativePositionConfiguration:
+    def save(cls) -> RelativePositionConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> RelativePositionConfiguration:
+    def load(cls) -> RelativePositionConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> RelativePositionConfiguration:
+    def default(cls) -> RelativePositionConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return RelativePositionConfigurationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return RelativePositionConfigResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfig, int]:
         source: RelativePositionSource | None = None
         reference_frame_selector: ReferenceFrame | None = None
         reference_coordinates: types.Vector3d | None = None
-        v = _RELATIVE_POSITION_CONFIGURATION_0.read(raw, at)
+        v = _RELATIVE_POSITION_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -4033,19 +6628,19 @@ class RelativePositionConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _RELATIVE_POSITION_CONFIGURATION_1.read(raw, at)
+            v = _RELATIVE_POSITION_CONFIG_1.read(raw, at)
             at += 1
             source = RelativePositionSource(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _RELATIVE_POSITION_CONFIGURATION_2.read(raw, at)
+            v = _RELATIVE_POSITION_CONFIG_2.read(raw, at)
             at += 1
             reference_frame_selector = ReferenceFrame(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _RELATIVE_POSITION_CONFIGURATION_3.read(raw, at)
+            v = _RELATIVE_POSITION_CONFIG_3.read(raw, at)
             at += 24
             reference_coordinates = v[0:3]
             done, end = 3, at
@@ -4056,27 +6651,25 @@ class RelativePositionConfiguration(Command):
         return cls(function, source, reference_frame_selector, reference_coordinates), at
 
     def _write(self) -> bytes:
-        out = _RELATIVE_POSITION_CONFIGURATION_0.write(self.function)
+        out = _RELATIVE_POSITION_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _RELATIVE_POSITION_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _RELATIVE_POSITION_CONFIG_GROUPS)
         if there >= 1:
-            out += _RELATIVE_POSITION_CONFIGURATION_1.write(self.source)
+            out += _RELATIVE_POSITION_CONFIG_1.write(self.source)
         if there >= 2:
-            out += _RELATIVE_POSITION_CONFIGURATION_2.write(self.reference_frame_selector)
+            out += _RELATIVE_POSITION_CONFIG_2.write(self.reference_frame_selector)
         if there >= 3:
-            out += _RELATIVE_POSITION_CONFIGURATION_3.write(
+            out += _RELATIVE_POSITION_CONFIG_3.write(
                 *codec.exactly("reference_coordinates", self.reference_coordinates, 3)
             )
         return codec.finished(out)
 
 
 _REFERENCE_POINT_LEVER_ARM_0 = codec.Block("B", "function")
-_REFERENCE_POINT_LEVER_ARM_1 = codec.Block("B", "ref_point_sel")
-_REFERENCE_POINT_LEVER_ARM_2 = codec.Block(
-    "fff", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
-)
+_REFERENCE_POINT_LEVER_ARM_1 = codec.Block("B", "reference_point")
+_REFERENCE_POINT_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
 _REFERENCE_POINT_LEVER_ARM_GROUPS = (
-    (1, ("ref_point_sel",), False),
+    (1, ("reference_point",), False),
     (2, ("lever_arm_offset",), False),
 )
 
@@ -4086,11 +6679,13 @@ class ReferencePointLeverArm(Command):
     """Reference point lever arm (0x0D,0x56).
 
     Moves the point to which the position and the velocity of the filter refer.
-    It shifts `llh_position`, `velocity_ned`, `ecef_position`, `ecef_velocity` and
+
+    Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `ReferencePointLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    It shifts `llh_position`, `ned_velocity`, `ecef_position`, `ecef_velocity` and
     `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
-    the angular rate.
-    The magnitude of the vector is limited to 10.
-    Supported by 3DM-CV7-GNSS/INS.
+    the angular rate. The magnitude of the vector is limited to 10.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -4104,18 +6699,22 @@ class ReferencePointLeverArm(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    ref_point_sel: ReferencePoint | None = None
-    """Point to move; it must be 1."""
+    reference_point: ReferencePoint | None = None
+    """Point to move; it must be 1. Required for `write`."""
     lever_arm_offset: types.Vector3f | None = None
-    """From the sensor to the point. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
-        cls, ref_point_sel: ReferencePoint, lever_arm_offset: types.Vector3f
+        cls, reference_point: ReferencePoint, lever_arm_offset: types.Vector3f
     ) -> ReferencePointLeverArm:
         """Apply the new setting."""
         return cls(
-            FunctionSelector.WRITE, ref_point_sel=ref_point_sel, lever_arm_offset=lever_arm_offset
+            FunctionSelector.WRITE,
+            reference_point=reference_point,
+            lever_arm_offset=lever_arm_offset,
         )
 
     @classmethod
@@ -4139,14 +6738,14 @@ class ReferencePointLeverArm(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return ReferencePointLeverArmResponse
         return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArm, int]:
-        ref_point_sel: ReferencePoint | None = None
+        reference_point: ReferencePoint | None = None
         lever_arm_offset: types.Vector3f | None = None
         v = _REFERENCE_POINT_LEVER_ARM_0.read(raw, at)
         at += 1
@@ -4158,7 +6757,7 @@ class ReferencePointLeverArm(Command):
                 raise Truncated(1, 0)
             v = _REFERENCE_POINT_LEVER_ARM_1.read(raw, at)
             at += 1
-            ref_point_sel = ReferencePoint(v[0])
+            reference_point = ReferencePoint(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
@@ -4170,14 +6769,14 @@ class ReferencePointLeverArm(Command):
             if done < required:
                 raise
         at = end
-        return cls(function, ref_point_sel, lever_arm_offset), at
+        return cls(function, reference_point, lever_arm_offset), at
 
     def _write(self) -> bytes:
         out = _REFERENCE_POINT_LEVER_ARM_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _REFERENCE_POINT_LEVER_ARM_GROUPS)
         if there >= 1:
-            out += _REFERENCE_POINT_LEVER_ARM_1.write(self.ref_point_sel)
+            out += _REFERENCE_POINT_LEVER_ARM_1.write(self.reference_point)
         if there >= 2:
             out += _REFERENCE_POINT_LEVER_ARM_2.write(
                 *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
@@ -4185,75 +6784,124 @@ class ReferencePointLeverArm(Command):
         return codec.finished(out)
 
 
-_MEASUREMENT_SPEED_LEVER_ARM_0 = codec.Block("B", "function")
-_MEASUREMENT_SPEED_LEVER_ARM_1 = codec.Block("B", "source")
-_MEASUREMENT_SPEED_LEVER_ARM_2 = codec.Block(
-    "fff", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
-)
-_MEASUREMENT_SPEED_LEVER_ARM_GROUPS = ((1, ("source",), False), (2, ("lever_arm_offset",), False))
+_SPEED_MEASUREMENT_0 = codec.Block("Bfff", "source", "tow", "speed", "speed_uncertainty")
 
 
 @dataclass(slots=True)
-class MeasurementSpeedLeverArm(Command):
+class SpeedMeasurement(Command):
+    """Speed measurement (0x0D,0x60).
+
+    Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
+
+    Uncertain: The SDK names a response (0x0D,0xE0) but has no layout of it.
+
+    It must not be used together with the odometer of the device. Single precision resolves the time
+    of week to 0.0625 s at the end of the week.
+
+    - mip-sdk-4: Speed Measurement (0x0D,0x60)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x60
+    NAME = "filter.speed_measurement"
+    ROLE = "command"
+
+    source: int = field(default=1, kw_only=True)
+    """Send 1. Reserved: send 1."""
+    tow: float
+    """GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK prints none."""
+    speed: float
+    """Speed, negative in reverse. Unit: m/s. Frame: vehicle."""
+    speed_uncertainty: float
+    """Standard deviation of the speed. Unit: m/s."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SpeedMeasurement, int]:
+        v = _SPEED_MEASUREMENT_0.read(raw, at)
+        at += 13
+        source = v[0]
+        tow = v[1]
+        speed = v[2]
+        speed_uncertainty = v[3]
+        return cls(tow, speed, speed_uncertainty, source=source), at
+
+    def _write(self) -> bytes:
+        out = _SPEED_MEASUREMENT_0.write(self.source, self.tow, self.speed, self.speed_uncertainty)
+        return codec.finished(out)
+
+
+_SPEED_LEVER_ARM_0 = codec.Block("B", "function")
+_SPEED_LEVER_ARM_1 = codec.Block("B", "source")
+_SPEED_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
+_SPEED_LEVER_ARM_GROUPS = ((1, ("source",), False), (2, ("lever_arm_offset",), False))
+
+
+@dataclass(slots=True)
+class SpeedLeverArm(Command):
     """Speed measurement lever arm (0x0D,0x61).
 
     Position of the point whose speed is measured, such as the wheel that an odometer is on.
-    It corrects for the speed that such a point has only because the vehicle turns.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    It corrects for the speed that such a point has only because the vehicle turns.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x61
-    NAME = "filter.measurement_speed_lever_arm"
+    NAME = "filter.speed_lever_arm"
     ROLE = "command"
-    RESPONSES = (MeasurementSpeedLeverArmResponse,)
+    RESPONSES = (SpeedLeverArmResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
     """What to do with the setting."""
     source: int | None = None
-    """Send 1."""
+    """Reserved: send 1."""
     lever_arm_offset: types.Vector3f | None = None
-    """From the sensor to the point of measurement. [m] Frame: vehicle."""
+    """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle.
+    Required for `write`.
+    """
 
     @classmethod
-    def write(cls, lever_arm_offset: types.Vector3f) -> MeasurementSpeedLeverArm:
+    def write(cls, lever_arm_offset: types.Vector3f) -> SpeedLeverArm:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=1, lever_arm_offset=lever_arm_offset)
 
     @classmethod
-    def read(cls) -> MeasurementSpeedLeverArm:
+    def read(cls) -> SpeedLeverArm:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, source=1)
 
     @classmethod
-    def save(cls) -> MeasurementSpeedLeverArm:
+    def save(cls) -> SpeedLeverArm:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, source=1)
 
     @classmethod
-    def load(cls) -> MeasurementSpeedLeverArm:
+    def load(cls) -> SpeedLeverArm:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, source=1)
 
     @classmethod
-    def default(cls) -> MeasurementSpeedLeverArm:
+    def default(cls) -> SpeedLeverArm:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, source=1)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return MeasurementSpeedLeverArmResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SpeedLeverArmResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MeasurementSpeedLeverArm, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SpeedLeverArm, int]:
         source: int | None = None
         lever_arm_offset: types.Vector3f | None = None
-        v = _MEASUREMENT_SPEED_LEVER_ARM_0.read(raw, at)
+        v = _SPEED_LEVER_ARM_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -4261,13 +6909,13 @@ class MeasurementSpeedLeverArm(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _MEASUREMENT_SPEED_LEVER_ARM_1.read(raw, at)
+            v = _SPEED_LEVER_ARM_1.read(raw, at)
             at += 1
             source = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _MEASUREMENT_SPEED_LEVER_ARM_2.read(raw, at)
+            v = _SPEED_LEVER_ARM_2.read(raw, at)
             at += 12
             lever_arm_offset = v[0:3]
             done, end = 2, at
@@ -4278,15 +6926,107 @@ class MeasurementSpeedLeverArm(Command):
         return cls(function, source, lever_arm_offset), at
 
     def _write(self) -> bytes:
-        out = _MEASUREMENT_SPEED_LEVER_ARM_0.write(self.function)
+        out = _SPEED_LEVER_ARM_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MEASUREMENT_SPEED_LEVER_ARM_GROUPS)
+        there = codec.present(self, required, _SPEED_LEVER_ARM_GROUPS)
         if there >= 1:
-            out += _MEASUREMENT_SPEED_LEVER_ARM_1.write(self.source)
+            out += _SPEED_LEVER_ARM_1.write(self.source)
         if there >= 2:
-            out += _MEASUREMENT_SPEED_LEVER_ARM_2.write(
+            out += _SPEED_LEVER_ARM_2.write(
                 *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
             )
+        return codec.finished(out)
+
+
+_VERTICAL_GYRO_CONSTRAINT_CONTROL_0 = codec.Block("B", "function")
+_VERTICAL_GYRO_CONSTRAINT_CONTROL_1 = codec.Block("B", "enable")
+_VERTICAL_GYRO_CONSTRAINT_CONTROL_GROUPS = ((1, ("enable",), False),)
+
+
+@dataclass(slots=True)
+class VerticalGyroConstraintControl(Command):
+    """Vertical gyro constraint (0x0D,0x62).
+
+    Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `VerticalGyroConstraintControlResponse`.
+
+    It takes the linear acceleration as zero.
+
+    - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x62
+    NAME = "filter.vertical_gyro_constraint_control"
+    ROLE = "command"
+    RESPONSES = (VerticalGyroConstraintControlResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    enable: int | None = None
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
+
+    @classmethod
+    def write(cls, enable: int) -> VerticalGyroConstraintControl:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, enable=enable)
+
+    @classmethod
+    def read(cls) -> VerticalGyroConstraintControl:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> VerticalGyroConstraintControl:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> VerticalGyroConstraintControl:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> VerticalGyroConstraintControl:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return VerticalGyroConstraintControlResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControl, int]:
+        enable: int | None = None
+        v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_1.read(raw, at)
+            at += 1
+            enable = v[0]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, enable), at
+
+    def _write(self) -> bytes:
+        out = _VERTICAL_GYRO_CONSTRAINT_CONTROL_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _VERTICAL_GYRO_CONSTRAINT_CONTROL_GROUPS)
+        if there >= 1:
+            out += _VERTICAL_GYRO_CONSTRAINT_CONTROL_1.write(self.enable)
         return codec.finished(out)
 
 
@@ -4300,9 +7040,12 @@ class WheeledVehicleConstraintControl(Command):
     """Wheeled vehicle constraint (0x0D,0x63).
 
     Lets the filter assume that the vehicle moves only along its x axis.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `WheeledVehicleConstraintControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong
     for vehicles that move sideways, such as aircraft.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -4317,7 +7060,7 @@ class WheeledVehicleConstraintControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
     @classmethod
     def write(cls, enable: int) -> WheeledVehicleConstraintControl:
@@ -4345,8 +7088,8 @@ class WheeledVehicleConstraintControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return WheeledVehicleConstraintControlResponse
         return None
 
@@ -4380,21 +7123,20 @@ class WheeledVehicleConstraintControl(Command):
         return codec.finished(out)
 
 
-_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_0 = codec.Block("B", "function")
-_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_1 = codec.Block("B", "enable")
-_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_2 = codec.Block("f", "max_offset")
-_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_GROUPS = (
-    (1, ("enable",), False),
-    (2, ("max_offset",), False),
-)
+_GNSS_ANTENNA_CALIBRATION_CONTROL_0 = codec.Block("B", "function")
+_GNSS_ANTENNA_CALIBRATION_CONTROL_1 = codec.Block("B", "enable")
+_GNSS_ANTENNA_CALIBRATION_CONTROL_2 = codec.Block("f", "max_offset")
+_GNSS_ANTENNA_CALIBRATION_CONTROL_GROUPS = ((1, ("enable",), False), (2, ("max_offset",), False))
 
 
 @dataclass(slots=True)
-class GnssAntennaOffsetCalibrationControl(Command):
+class GnssAntennaCalibrationControl(Command):
     """GNSS antenna offset calibration (0x0D,0x64).
 
     Lets the filter track the error of the antenna offset.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `gnss_antenna_cal_control`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `GnssAntennaCalibrationControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -4402,56 +7144,56 @@ class GnssAntennaOffsetCalibrationControl(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x64
-    NAME = "filter.gnss_antenna_offset_calibration_control"
+    NAME = "filter.gnss_antenna_calibration_control"
     ROLE = "command"
-    RESPONSES = (GnssAntennaOffsetCalibrationControlResponse,)
+    RESPONSES = (GnssAntennaCalibrationControlResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     max_offset: float | None = None
-    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. [m] Frame:
-    vehicle. Range: 0 to 0.5. Factory default: 0.1.
+    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
+    vehicle. Range: 0 to 0.5. Default: 0.1. Required for `write`.
     """
 
     @classmethod
-    def write(cls, enable: int, max_offset: float) -> GnssAntennaOffsetCalibrationControl:
+    def write(cls, enable: int, max_offset: float) -> GnssAntennaCalibrationControl:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable, max_offset=max_offset)
 
     @classmethod
-    def read(cls) -> GnssAntennaOffsetCalibrationControl:
+    def read(cls) -> GnssAntennaCalibrationControl:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssAntennaOffsetCalibrationControl:
+    def save(cls) -> GnssAntennaCalibrationControl:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssAntennaOffsetCalibrationControl:
+    def load(cls) -> GnssAntennaCalibrationControl:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssAntennaOffsetCalibrationControl:
+    def default(cls) -> GnssAntennaCalibrationControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return GnssAntennaOffsetCalibrationControlResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssAntennaCalibrationControlResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetCalibrationControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaCalibrationControl, int]:
         enable: int | None = None
         max_offset: float | None = None
-        v = _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_0.read(raw, at)
+        v = _GNSS_ANTENNA_CALIBRATION_CONTROL_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -4459,13 +7201,13 @@ class GnssAntennaOffsetCalibrationControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_1.read(raw, at)
+            v = _GNSS_ANTENNA_CALIBRATION_CONTROL_1.read(raw, at)
             at += 1
             enable = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_2.read(raw, at)
+            v = _GNSS_ANTENNA_CALIBRATION_CONTROL_2.read(raw, at)
             at += 4
             max_offset = v[0]
             done, end = 2, at
@@ -4476,106 +7218,157 @@ class GnssAntennaOffsetCalibrationControl(Command):
         return cls(function, enable, max_offset), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_0.write(self.function)
+        out = _GNSS_ANTENNA_CALIBRATION_CONTROL_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_GROUPS)
+        there = codec.present(self, required, _GNSS_ANTENNA_CALIBRATION_CONTROL_GROUPS)
         if there >= 1:
-            out += _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_1.write(self.enable)
+            out += _GNSS_ANTENNA_CALIBRATION_CONTROL_1.write(self.enable)
         if there >= 2:
-            out += _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_2.write(self.max_offset)
+            out += _GNSS_ANTENNA_CALIBRATION_CONTROL_2.write(self.max_offset)
         return codec.finished(out)
 
 
-SensorToVehicleFrameTransformationResponse.COMMANDS = (SensorToVehicleFrameTransformation,)
-GnssAntennaOffsetControlResponse.COMMANDS = (GnssAntennaOffsetControl,)
-EstimationControlFlagsResponse.COMMANDS = (EstimationControlFlags,)
-GnssAidingSourceControlResponse.COMMANDS = (GnssAidingSourceControl,)
-HeadingUpdateControlResponse.COMMANDS = (HeadingUpdateControl,)
+VehicleDynamicsModeResponse.COMMANDS = (VehicleDynamicsMode,)
+SensorToVehicleRotationEulerResponse.COMMANDS = (SensorToVehicleRotationEuler,)
+SensorToVehicleOffsetResponse.COMMANDS = (SensorToVehicleOffset,)
+AntennaOffsetResponse.COMMANDS = (AntennaOffset,)
+EstimationControlResponse.COMMANDS = (EstimationControl,)
+GnssSourceResponse.COMMANDS = (GnssSource,)
+HeadingSourceResponse.COMMANDS = (HeadingSource,)
 AutoInitializationControlResponse.COMMANDS = (AutoInitializationControl,)
-AccelerometerNoiseStandardDeviationResponse.COMMANDS = (AccelerometerNoiseStandardDeviation,)
-GyroscopeNoiseStandardDeviationResponse.COMMANDS = (GyroscopeNoiseStandardDeviation,)
-AccelerometerBiasModelParametersResponse.COMMANDS = (AccelerometerBiasModelParameters,)
-GyroscopeBiasModelParametersResponse.COMMANDS = (GyroscopeBiasModelParameters,)
-ZeroAngularRateUpdateControlResponse.COMMANDS = (ZeroAngularRateUpdateControl,)
-SetReferencePositionResponse.COMMANDS = (SetReferencePosition,)
-GravityNoiseStandardDeviationResponse.COMMANDS = (GravityNoiseStandardDeviation,)
-EnableDisableMeasurementsResponse.COMMANDS = (EnableDisableMeasurements,)
-MagneticFieldDeclinationSourceControlResponse.COMMANDS = (MagneticFieldDeclinationSourceControl,)
-GravityMagnitudeErrorAdaptiveMeasurementResponse.COMMANDS = (
-    GravityMagnitudeErrorAdaptiveMeasurement,
-)
-PitchRollAidingControlResponse.COMMANDS = (PitchRollAidingControl,)
-AidingMeasurementControlResponse.COMMANDS = (AidingMeasurementControl,)
-NavigationFilterInitializationResponse.COMMANDS = (NavigationFilterInitialization,)
-AdaptiveFilterControlResponse.COMMANDS = (AdaptiveFilterControl,)
-GnssMultiAntennaOffsetControlResponse.COMMANDS = (GnssMultiAntennaOffsetControl,)
-RelativePositionConfigurationResponse.COMMANDS = (RelativePositionConfiguration,)
+AccelNoiseResponse.COMMANDS = (AccelNoise,)
+GyroNoiseResponse.COMMANDS = (GyroNoise,)
+AccelBiasModelResponse.COMMANDS = (AccelBiasModel,)
+GyroBiasModelResponse.COMMANDS = (GyroBiasModel,)
+AutoZuptResponse.COMMANDS = (AutoZupt,)
+AutoAngularZuptResponse.COMMANDS = (AutoAngularZupt,)
+ReferencePositionResponse.COMMANDS = (ReferencePosition,)
+GravityNoiseResponse.COMMANDS = (GravityNoise,)
+PressureAltitudeNoiseResponse.COMMANDS = (PressureAltitudeNoise,)
+HardIronOffsetNoiseResponse.COMMANDS = (HardIronOffsetNoise,)
+SoftIronMatrixNoiseResponse.COMMANDS = (SoftIronMatrixNoise,)
+TareOrientationResponse.COMMANDS = (TareOrientation,)
+EnableMeasurementsResponse.COMMANDS = (EnableMeasurements,)
+MagNoiseResponse.COMMANDS = (MagNoise,)
+MagneticDeclinationSourceResponse.COMMANDS = (MagneticDeclinationSource,)
+AccelMagnitudeErrorAdaptiveMeasurementResponse.COMMANDS = (AccelMagnitudeErrorAdaptiveMeasurement,)
+MagMagnitudeErrorAdaptiveMeasurementResponse.COMMANDS = (MagMagnitudeErrorAdaptiveMeasurement,)
+MagDipAngleErrorAdaptiveMeasurementResponse.COMMANDS = (MagDipAngleErrorAdaptiveMeasurement,)
+AltitudeAidingResponse.COMMANDS = (AltitudeAiding,)
+PitchRollAidingResponse.COMMANDS = (PitchRollAiding,)
+MagneticInclinationSourceResponse.COMMANDS = (MagneticInclinationSource,)
+MagneticMagnitudeSourceResponse.COMMANDS = (MagneticMagnitudeSource,)
+SensorToVehicleRotationDcmResponse.COMMANDS = (SensorToVehicleRotationDcm,)
+SensorToVehicleRotationQuaternionResponse.COMMANDS = (SensorToVehicleRotationQuaternion,)
+AidingMeasurementEnableResponse.COMMANDS = (AidingMeasurementEnable,)
+KinematicConstraintResponse.COMMANDS = (KinematicConstraint,)
+InitializationConfigResponse.COMMANDS = (InitializationConfig,)
+AdaptiveFilterOptionsResponse.COMMANDS = (AdaptiveFilterOptions,)
+MultiAntennaOffsetResponse.COMMANDS = (MultiAntennaOffset,)
+RelativePositionConfigResponse.COMMANDS = (RelativePositionConfig,)
 ReferencePointLeverArmResponse.COMMANDS = (ReferencePointLeverArm,)
-MeasurementSpeedLeverArmResponse.COMMANDS = (MeasurementSpeedLeverArm,)
+SpeedLeverArmResponse.COMMANDS = (SpeedLeverArm,)
+VerticalGyroConstraintControlResponse.COMMANDS = (VerticalGyroConstraintControl,)
 WheeledVehicleConstraintControlResponse.COMMANDS = (WheeledVehicleConstraintControl,)
-GnssAntennaOffsetCalibrationControlResponse.COMMANDS = (GnssAntennaOffsetCalibrationControl,)
-
+GnssAntennaCalibrationControlResponse.COMMANDS = (GnssAntennaCalibrationControl,)
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0x01: (ResetNavigationFilter,),
+    0x01: (Reset,),
     0x02: (SetInitialAttitude,),
-    0x03: (SetInitialHeadingControl,),
-    0x05: (RunNavigationFilter,),
-    0x11: (SensorToVehicleFrameTransformation,),
-    0x13: (GnssAntennaOffsetControl,),
-    0x14: (EstimationControlFlags,),
-    0x15: (GnssAidingSourceControl,),
+    0x03: (SetInitialHeading,),
+    0x05: (Run,),
+    0x10: (VehicleDynamicsMode,),
+    0x11: (SensorToVehicleRotationEuler,),
+    0x12: (SensorToVehicleOffset,),
+    0x13: (AntennaOffset,),
+    0x14: (EstimationControl,),
+    0x15: (GnssSource,),
+    0x16: (ExternalGnssUpdate,),
     0x17: (ExternalHeadingUpdate,),
-    0x18: (HeadingUpdateControl,),
+    0x18: (HeadingSource,),
     0x19: (AutoInitializationControl,),
-    0x1A: (AccelerometerNoiseStandardDeviation,),
-    0x1B: (GyroscopeNoiseStandardDeviation,),
-    0x1C: (AccelerometerBiasModelParameters,),
-    0x1D: (GyroscopeBiasModelParameters,),
+    0x1A: (AccelNoise,),
+    0x1B: (GyroNoise,),
+    0x1C: (AccelBiasModel,),
+    0x1D: (GyroBiasModel,),
+    0x1E: (AutoZupt,),
     0x1F: (ExternalHeadingUpdateWithTime,),
-    0x20: (ZeroAngularRateUpdateControl,),
+    0x20: (AutoAngularZupt,),
     0x21: (TareOrientation,),
-    0x23: (CommandedZeroAngularRateUpdate,),
-    0x26: (SetReferencePosition,),
-    0x28: (GravityNoiseStandardDeviation,),
-    0x41: (EnableDisableMeasurements,),
-    0x43: (MagneticFieldDeclinationSourceControl,),
-    0x44: (GravityMagnitudeErrorAdaptiveMeasurement,),
-    0x4B: (PitchRollAidingControl,),
-    0x50: (AidingMeasurementControl,),
-    0x52: (NavigationFilterInitialization,),
-    0x53: (AdaptiveFilterControl,),
-    0x54: (GnssMultiAntennaOffsetControl,),
-    0x55: (RelativePositionConfiguration,),
+    0x22: (CommandedZupt,),
+    0x23: (CommandedAngularZupt,),
+    0x26: (ReferencePosition,),
+    0x27: (MagCaptureAutoCalibration,),
+    0x28: (GravityNoise,),
+    0x29: (PressureAltitudeNoise,),
+    0x2B: (HardIronOffsetNoise,),
+    0x2C: (SoftIronMatrixNoise,),
+    0x41: (EnableMeasurements,),
+    0x42: (MagNoise,),
+    0x43: (MagneticDeclinationSource,),
+    0x44: (AccelMagnitudeErrorAdaptiveMeasurement,),
+    0x45: (MagMagnitudeErrorAdaptiveMeasurement,),
+    0x46: (MagDipAngleErrorAdaptiveMeasurement,),
+    0x47: (AltitudeAiding,),
+    0x4B: (PitchRollAiding,),
+    0x4C: (MagneticInclinationSource,),
+    0x4D: (MagneticMagnitudeSource,),
+    0x4E: (SensorToVehicleRotationDcm,),
+    0x4F: (SensorToVehicleRotationQuaternion,),
+    0x50: (AidingMeasurementEnable,),
+    0x51: (KinematicConstraint,),
+    0x52: (InitializationConfig,),
+    0x53: (AdaptiveFilterOptions,),
+    0x54: (MultiAntennaOffset,),
+    0x55: (RelativePositionConfig,),
     0x56: (ReferencePointLeverArm,),
-    0x61: (MeasurementSpeedLeverArm,),
+    0x60: (SpeedMeasurement,),
+    0x61: (SpeedLeverArm,),
+    0x62: (VerticalGyroConstraintControl,),
     0x63: (WheeledVehicleConstraintControl,),
-    0x64: (GnssAntennaOffsetCalibrationControl,),
-    0x81: (SensorToVehicleFrameTransformationResponse,),
-    0x83: (GnssAntennaOffsetControlResponse,),
-    0x84: (EstimationControlFlagsResponse,),
-    0x86: (GnssAidingSourceControlResponse,),
-    0x87: (HeadingUpdateControlResponse,),
+    0x64: (GnssAntennaCalibrationControl,),
+    0x80: (VehicleDynamicsModeResponse,),
+    0x81: (SensorToVehicleRotationEulerResponse,),
+    0x82: (SensorToVehicleOffsetResponse,),
+    0x83: (AntennaOffsetResponse,),
+    0x84: (EstimationControlResponse,),
+    0x86: (GnssSourceResponse,),
+    0x87: (HeadingSourceResponse,),
     0x88: (AutoInitializationControlResponse,),
-    0x89: (AccelerometerNoiseStandardDeviationResponse,),
-    0x8A: (GyroscopeNoiseStandardDeviationResponse,),
-    0x8B: (AccelerometerBiasModelParametersResponse,),
-    0x8C: (GyroscopeBiasModelParametersResponse,),
-    0x8E: (ZeroAngularRateUpdateControlResponse,),
-    0x90: (SetReferencePositionResponse,),
-    0x93: (GravityNoiseStandardDeviationResponse,),
-    0xB0: (EnableDisableMeasurementsResponse,),
-    0xB2: (MagneticFieldDeclinationSourceControlResponse,),
-    0xB3: (GravityMagnitudeErrorAdaptiveMeasurementResponse,),
-    0xBB: (PitchRollAidingControlResponse,),
-    0xD0: (AidingMeasurementControlResponse,),
-    0xD2: (NavigationFilterInitializationResponse,),
-    0xD3: (AdaptiveFilterControlResponse,),
-    0xD4: (GnssMultiAntennaOffsetControlResponse,),
-    0xD5: (RelativePositionConfigurationResponse,),
+    0x89: (AccelNoiseResponse,),
+    0x8A: (GyroNoiseResponse,),
+    0x8B: (AccelBiasModelResponse,),
+    0x8C: (GyroBiasModelResponse,),
+    0x8D: (AutoZuptResponse,),
+    0x8E: (AutoAngularZuptResponse,),
+    0x90: (ReferencePositionResponse,),
+    0x93: (GravityNoiseResponse,),
+    0x94: (PressureAltitudeNoiseResponse,),
+    0x96: (HardIronOffsetNoiseResponse,),
+    0x97: (SoftIronMatrixNoiseResponse,),
+    0xA1: (TareOrientationResponse,),
+    0xB0: (EnableMeasurementsResponse,),
+    0xB1: (MagNoiseResponse,),
+    0xB2: (MagneticDeclinationSourceResponse,),
+    0xB3: (AccelMagnitudeErrorAdaptiveMeasurementResponse,),
+    0xB4: (MagMagnitudeErrorAdaptiveMeasurementResponse,),
+    0xB5: (MagDipAngleErrorAdaptiveMeasurementResponse,),
+    0xB7: (AltitudeAidingResponse,),
+    0xBB: (PitchRollAidingResponse,),
+    0xBC: (MagneticInclinationSourceResponse,),
+    0xBD: (MagneticMagnitudeSourceResponse,),
+    0xBE: (SensorToVehicleRotationDcmResponse,),
+    0xBF: (SensorToVehicleRotationQuaternionResponse,),
+    0xD0: (AidingMeasurementEnableResponse,),
+    0xD1: (KinematicConstraintResponse,),
+    0xD2: (InitializationConfigResponse,),
+    0xD3: (AdaptiveFilterOptionsResponse,),
+    0xD4: (MultiAntennaOffsetResponse,),
+    0xD5: (RelativePositionConfigResponse,),
     0xD6: (ReferencePointLeverArmResponse,),
-    0xE1: (MeasurementSpeedLeverArmResponse,),
+    0xE1: (SpeedLeverArmResponse,),
+    0xE2: (VerticalGyroConstraintControlResponse,),
     0xE3: (WheeledVehicleConstraintControlResponse,),
-    0xE4: (GnssAntennaOffsetCalibrationControlResponse,),
+    0xE4: (GnssAntennaCalibrationControlResponse,),
 }

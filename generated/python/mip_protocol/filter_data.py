@@ -1,6 +1,9 @@
 """Filter data (0x82).
 
 Estimates of the navigation filter and its status.
+
+- 3dm-gx5-15: 5.2 Estimation Filter Data
+- 3dm-cv7-gnss-ins: Filter (0x82)
 """
 
 from __future__ import annotations
@@ -17,11 +20,151 @@ class ValidFlags(IntFlag):
     """Whether the values of a field may be used."""
 
     VALID = 1 << 0
-    """All values of the field are valid."""
+    """All values of the field are valid. Bit 0."""
+
+
+@codec.open_flag(16)
+class HeadingSourceFlags(IntFlag):
+    """Sources of heading updates; 0 if heading updates are disabled."""
+
+    EXTERNAL = 1 << 2
+    """Heading messages that the user sends. Bit 2."""
+
+
+@codec.open_flag(16)
+class GnssAidingStatus(IntFlag):
+    """How the filter uses one GNSS receiver."""
+
+    TIGHT_COUPLING = 1 << 0
+    """Raw ranges of the receiver are used. Bit 0."""
+    DIFFERENTIAL = 1 << 1
+    """RTK corrections are used. Bit 1."""
+    INTEGER_FIX = 1 << 2
+    """There is an RTK integer fix, which gives the best position. Bit 2."""
+    GPS_L1 = 1 << 3
+    """GPS L1 is used. Bit 3."""
+    GPS_L2 = 1 << 4
+    """GPS L2 is used. Bit 4."""
+    GPS_L5 = 1 << 5
+    """GPS L5 is used; not on every model. Bit 5."""
+    GLONASS_L1 = 1 << 6
+    """GLONASS L1 is used. Bit 6."""
+    GLONASS_L2 = 1 << 7
+    """GLONASS L2 is used. Bit 7."""
+    GALILEO_E1 = 1 << 8
+    """Galileo E1 is used. Bit 8."""
+    GALILEO_E5 = 1 << 9
+    """Galileo E5 is used. Bit 9."""
+    GALILEO_E6 = 1 << 10
+    """Galileo E6 is used. Bit 10."""
+    BEIDOU_B1 = 1 << 11
+    """BeiDou B1 is used; not on every model. Bit 11."""
+    BEIDOU_B2 = 1 << 12
+    """BeiDou B2 is used; not on every model. Bit 12."""
+    BEIDOU_B3 = 1 << 13
+    """BeiDou B3 is used; not on every model. Bit 13."""
+    NO_FIX = 1 << 14
+    """The receiver has no position fix. Bit 14."""
+    CONFIG_ERROR = 1 << 15
+    """The antenna offset of the receiver is probably wrong. Bit 15."""
+
+
+class HeadingAidingType(codec.OpenEnum):
+    """Where a heading measurement comes from.
+
+    - mip-sdk-4: Head Aid Status (0x82,0x45)
+    """
+
+    DUAL_ANTENNA = 1
+    """Two GNSS antennas."""
+    EXTERNAL_MESSAGE = 2
+    """A heading message of the user."""
+
+
+class AidingMeasurementType(codec.OpenEnum):
+    """Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
+    `aiding` that give the measurement.
+    """
+
+    GNSS = 1
+    """GNSS position and velocity."""
+    DUAL_ANTENNA = 2
+    """GNSS heading of two antennas."""
+    HEADING = 3
+    """Heading."""
+    PRESSURE = 4
+    """Pressure altitude."""
+    MAG = 5
+    """Magnetometer."""
+    SPEED = 6
+    """Speed or odometer."""
+    AIDING_ECEF_POSITION = 33
+    """ECEF position by command."""
+    AIDING_LLH_POSITION = 34
+    """Latitude, longitude and height by command."""
+    AIDING_HEIGHT_ABOVE_ELLIPSOID = 35
+    """Height above the ellipsoid by command."""
+    AIDING_ECEF_VELOCITY = 40
+    """ECEF velocity by command."""
+    AIDING_NED_VELOCITY = 41
+    """NED velocity by command."""
+    AIDING_BODY_FRAME_VELOCITY = 42
+    """Body frame velocity by command."""
+    AIDING_TRUE_HEADING = 49
+    """True heading by command."""
+    AIDING_MAGNETIC_FIELD = 50
+    """Magnetic field by command."""
+    AIDING_PRESSURE = 51
+    """Pressure by command."""
+
+
+@codec.open_flag(8)
+class AidingMeasurementIndicator(IntFlag):
+    """What the filter did with an aiding measurement."""
+
+    ENABLED = 1 << 0
+    """The measurement is enabled. Bit 0."""
+    USED = 1 << 1
+    """The filter used it. Bit 1."""
+    RESIDUAL_HIGH_WARNING = 1 << 2
+    """It disagrees with the estimate. Bit 2."""
+    SAMPLE_TIME_WARNING = 1 << 3
+    """Its time is doubtful. Bit 3."""
+    CONFIG_ERROR = 1 << 4
+    """Its configuration is wrong. Bit 4."""
+    MAX_MEASUREMENTS_EXCEEDED = 1 << 5
+    """There are more measurements than the filter can take. Bit 5."""
+
+
+class DualAntennaFixType(codec.OpenEnum):
+    """Kind of the heading solution of two antennas."""
+
+    FIX_NONE = 0
+    """No solution."""
+    FIX_DA_FLOAT = 1
+    """Solution with float ambiguities."""
+    FIX_DA_FIXED = 2
+    """Solution with fixed ambiguities."""
+
+
+@codec.open_flag(16)
+class DualAntennaStatusFlags(IntFlag):
+    """What the heading solution of two antennas has to work with."""
+
+    RECEIVER_1_DATA_VALID = 1 << 0
+    """Data of receiver 1 are valid. Bit 0."""
+    RECEIVER_2_DATA_VALID = 1 << 1
+    """Data of receiver 2 are valid. Bit 1."""
+    ANTENNA_OFFSETS_VALID = 1 << 2
+    """The antenna offsets are valid. Bit 2."""
 
 
 class Gx5FilterState(codec.OpenEnum):
-    """State of the filter of a 5-series device."""
+    """State of the filter of a 5-series device.
+
+    - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
+    - 3dm-cv7-gnss-ins: Status (0x82,0x10)
+    """
 
     STARTUP = 0
     """The device starts."""
@@ -34,11 +177,15 @@ class Gx5FilterState(codec.OpenEnum):
 
 
 class Cv7FilterState(codec.OpenEnum):
-    """Mode of the filter of a 3DM-CV7."""
+    """Mode of the filter of a 3DM-CV7.
+
+    - 3dm-cv7-gnss-ins: Filter States
+    - 3dm-cv7-gnss-ins: Status (0x82,0x10)
+    """
 
     INIT = 1
     """Initialization; initial conditions are missing or the filter waits for a command."""
-    VERT_GYRO = 2
+    VERTICAL_GYRO = 2
     """Vertical gyro: pitch and roll, and heading relative to the initial one."""
     AHRS = 3
     """Pitch, roll and absolute heading."""
@@ -68,46 +215,53 @@ class Cv7DynamicsMode(codec.OpenEnum):
 class Gx5StatusFlags(IntFlag):
     """Problems of the filter of a 5-series device. The `init` bits count in filter state `init`,
     the others while the filter runs.
+
+    - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
+    - 3dm-cv7-gnss-ins: Status (0x82,0x10)
     """
 
     RUN_IMU_UNAVAILABLE = 1 << 0
-    """No inertial data."""
+    """No inertial data. Bit 0."""
     RUN_GPS_UNAVAILABLE = 1 << 1
-    """No GNSS data, on models with GNSS."""
+    """No GNSS data, on models with GNSS. Bit 1."""
     RUN_MATRIX_SINGULARITY = 1 << 3
-    """A matrix of the computation is singular."""
+    """A matrix of the computation is singular. Bit 3."""
     RUN_POSITION_COVARIANCE_WARNING = 1 << 4
-    """A position covariance is above its normal limit."""
+    """A position covariance is above its normal limit. Bit 4."""
     RUN_VELOCITY_COVARIANCE_WARNING = 1 << 5
-    """A velocity covariance is above its normal limit."""
+    """A velocity covariance is above its normal limit. Bit 5."""
     RUN_ATTITUDE_COVARIANCE_WARNING = 1 << 6
-    """An attitude covariance is above its normal limit."""
+    """An attitude covariance is above its normal limit. Bit 6."""
     RUN_NAN_IN_SOLUTION_WARNING = 1 << 7
-    """The solution holds values that are not numbers."""
+    """The solution holds values that are not numbers. Bit 7."""
     RUN_GYRO_BIAS_EST_HIGH_WARNING = 1 << 8
-    """The estimated gyroscope bias is high."""
+    """The estimated gyroscope bias is high. Bit 8."""
     RUN_ACCEL_BIAS_EST_HIGH_WARNING = 1 << 9
-    """The estimated accelerometer bias is high."""
+    """The estimated accelerometer bias is high. Bit 9."""
     RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING = 1 << 10
-    """The estimated gyroscope scale factor is high."""
+    """The estimated gyroscope scale factor is high. Bit 10."""
     RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING = 1 << 11
-    """The estimated accelerometer scale factor is high."""
+    """The estimated accelerometer scale factor is high. Bit 11."""
     RUN_MAG_BIAS_EST_HIGH_WARNING = 1 << 12
-    """The estimated magnetometer bias is high."""
-    RUN_ANT_OFFSET_CORRECTION_EST_HIGH_WARNING = 1 << 13
-    """The estimated correction of the antenna offset is high; on models with GNSS."""
+    """The estimated magnetometer bias is high. Bit 12."""
+    RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING = 1 << 13
+    """The estimated correction of the antenna offset is high; on models with GNSS. Bit 13."""
     RUN_MAG_HARD_IRON_EST_HIGH_WARNING = 1 << 14
-    """The estimated hard-iron offset is high."""
+    """The estimated hard-iron offset is high. Bit 14."""
     RUN_MAG_SOFT_IRON_EST_HIGH_WARNING = 1 << 15
-    """The estimated soft-iron correction is high."""
+    """The estimated soft-iron correction is high. Bit 15."""
     INIT_NO_ATTITUDE = 1 << 12
-    """The attitude is not initialized."""
+    """The attitude is not initialized. Bit 12. Overlaps other bits."""
     INIT_NO_POSITION_VELOCITY = 1 << 13
-    """Position and velocity are not initialized."""
+    """Position and velocity are not initialized. Bit 13. Overlaps other bits."""
 
 
 class FilterCondition(codec.OpenEnum):
-    """How settled the estimates of the filter are."""
+    """How settled the estimates of the filter are.
+
+    - 3dm-cv7-gnss-ins: Filter condition (bits 0-1)
+    - 3dm-cv7-gnss-ins: How do I interpret the Status (0x82,0x10) message?
+    """
 
     STABLE = 1
     """Estimates have settled and agree with the aiding measurements."""
@@ -119,30 +273,35 @@ class FilterCondition(codec.OpenEnum):
 
 @codec.open_flag(16)
 class Cv7StatusFlags(IntFlag):
-    """Condition and warnings of the filter of a 3DM-CV7."""
+    """Condition and warnings of the filter of a 3DM-CV7.
+
+    - 3dm-cv7-gnss-ins: Filter Status Flags
+    - 3dm-cv7-gnss-ins: How do I interpret the Status (0x82,0x10) message?
+    - 3dm-cv7-gnss-ins: Status (0x82,0x10)
+    """
 
     FILTER_CONDITION = 0x3
-    """How settled the estimates are."""
+    """How settled the estimates are. Bits 0 to 1. A value of `FilterCondition`."""
     ROLL_PITCH_WARNING = 1 << 2
-    """Roll and pitch are doubtful; check the mounting transformation."""
+    """Roll and pitch are doubtful; check the mounting transformation. Bit 2."""
     HEADING_WARNING = 1 << 3
-    """The heading is doubtful; check the heading source."""
+    """The heading is doubtful; check the heading source. Bit 3."""
     POSITION_WARNING = 1 << 4
-    """The position is doubtful; check the GNSS reception and antennas."""
+    """The position is doubtful; check the GNSS reception and antennas. Bit 4."""
     VELOCITY_WARNING = 1 << 5
-    """The velocity is doubtful; check the GNSS reception and antennas."""
+    """The velocity is doubtful; check the GNSS reception and antennas. Bit 5."""
     IMU_BIAS_WARNING = 1 << 6
-    """The sensor biases are doubtful; capture the gyroscope bias."""
-    GNSS_CLK_WARNING = 1 << 7
-    """The GNSS clock is doubtful; navigation goes on."""
+    """The sensor biases are doubtful; capture the gyroscope bias. Bit 6."""
+    GNSS_CLOCK_WARNING = 1 << 7
+    """The GNSS clock is doubtful; navigation goes on. Bit 7."""
     ANTENNA_LEVER_ARM_WARNING = 1 << 8
-    """The antenna offsets are probably wrong."""
+    """The antenna offsets are probably wrong. Bit 8."""
     MOUNTING_TRANSFORM_WARNING = 1 << 9
-    """The mounting transformation is probably wrong."""
+    """The mounting transformation is probably wrong. Bit 9."""
     TIME_SYNC_WARNING = 1 << 10
-    """No pulse per second is found, or the time of an external heading is too old."""
+    """No pulse per second is found, or the time of an external heading is too old. Bit 10."""
     SOLUTION_ERROR = 0xF000
-    """Not 0 if the solution holds values that are not numbers; reset the filter."""
+    """Not 0 if the solution holds values that are not numbers; reset the filter. Bits 12 to 15."""
 
     @property
     def filter_condition(self) -> FilterCondition:
@@ -165,130 +324,6 @@ class Cv7StatusFlags(IntFlag):
         return Cv7StatusFlags(int(self) & ~0xF000 | value << 12)
 
 
-@codec.open_flag(16)
-class HeadingSourceFlags(IntFlag):
-    """Sources of heading updates; 0 if heading updates are disabled."""
-
-    EXTERNAL = 1 << 2
-    """Heading messages that the user sends."""
-
-
-@codec.open_flag(16)
-class GnssAidingStatus(IntFlag):
-    """How the filter uses one GNSS receiver."""
-
-    TIGHT_COUPLING = 1 << 0
-    """Raw ranges of the receiver are used."""
-    DIFFERENTIAL = 1 << 1
-    """RTK corrections are used."""
-    INTEGER_FIX = 1 << 2
-    """There is an RTK integer fix, which gives the best position."""
-    GPS_L1 = 1 << 3
-    """GPS L1 is used."""
-    GPS_L2 = 1 << 4
-    """GPS L2 is used."""
-    GPS_L5 = 1 << 5
-    """GPS L5 is used; not on every model."""
-    GLO_L1 = 1 << 6
-    """GLONASS L1 is used."""
-    GLO_L2 = 1 << 7
-    """GLONASS L2 is used."""
-    GAL_E1 = 1 << 8
-    """Galileo E1 is used."""
-    GAL_E5 = 1 << 9
-    """Galileo E5 is used."""
-    GAL_E6 = 1 << 10
-    """Galileo E6 is used."""
-    BEI_B1 = 1 << 11
-    """BeiDou B1 is used; not on every model."""
-    BEI_B2 = 1 << 12
-    """BeiDou B2 is used; not on every model."""
-    BEI_B3 = 1 << 13
-    """BeiDou B3 is used; not on every model."""
-    NO_FIX = 1 << 14
-    """The receiver has no position fix."""
-    CONFIG_ERROR = 1 << 15
-    """The antenna offset of the receiver is probably wrong."""
-
-
-class AidingMeasurementType(codec.OpenEnum):
-    """Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
-    `aiding` that give the measurement.
-    """
-
-    GNSS = 1
-    """GNSS position and velocity."""
-    DUAL_ANTENNA = 2
-    """GNSS heading of two antennas."""
-    HEADING = 3
-    """Heading."""
-    PRESSURE = 4
-    """Pressure altitude."""
-    MAGNETOMETER = 5
-    """Magnetometer."""
-    SPEED = 6
-    """Speed or odometer."""
-    AIDING_POS_ECEF = 33
-    """ECEF position by command."""
-    AIDING_POS_LLH = 34
-    """Latitude, longitude and height by command."""
-    AIDING_HEIGHT_ABOVE_ELLIPSOID = 35
-    """Height above the ellipsoid by command."""
-    AIDING_VEL_ECEF = 40
-    """ECEF velocity by command."""
-    AIDING_VEL_NED = 41
-    """NED velocity by command."""
-    AIDING_VEL_BODY_FRAME = 42
-    """Body frame velocity by command."""
-    AIDING_HEADING_TRUE = 49
-    """True heading by command."""
-    AIDING_MAGNETIC_FIELD = 50
-    """Magnetic field by command."""
-    AIDING_PRESSURE = 51
-    """Pressure by command."""
-
-
-@codec.open_flag(8)
-class AidingMeasurementIndicator(IntFlag):
-    """What the filter did with an aiding measurement."""
-
-    ENABLED = 1 << 0
-    """The measurement is enabled."""
-    USED = 1 << 1
-    """The filter used it."""
-    RESIDUAL_HIGH_WARNING = 1 << 2
-    """It disagrees with the estimate."""
-    SAMPLE_TIME_WARNING = 1 << 3
-    """Its time is doubtful."""
-    CONFIGURATION_ERROR = 1 << 4
-    """Its configuration is wrong."""
-    MAX_NUM_MEAS_EXCEEDED = 1 << 5
-    """There are more measurements than the filter can take."""
-
-
-class DualAntennaFixType(codec.OpenEnum):
-    """Kind of the heading solution of two antennas."""
-
-    FIX_NONE = 0
-    """No solution."""
-    FIX_DA_FLOAT = 1
-    """Solution with float ambiguities."""
-    FIX_DA_FIXED = 2
-    """Solution with fixed ambiguities."""
-
-
-@codec.open_flag(16)
-class DualAntennaStatusFlags(IntFlag):
-    """What the heading solution of two antennas has to work with."""
-
-    RCV_1_DATA_VALID = 1 << 0
-    """Data of receiver 1 are valid."""
-    RCV_2_DATA_VALID = 1 << 1
-    """Data of receiver 2 are valid."""
-    ANTENNA_OFFSETS_VALID = 1 << 2
-    """The antenna offsets are valid."""
-
-
 _LLH_POSITION_0 = codec.Block("dddH", "latitude", "longitude", "ellipsoid_height", "valid_flags")
 
 
@@ -297,7 +332,8 @@ class LlhPosition(Data):
     """LLH position (0x82,0x01).
 
     Estimated position.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
     """
@@ -308,11 +344,13 @@ class LlhPosition(Data):
     ROLE = "data"
 
     latitude: float
-    """Latitude. [deg] Frame: llh. Valid if valid_flags.valid."""
+    """Latitude. Unit: deg. Frame: llh. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     longitude: float
-    """Longitude. [deg] Frame: llh. Valid if valid_flags.valid."""
+    """Longitude. Unit: deg. Frame: llh. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     ellipsoid_height: float
-    """Height above the ellipsoid. [m] Frame: llh. Valid if valid_flags.valid."""
+    """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `ValidFlags.VALID` of `valid_flags`
+    is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -333,36 +371,38 @@ class LlhPosition(Data):
         return codec.finished(out)
 
 
-_VELOCITY_NED_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
+_NED_VELOCITY_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
 
 
 @dataclass(slots=True)
-class VelocityNed(Data):
+class NedVelocity(Data):
     """NED velocity (0x82,0x02).
 
     Estimated velocity.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
     """
 
     SET = 0x82
     DESCRIPTOR = 0x02
-    NAME = "filter_data.velocity_ned"
+    NAME = "filter_data.ned_velocity"
     ROLE = "data"
 
     north: float
-    """Velocity north. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    """Velocity north. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     east: float
-    """Velocity east. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    """Velocity east. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     down: float
-    """Velocity down. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    """Velocity down. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[VelocityNed, int]:
-        v = _VELOCITY_NED_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
+        v = _NED_VELOCITY_0.read(raw, at)
         at += 14
         north = v[0]
         east = v[1]
@@ -371,11 +411,11 @@ class VelocityNed(Data):
         return cls(north, east, down, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _VELOCITY_NED_0.write(self.north, self.east, self.down, self.valid_flags)
+        out = _NED_VELOCITY_0.write(self.north, self.east, self.down, self.valid_flags)
         return codec.finished(out)
 
 
-_ATTITUDE_QUATERNION_0 = codec.Block("ffffH", "q", "q", "q", "q", "valid_flags")
+_ATTITUDE_QUATERNION_0 = codec.Block("ffffH", *["q"] * 4, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -383,8 +423,10 @@ class AttitudeQuaternion(Data):
     """Attitude quaternion (0x82,0x03).
 
     Estimated orientation of the vehicle frame in the NED frame as a quaternion.
-    v_vehicle = q^-1 * v_ned * q. The 3DM-GX5-15 manual prints the inverse rotation.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    v_vehicle = q^-1 * v_ned * q. The 3DM-GX5-15 manual prints the inverse rotation.
 
     - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
     - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
@@ -396,7 +438,9 @@ class AttitudeQuaternion(Data):
     ROLE = "data"
 
     q: types.Quatf
-    """Quaternion, scalar part first. [1] Frame: ned. Valid if valid_flags.valid."""
+    """Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Frame: ned. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -413,9 +457,7 @@ class AttitudeQuaternion(Data):
         return codec.finished(out)
 
 
-_ATTITUDE_DCM_0 = codec.Block(
-    "fffffffffH", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "valid_flags"
-)
+_ATTITUDE_DCM_0 = codec.Block("fffffffffH", *["dcm"] * 9, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -423,8 +465,10 @@ class AttitudeDcm(Data):
     """Attitude direction cosine matrix (0x82,0x04).
 
     Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
-    The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm * v_ned.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm * v_ned.
 
     - 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)
     - 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
@@ -436,7 +480,9 @@ class AttitudeDcm(Data):
     ROLE = "data"
 
     dcm: types.Matrix3f
-    """Rotation matrix in row-major order. [1] Frame: ned. Valid if valid_flags.valid."""
+    """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -461,8 +507,10 @@ class EulerAngles(Data):
     """Euler angles (0x82,0x05).
 
     Estimated orientation of the vehicle frame in the NED frame as Euler angles.
-    The rotations apply in the order yaw, pitch, roll (3-2-1).
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The rotations apply in the order yaw, pitch, roll (3-2-1).
 
     - 3dm-cv7-gnss-ins: Euler Angles (0x82,0x05)
     - 3dm-gx5-15: 5.2.5 Orientation, Euler Angles (0x82, 0x05)
@@ -474,11 +522,11 @@ class EulerAngles(Data):
     ROLE = "data"
 
     roll: float
-    """Roll. [rad] Frame: ned. Valid if valid_flags.valid."""
+    """Roll. Unit: rad. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     pitch: float
-    """Pitch. [rad] Frame: ned. Valid if valid_flags.valid."""
+    """Pitch. Unit: rad. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     yaw: float
-    """Yaw. [rad] Frame: ned. Valid if valid_flags.valid."""
+    """Yaw. Unit: rad. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -497,7 +545,7 @@ class EulerAngles(Data):
         return codec.finished(out)
 
 
-_GYRO_BIAS_0 = codec.Block("fffH", "bias", "bias", "bias", "valid_flags")
+_GYRO_BIAS_0 = codec.Block("fffH", *["bias"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -505,6 +553,7 @@ class GyroBias(Data):
     """Gyroscope bias (0x82,0x06).
 
     Estimated bias of the gyroscope.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
@@ -517,7 +566,9 @@ class GyroBias(Data):
     ROLE = "data"
 
     bias: types.Vector3f
-    """Bias. [rad/s] Frame: sensor. Valid if valid_flags.valid."""
+    """Bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -534,7 +585,7 @@ class GyroBias(Data):
         return codec.finished(out)
 
 
-_ACCEL_BIAS_0 = codec.Block("fffH", "bias", "bias", "bias", "valid_flags")
+_ACCEL_BIAS_0 = codec.Block("fffH", *["bias"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -542,6 +593,7 @@ class AccelBias(Data):
     """Accelerometer bias (0x82,0x07).
 
     Estimated bias of the accelerometer.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
@@ -553,7 +605,9 @@ class AccelBias(Data):
     ROLE = "data"
 
     bias: types.Vector3f
-    """Bias. [m/s^2] Frame: sensor. Valid if valid_flags.valid."""
+    """Bias. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -578,7 +632,8 @@ class LlhPositionUncertainty(Data):
     """Position uncertainty (0x82,0x08).
 
     Standard deviation of the estimated position, in the NED frame.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
     """
@@ -589,11 +644,17 @@ class LlhPositionUncertainty(Data):
     ROLE = "data"
 
     north: float
-    """Standard deviation north. [m] Frame: ned. Valid if valid_flags.valid."""
+    """Standard deviation north. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
+    is set.
+    """
     east: float
-    """Standard deviation east. [m] Frame: ned. Valid if valid_flags.valid."""
+    """Standard deviation east. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is
+    set.
+    """
     down: float
-    """Standard deviation down. [m] Frame: ned. Valid if valid_flags.valid."""
+    """Standard deviation down. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is
+    set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -620,7 +681,8 @@ class NedVelocityUncertainty(Data):
     """NED velocity uncertainty (0x82,0x09).
 
     Standard deviation of the estimated velocity.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
     """
@@ -631,11 +693,17 @@ class NedVelocityUncertainty(Data):
     ROLE = "data"
 
     north: float
-    """Standard deviation north. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    """Standard deviation north. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
+    is set.
+    """
     east: float
-    """Standard deviation east. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    """Standard deviation east. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
+    is set.
+    """
     down: float
-    """Standard deviation down. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    """Standard deviation down. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
+    is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -662,9 +730,11 @@ class EulerAnglesUncertainty(Data):
     """Euler angles uncertainty (0x82,0x0A).
 
     Standard deviation of the estimated Euler angles.
+
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70
     degrees of pitch up or down.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A)
     - 3dm-gx5-15: 5.2.6 Attitude Uncertainty, Euler Angles (0x82, 0x0A)
@@ -676,11 +746,13 @@ class EulerAnglesUncertainty(Data):
     ROLE = "data"
 
     roll: float
-    """Standard deviation of roll. [rad] Valid if valid_flags.valid."""
+    """Standard deviation of roll. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     pitch: float
-    """Standard deviation of pitch. [rad] Valid if valid_flags.valid."""
+    """Standard deviation of pitch. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     yaw: float
-    """Standard deviation of yaw. [rad] Valid if valid_flags.valid."""
+    """Standard deviation of yaw. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -699,9 +771,7 @@ class EulerAnglesUncertainty(Data):
         return codec.finished(out)
 
 
-_GYRO_BIAS_UNCERTAINTY_0 = codec.Block(
-    "fffH", "bias_uncert", "bias_uncert", "bias_uncert", "valid_flags"
-)
+_GYRO_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncertainty"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -709,6 +779,7 @@ class GyroBiasUncertainty(Data):
     """Gyroscope bias uncertainty (0x82,0x0B).
 
     Standard deviation of the estimated gyroscope bias.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
@@ -720,8 +791,10 @@ class GyroBiasUncertainty(Data):
     NAME = "filter_data.gyro_bias_uncertainty"
     ROLE = "data"
 
-    bias_uncert: types.Vector3f
-    """Standard deviation per axis. [rad/s] Frame: sensor. Valid if valid_flags.valid."""
+    bias_uncertainty: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -729,20 +802,18 @@ class GyroBiasUncertainty(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasUncertainty, int]:
         v = _GYRO_BIAS_UNCERTAINTY_0.read(raw, at)
         at += 14
-        bias_uncert = v[0:3]
+        bias_uncertainty = v[0:3]
         valid_flags = ValidFlags(v[3])
-        return cls(bias_uncert, valid_flags), at
+        return cls(bias_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _GYRO_BIAS_UNCERTAINTY_0.write(
-            *codec.exactly("bias_uncert", self.bias_uncert, 3), self.valid_flags
+            *codec.exactly("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
         )
         return codec.finished(out)
 
 
-_ACCEL_BIAS_UNCERTAINTY_0 = codec.Block(
-    "fffH", "bias_uncert", "bias_uncert", "bias_uncert", "valid_flags"
-)
+_ACCEL_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncertainty"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -750,6 +821,7 @@ class AccelBiasUncertainty(Data):
     """Accelerometer bias uncertainty (0x82,0x0C).
 
     Standard deviation of the estimated accelerometer bias.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
@@ -760,8 +832,10 @@ class AccelBiasUncertainty(Data):
     NAME = "filter_data.accel_bias_uncertainty"
     ROLE = "data"
 
-    bias_uncert: types.Vector3f
-    """Standard deviation per axis. [m/s^2] Frame: sensor. Valid if valid_flags.valid."""
+    bias_uncertainty: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -769,18 +843,18 @@ class AccelBiasUncertainty(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasUncertainty, int]:
         v = _ACCEL_BIAS_UNCERTAINTY_0.read(raw, at)
         at += 14
-        bias_uncert = v[0:3]
+        bias_uncertainty = v[0:3]
         valid_flags = ValidFlags(v[3])
-        return cls(bias_uncert, valid_flags), at
+        return cls(bias_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _ACCEL_BIAS_UNCERTAINTY_0.write(
-            *codec.exactly("bias_uncert", self.bias_uncert, 3), self.valid_flags
+            *codec.exactly("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
         )
         return codec.finished(out)
 
 
-_LINEAR_ACCEL_0 = codec.Block("fffH", "accel", "accel", "accel", "valid_flags")
+_LINEAR_ACCEL_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -788,6 +862,7 @@ class LinearAccel(Data):
     """Linear acceleration (0x82,0x0D).
 
     Compensated acceleration less the estimated gravity.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
@@ -800,7 +875,9 @@ class LinearAccel(Data):
     ROLE = "data"
 
     accel: types.Vector3f
-    """Linear acceleration. [m/s^2] Frame: vehicle. Valid if valid_flags.valid."""
+    """Linear acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -817,7 +894,7 @@ class LinearAccel(Data):
         return codec.finished(out)
 
 
-_COMP_ANGULAR_RATE_0 = codec.Block("fffH", "gyro", "gyro", "gyro", "valid_flags")
+_COMP_ANGULAR_RATE_0 = codec.Block("fffH", *["gyro"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -825,6 +902,7 @@ class CompAngularRate(Data):
     """Compensated angular rate (0x82,0x0E).
 
     Angular rate without the estimated bias.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
@@ -837,7 +915,9 @@ class CompAngularRate(Data):
     ROLE = "data"
 
     gyro: types.Vector3f
-    """Angular rate. [rad/s] Frame: vehicle. Valid if valid_flags.valid."""
+    """Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -854,40 +934,42 @@ class CompAngularRate(Data):
         return codec.finished(out)
 
 
-_WGS84_LOCAL_GRAVITY_MAGNITUDE_0 = codec.Block("fH", "gravity_magnitude", "valid_flags")
+_WGS84_GRAVITY_MAGNITUDE_0 = codec.Block("fH", "gravity_magnitude", "valid_flags")
 
 
 @dataclass(slots=True)
-class Wgs84LocalGravityMagnitude(Data):
+class Wgs84GravityMagnitude(Data):
     """WGS84 local gravity magnitude (0x82,0x0F).
 
     Magnitude of gravity at the position of the device by the WGS84 model.
+
+    Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
+
     The model holds up to an altitude of 20 km.
-    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F)
     """
 
     SET = 0x82
     DESCRIPTOR = 0x0F
-    NAME = "filter_data.wgs84_local_gravity_magnitude"
+    NAME = "filter_data.wgs84_gravity_magnitude"
     ROLE = "data"
 
     gravity_magnitude: float
-    """Magnitude of gravity. [m/s^2] Valid if valid_flags.valid."""
+    """Magnitude of gravity. Unit: m/s^2. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Wgs84LocalGravityMagnitude, int]:
-        v = _WGS84_LOCAL_GRAVITY_MAGNITUDE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[Wgs84GravityMagnitude, int]:
+        v = _WGS84_GRAVITY_MAGNITUDE_0.read(raw, at)
         at += 6
         gravity_magnitude = v[0]
         valid_flags = ValidFlags(v[1])
         return cls(gravity_magnitude, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _WGS84_LOCAL_GRAVITY_MAGNITUDE_0.write(self.gravity_magnitude, self.valid_flags)
+        out = _WGS84_GRAVITY_MAGNITUDE_0.write(self.gravity_magnitude, self.valid_flags)
         return codec.finished(out)
 
 
@@ -899,11 +981,12 @@ class Status(Data):
     """Filter status (0x82,0x10).
 
     State, dynamics mode, condition and warnings of the filter.
-    The meaning of all three values depends on the device.
-    3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
-    5-series: bits 12 and 13 of the flags mean other things in state `init` than while the filter
-    runs.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The meaning of all three values depends on the device. 3DM-CV7: 4, 1, 1 is normal operation
+    (full navigation, default mode, stable). 5-series: bits 12 and 13 of the flags mean other things
+    in state `init` than while the filter runs.
 
     - 3dm-cv7-gnss-ins: Status (0x82,0x10)
     - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
@@ -916,24 +999,36 @@ class Status(Data):
     READINGS = {
         "filter_state": (
             "device",
-            {"3dm-gx5-15": Gx5FilterState, "3dm-cv7-gnss-ins": Cv7FilterState},
+            {"3dm-cv7-gnss-ins": Cv7FilterState, "3dm-gx5-15": Gx5FilterState},
         ),
         "dynamics_mode": (
             "device",
-            {"3dm-gx5-15": Gx5DynamicsMode, "3dm-cv7-gnss-ins": Cv7DynamicsMode},
+            {"3dm-cv7-gnss-ins": Cv7DynamicsMode, "3dm-gx5-15": Gx5DynamicsMode},
         ),
         "status_flags": (
             "device",
-            {"3dm-gx5-15": Gx5StatusFlags, "3dm-cv7-gnss-ins": Cv7StatusFlags},
+            {"3dm-cv7-gnss-ins": Cv7StatusFlags, "3dm-gx5-15": Gx5StatusFlags},
         ),
     }
 
     filter_state: int
-    """State of the filter."""
+    """State of the filter.
+
+    - On the 3DM-CV7-GNSS/INS: values of `Cv7FilterState`.
+    - On the 3DM-GX5-15: values of `Gx5FilterState`.
+    """
     dynamics_mode: int
-    """Motion for which the filter is set up."""
+    """Motion for which the filter is set up.
+
+    - On the 3DM-CV7-GNSS/INS: values of `Cv7DynamicsMode`.
+    - On the 3DM-GX5-15: values of `Gx5DynamicsMode`.
+    """
     status_flags: int
-    """Condition and warnings."""
+    """Condition and warnings.
+
+    - On the 3DM-CV7-GNSS/INS: values of `Cv7StatusFlags`.
+    - On the 3DM-GX5-15: values of `Gx5StatusFlags`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Status, int]:
@@ -957,10 +1052,12 @@ class Timestamp(Data):
     """Filter timestamp (0x82,0x11).
 
     GPS time of the filter data.
+
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     Without PPS the internal clock drives the time, and the time jumps when the PPS comes back.
     Without synchronization to a receiver or an external clock it is the internal system time.
-    3DM-CV7: the field may be withdrawn; `shared.gps_timestamp` is better.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    3DM-CV7: the field may be withdrawn; `shared.GpsTimestamp` is better.
 
     - 3dm-cv7-gnss-ins: Timestamp (0x82,0x11)
     - 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82, 0x11)
@@ -972,9 +1069,10 @@ class Timestamp(Data):
     ROLE = "data"
 
     tow: float
-    """GPS time of week. [s] Valid if valid_flags.valid."""
+    """GPS time of week. Unit: s. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     week_number: int
-    """GPS week, counted from 1980. [week] Valid if valid_flags.valid."""
+    """GPS week, counted from 1980. Unit: week. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -992,7 +1090,7 @@ class Timestamp(Data):
         return codec.finished(out)
 
 
-_QUATERNION_ATTITUDE_UNCERTAINTY_0 = codec.Block("ffffH", "q", "q", "q", "q", "valid_flags")
+_QUATERNION_ATTITUDE_UNCERTAINTY_0 = codec.Block("ffffH", *["q"] * 4, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -1000,6 +1098,7 @@ class QuaternionAttitudeUncertainty(Data):
     """Quaternion uncertainty (0x82,0x12).
 
     Standard deviation of the elements of the estimated attitude quaternion.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
@@ -1012,7 +1111,9 @@ class QuaternionAttitudeUncertainty(Data):
     ROLE = "data"
 
     q: types.Quatf
-    """Standard deviation per element. [1] Valid if valid_flags.valid."""
+    """Standard deviation per element. Elements: w, x, y, z. Unit: 1. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1031,7 +1132,7 @@ class QuaternionAttitudeUncertainty(Data):
         return codec.finished(out)
 
 
-_GRAVITY_VECTOR_0 = codec.Block("fffH", "gravity", "gravity", "gravity", "valid_flags")
+_GRAVITY_VECTOR_0 = codec.Block("fffH", *["gravity"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -1039,6 +1140,7 @@ class GravityVector(Data):
     """Gravity vector (0x82,0x13).
 
     Estimated gravity.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
@@ -1051,7 +1153,9 @@ class GravityVector(Data):
     ROLE = "data"
 
     gravity: types.Vector3f
-    """Gravity. [m/s^2] Frame: vehicle. Valid if valid_flags.valid."""
+    """Gravity. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1068,39 +1172,45 @@ class GravityVector(Data):
         return codec.finished(out)
 
 
-_HEADING_UPDATE_SOURCE_STATE_0 = codec.Block(
+_HEADING_UPDATE_STATE_0 = codec.Block(
     "ffHH", "heading", "heading_uncertainty", "source", "valid_flags"
 )
 
 
 @dataclass(slots=True)
-class HeadingUpdateSourceState(Data):
+class HeadingUpdateState(Data):
     """Heading update source state (0x82,0x14).
 
     The last heading that updated the filter and where it came from.
-    The valid bit means that the source gave data within the last 2 seconds.
+
     Supported by 3DM-GX5-15.
+
+    The valid bit means that the source gave data within the last 2 seconds.
 
     - 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14)
     """
 
     SET = 0x82
     DESCRIPTOR = 0x14
-    NAME = "filter_data.heading_update_source_state"
+    NAME = "filter_data.heading_update_state"
     ROLE = "data"
 
     heading: float
-    """Heading of the sensor frame relative to true north. [rad] Valid if valid_flags.valid."""
+    """Heading of the sensor frame relative to true north. Unit: rad. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     heading_uncertainty: float
-    """Standard deviation of the heading. [rad] Valid if valid_flags.valid."""
+    """Standard deviation of the heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is
+    set.
+    """
     source: HeadingSourceFlags
     """Sources of the heading."""
     valid_flags: ValidFlags
     """Validity of the values."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateSourceState, int]:
-        v = _HEADING_UPDATE_SOURCE_STATE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateState, int]:
+        v = _HEADING_UPDATE_STATE_0.read(raw, at)
         at += 12
         heading = v[0]
         heading_uncertainty = v[1]
@@ -1109,7 +1219,7 @@ class HeadingUpdateSourceState(Data):
         return cls(heading, heading_uncertainty, source, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _HEADING_UPDATE_SOURCE_STATE_0.write(
+        out = _HEADING_UPDATE_STATE_0.write(
             self.heading, self.heading_uncertainty, self.source, self.valid_flags
         )
         return codec.finished(out)
@@ -1131,8 +1241,10 @@ class MagneticModel(Data):
     """Magnetic model (0x82,0x15).
 
     Magnetic field at the position of the device by the World Magnetic Model.
-    It is valid only with a valid GNSS position.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    It is valid only with a valid GNSS position.
 
     - 3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15)
     """
@@ -1143,15 +1255,19 @@ class MagneticModel(Data):
     ROLE = "data"
 
     intensity_north: float
-    """Intensity north. [gauss] Frame: ned. Valid if valid_flags.valid."""
+    """Intensity north. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is
+    set.
+    """
     intensity_east: float
-    """Intensity east. [gauss] Frame: ned. Valid if valid_flags.valid."""
+    """Intensity east. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     intensity_down: float
-    """Intensity down. [gauss] Frame: ned. Valid if valid_flags.valid."""
+    """Intensity down. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     inclination: float
-    """Inclination. [rad] Valid if valid_flags.valid."""
+    """Inclination. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     declination: float
-    """Declination. [rad] Valid if valid_flags.valid."""
+    """Declination. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1181,14 +1297,253 @@ class MagneticModel(Data):
         return codec.finished(out)
 
 
-_COMPENSATED_ACCELERATION_0 = codec.Block("fffH", "accel", "accel", "accel", "valid_flags")
+_GYRO_SCALE_FACTOR_0 = codec.Block("fffH", *["scale_factor"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
-class CompensatedAcceleration(Data):
+class GyroScaleFactor(Data):
+    """Gyroscope scale factor (0x82,0x16).
+
+    Estimated scale factor of the gyroscope.
+
+    - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x16
+    NAME = "filter_data.gyro_scale_factor"
+    ROLE = "data"
+
+    scale_factor: types.Vector3f
+    """Scale factor per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroScaleFactor, int]:
+        v = _GYRO_SCALE_FACTOR_0.read(raw, at)
+        at += 14
+        scale_factor = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(scale_factor, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GYRO_SCALE_FACTOR_0.write(
+            *codec.exactly("scale_factor", self.scale_factor, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_ACCEL_SCALE_FACTOR_0 = codec.Block("fffH", *["scale_factor"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class AccelScaleFactor(Data):
+    """Accelerometer scale factor (0x82,0x17).
+
+    Estimated scale factor of the accelerometer.
+
+    - mip-sdk-4: Accel Scale Factor (0x82,0x17)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x17
+    NAME = "filter_data.accel_scale_factor"
+    ROLE = "data"
+
+    scale_factor: types.Vector3f
+    """Scale factor per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelScaleFactor, int]:
+        v = _ACCEL_SCALE_FACTOR_0.read(raw, at)
+        at += 14
+        scale_factor = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(scale_factor, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ACCEL_SCALE_FACTOR_0.write(
+            *codec.exactly("scale_factor", self.scale_factor, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_GYRO_SCALE_FACTOR_UNCERTAINTY_0 = codec.Block(
+    "fffH", *["scale_factor_uncertainty"] * 3, "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class GyroScaleFactorUncertainty(Data):
+    """Gyroscope scale factor uncertainty (0x82,0x18).
+
+    Standard deviation of the estimated scale factor of the gyroscope.
+
+    - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x18
+    NAME = "filter_data.gyro_scale_factor_uncertainty"
+    ROLE = "data"
+
+    scale_factor_uncertainty: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroScaleFactorUncertainty, int]:
+        v = _GYRO_SCALE_FACTOR_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        scale_factor_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(scale_factor_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GYRO_SCALE_FACTOR_UNCERTAINTY_0.write(
+            *codec.exactly("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_ACCEL_SCALE_FACTOR_UNCERTAINTY_0 = codec.Block(
+    "fffH", *["scale_factor_uncertainty"] * 3, "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class AccelScaleFactorUncertainty(Data):
+    """Accelerometer scale factor uncertainty (0x82,0x19).
+
+    Standard deviation of the estimated scale factor of the accelerometer.
+
+    - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x19
+    NAME = "filter_data.accel_scale_factor_uncertainty"
+    ROLE = "data"
+
+    scale_factor_uncertainty: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelScaleFactorUncertainty, int]:
+        v = _ACCEL_SCALE_FACTOR_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        scale_factor_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(scale_factor_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ACCEL_SCALE_FACTOR_UNCERTAINTY_0.write(
+            *codec.exactly("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_MAG_BIAS_0 = codec.Block("fffH", *["bias"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagBias(Data):
+    """Magnetometer bias (0x82,0x1A).
+
+    Estimated bias of the magnetometer.
+
+    - mip-sdk-4: Mag Bias (0x82,0x1A)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x1A
+    NAME = "filter_data.mag_bias"
+    ROLE = "data"
+
+    bias: types.Vector3f
+    """Bias. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagBias, int]:
+        v = _MAG_BIAS_0.read(raw, at)
+        at += 14
+        bias = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(bias, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_BIAS_0.write(*codec.exactly("bias", self.bias, 3), self.valid_flags)
+        return codec.finished(out)
+
+
+_MAG_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncertainty"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagBiasUncertainty(Data):
+    """Magnetometer bias uncertainty (0x82,0x1B).
+
+    Standard deviation of the estimated bias of the magnetometer.
+
+    - mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x1B
+    NAME = "filter_data.mag_bias_uncertainty"
+    ROLE = "data"
+
+    bias_uncertainty: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagBiasUncertainty, int]:
+        v = _MAG_BIAS_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        bias_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(bias_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_BIAS_UNCERTAINTY_0.write(
+            *codec.exactly("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_COMP_ACCEL_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class CompAccel(Data):
     """Compensated acceleration (0x82,0x1C).
 
     Acceleration without the estimated bias; gravity is still in it.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
@@ -1197,25 +1552,98 @@ class CompensatedAcceleration(Data):
 
     SET = 0x82
     DESCRIPTOR = 0x1C
-    NAME = "filter_data.compensated_acceleration"
+    NAME = "filter_data.comp_accel"
     ROLE = "data"
 
     accel: types.Vector3f
-    """Acceleration. [m/s^2] Frame: vehicle. Valid if valid_flags.valid."""
+    """Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CompensatedAcceleration, int]:
-        v = _COMPENSATED_ACCELERATION_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[CompAccel, int]:
+        v = _COMP_ACCEL_0.read(raw, at)
         at += 14
         accel = v[0:3]
         valid_flags = ValidFlags(v[3])
         return cls(accel, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _COMPENSATED_ACCELERATION_0.write(
-            *codec.exactly("accel", self.accel, 3), self.valid_flags
+        out = _COMP_ACCEL_0.write(*codec.exactly("accel", self.accel, 3), self.valid_flags)
+        return codec.finished(out)
+
+
+_STANDARD_ATMOSPHERE_0 = codec.Block(
+    "fffffH",
+    "geometric_altitude",
+    "geopotential_altitude",
+    "standard_temperature",
+    "standard_pressure",
+    "standard_density",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class StandardAtmosphere(Data):
+    """Standard atmosphere (0x82,0x20).
+
+    US Standard Atmosphere of 1976 at the altitude of the device.
+
+    It is valid only with a valid GNSS position.
+
+    - mip-sdk-4: Standard Atmosphere (0x82,0x20)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x20
+    NAME = "filter_data.standard_atmosphere"
+    ROLE = "data"
+
+    geometric_altitude: float
+    """Altitude that goes into the model. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is
+    set.
+    """
+    geopotential_altitude: float
+    """Geopotential altitude. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    standard_temperature: float
+    """Temperature. Unit: degC. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    standard_pressure: float
+    """Pressure. Unit: mbar. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    standard_density: float
+    """Density. Unit: kg/m^3. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[StandardAtmosphere, int]:
+        v = _STANDARD_ATMOSPHERE_0.read(raw, at)
+        at += 22
+        geometric_altitude = v[0]
+        geopotential_altitude = v[1]
+        standard_temperature = v[2]
+        standard_pressure = v[3]
+        standard_density = v[4]
+        valid_flags = ValidFlags(v[5])
+        return cls(
+            geometric_altitude,
+            geopotential_altitude,
+            standard_temperature,
+            standard_pressure,
+            standard_density,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _STANDARD_ATMOSPHERE_0.write(
+            self.geometric_altitude,
+            self.geopotential_altitude,
+            self.standard_temperature,
+            self.standard_pressure,
+            self.standard_density,
+            self.valid_flags,
         )
         return codec.finished(out)
 
@@ -1228,8 +1656,10 @@ class PressureAltitude(Data):
     """Pressure altitude (0x82,0x21).
 
     Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
-    It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
 
     - 3dm-cv7-gnss-ins: Pressure Altitude (0x82,0x21)
     - 3dm-gx5-15: 5.2.13 Pressure Altitude (0x82, 0x21)
@@ -1241,7 +1671,8 @@ class PressureAltitude(Data):
     ROLE = "data"
 
     pressure_altitude: float
-    """Altitude. [m] Range: … to 84852. Valid if valid_flags.valid."""
+    """Altitude. Unit: m. Range: at most 84852. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1258,8 +1689,466 @@ class PressureAltitude(Data):
         return codec.finished(out)
 
 
+_DENSITY_ALTITUDE_0 = codec.Block("fH", "density_altitude", "valid_flags")
+
+
+@dataclass(slots=True)
+class DensityAltitude(Data):
+    """Density altitude (0x82,0x22).
+
+    Altitude at which the standard atmosphere has the density of the air around the device.
+
+    Uncertain: The SDK gives the name only; the description is the usual meaning of the term.
+
+    - mip-sdk-4: Density Altitude (0x82,0x22)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x22
+    NAME = "filter_data.density_altitude"
+    ROLE = "data"
+
+    density_altitude: float
+    """Altitude. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DensityAltitude, int]:
+        v = _DENSITY_ALTITUDE_0.read(raw, at)
+        at += 6
+        density_altitude = v[0]
+        valid_flags = ValidFlags(v[1])
+        return cls(density_altitude, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _DENSITY_ALTITUDE_0.write(self.density_altitude, self.valid_flags)
+        return codec.finished(out)
+
+
+_MAG_OFFSET_0 = codec.Block("fffH", *["hard_iron"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagOffset(Data):
+    """Magnetometer offset (0x82,0x25).
+
+    Estimated hard iron offset of the magnetometer.
+
+    Also called `magnetometer_offset`.
+
+    The filter adds it to the stored hard iron offset `mip_3dm.MagHardIronOffset` (0x0C,0x3A).
+
+    - mip-sdk-4: Magnetometer Offset (0x82,0x25)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x25
+    NAME = "filter_data.mag_offset"
+    ROLE = "data"
+
+    hard_iron: types.Vector3f
+    """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagOffset, int]:
+        v = _MAG_OFFSET_0.read(raw, at)
+        at += 14
+        hard_iron = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(hard_iron, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_OFFSET_0.write(*codec.exactly("hard_iron", self.hard_iron, 3), self.valid_flags)
+        return codec.finished(out)
+
+
+_MAG_MATRIX_0 = codec.Block("fffffffffH", *["soft_iron"] * 9, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagMatrix(Data):
+    """Magnetometer matrix (0x82,0x26).
+
+    Estimated soft iron matrix of the magnetometer.
+
+    Also called `magnetometer_matrix`.
+
+    The filter multiplies the stored soft iron matrix `mip_3dm.MagSoftIronMatrix` (0x0C,0x3B) by it,
+    from the right.
+
+    - mip-sdk-4: Magnetometer Matrix (0x82,0x26)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x26
+    NAME = "filter_data.mag_matrix"
+    ROLE = "data"
+
+    soft_iron: types.Matrix3f
+    """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Frame: sensor. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagMatrix, int]:
+        v = _MAG_MATRIX_0.read(raw, at)
+        at += 38
+        soft_iron = v[0:9]
+        valid_flags = ValidFlags(v[9])
+        return cls(soft_iron, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_MATRIX_0.write(*codec.exactly("soft_iron", self.soft_iron, 9), self.valid_flags)
+        return codec.finished(out)
+
+
+_MAG_OFFSET_UNCERTAINTY_0 = codec.Block("fffH", *["hard_iron_uncertainty"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagOffsetUncertainty(Data):
+    """Magnetometer offset uncertainty (0x82,0x28).
+
+    Standard deviation of the estimated hard iron offset.
+
+    Also called `magnetometer_offset_uncertainty`.
+
+    - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x28
+    NAME = "filter_data.mag_offset_uncertainty"
+    ROLE = "data"
+
+    hard_iron_uncertainty: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagOffsetUncertainty, int]:
+        v = _MAG_OFFSET_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        hard_iron_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(hard_iron_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_OFFSET_UNCERTAINTY_0.write(
+            *codec.exactly("hard_iron_uncertainty", self.hard_iron_uncertainty, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_MAG_MATRIX_UNCERTAINTY_0 = codec.Block("fffffffffH", *["soft_iron_uncertainty"] * 9, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagMatrixUncertainty(Data):
+    """Magnetometer matrix uncertainty (0x82,0x29).
+
+    Standard deviation of the estimated soft iron matrix.
+
+    Also called `magnetometer_matrix_uncertainty`.
+
+    - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x29
+    NAME = "filter_data.mag_matrix_uncertainty"
+    ROLE = "data"
+
+    soft_iron_uncertainty: types.Matrix3f
+    """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1. Frame: sensor. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagMatrixUncertainty, int]:
+        v = _MAG_MATRIX_UNCERTAINTY_0.read(raw, at)
+        at += 38
+        soft_iron_uncertainty = v[0:9]
+        valid_flags = ValidFlags(v[9])
+        return cls(soft_iron_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_MATRIX_UNCERTAINTY_0.write(
+            *codec.exactly("soft_iron_uncertainty", self.soft_iron_uncertainty, 9), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_MAG_COVARIANCE_MATRIX_0 = codec.Block("fffffffffH", *["covariance"] * 9, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagCovarianceMatrix(Data):
+    """Magnetometer covariance matrix (0x82,0x2A).
+
+    Covariance of the magnetometer measurement.
+
+    Also called `magnetometer_covariance_matrix`.
+
+    - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x2A
+    NAME = "filter_data.mag_covariance_matrix"
+    ROLE = "data"
+
+    covariance: types.Matrix3f
+    """Covariance matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set. Uncertain: The unit, which is likely
+    gauss^2, and the frame.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagCovarianceMatrix, int]:
+        v = _MAG_COVARIANCE_MATRIX_0.read(raw, at)
+        at += 38
+        covariance = v[0:9]
+        valid_flags = ValidFlags(v[9])
+        return cls(covariance, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_COVARIANCE_MATRIX_0.write(
+            *codec.exactly("covariance", self.covariance, 9), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_MAG_RESIDUAL_VECTOR_0 = codec.Block("fffH", *["residual"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagResidualVector(Data):
+    """Magnetometer residual vector (0x82,0x2C).
+
+    Residual of the magnetometer measurement.
+
+    Also called `magnetometer_residual_vector`.
+
+    - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x2C
+    NAME = "filter_data.mag_residual_vector"
+    ROLE = "data"
+
+    residual: types.Vector3f
+    """Residual. Elements: x, y, z. Unit: gauss. Frame: vehicle. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagResidualVector, int]:
+        v = _MAG_RESIDUAL_VECTOR_0.read(raw, at)
+        at += 14
+        residual = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(residual, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_RESIDUAL_VECTOR_0.write(
+            *codec.exactly("residual", self.residual, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_ANTENNA_OFFSET_CORRECTION_0 = codec.Block("fffH", *["offset"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class AntennaOffsetCorrection(Data):
+    """Antenna offset correction (0x82,0x30).
+
+    Estimated error of the offset of the GNSS antenna.
+
+    The filter adds it to the stored offset `filter.AntennaOffset` (0x0D,0x13).
+
+    - mip-sdk-4: Antenna Offset Correction (0x82,0x30)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x30
+    NAME = "filter_data.antenna_offset_correction"
+    ROLE = "data"
+
+    offset: types.Vector3f
+    """Correction of the offset. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetCorrection, int]:
+        v = _ANTENNA_OFFSET_CORRECTION_0.read(raw, at)
+        at += 14
+        offset = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(offset, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ANTENNA_OFFSET_CORRECTION_0.write(
+            *codec.exactly("offset", self.offset, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0 = codec.Block(
+    "fffH", *["offset_uncertainty"] * 3, "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class AntennaOffsetCorrectionUncertainty(Data):
+    """Antenna offset correction uncertainty (0x82,0x31).
+
+    Standard deviation of the estimated error of the offset of the GNSS antenna.
+
+    - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x31
+    NAME = "filter_data.antenna_offset_correction_uncertainty"
+    ROLE = "data"
+
+    offset_uncertainty: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetCorrectionUncertainty, int]:
+        v = _ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        offset_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(offset_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.write(
+            *codec.exactly("offset_uncertainty", self.offset_uncertainty, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_CLOCK_CORRECTION_0 = codec.Block("BffH", "receiver_id", "bias", "bias_drift", "valid_flags")
+
+
+@dataclass(slots=True)
+class ClockCorrection(Data):
+    """Clock correction (0x82,0x32).
+
+    Estimated clock error of one GNSS receiver.
+
+    - mip-sdk-4: Clock Correction (0x82,0x32)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x32
+    NAME = "filter_data.clock_correction"
+    ROLE = "data"
+
+    receiver_id: int
+    """Receiver, counted from 1. Range: at least 1."""
+    bias: float
+    """Bias of the clock. Unit: s. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    bias_drift: float
+    """Drift of the clock. Unit: s/s. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ClockCorrection, int]:
+        v = _CLOCK_CORRECTION_0.read(raw, at)
+        at += 11
+        receiver_id = v[0]
+        bias = v[1]
+        bias_drift = v[2]
+        valid_flags = ValidFlags(v[3])
+        return cls(receiver_id, bias, bias_drift, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _CLOCK_CORRECTION_0.write(
+            self.receiver_id, self.bias, self.bias_drift, self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_CLOCK_CORRECTION_UNCERTAINTY_0 = codec.Block(
+    "BffH", "receiver_id", "bias_uncertainty", "bias_drift_uncertainty", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class ClockCorrectionUncertainty(Data):
+    """Clock correction uncertainty (0x82,0x33).
+
+    Standard deviation of the estimated clock error of one GNSS receiver.
+
+    - mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x33
+    NAME = "filter_data.clock_correction_uncertainty"
+    ROLE = "data"
+
+    receiver_id: int
+    """Receiver, counted from 1. Range: at least 1."""
+    bias_uncertainty: float
+    """Standard deviation of the bias. Unit: s. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    bias_drift_uncertainty: float
+    """Standard deviation of the drift. Unit: s/s. Valid if `ValidFlags.VALID` of `valid_flags` is
+    set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ClockCorrectionUncertainty, int]:
+        v = _CLOCK_CORRECTION_UNCERTAINTY_0.read(raw, at)
+        at += 11
+        receiver_id = v[0]
+        bias_uncertainty = v[1]
+        bias_drift_uncertainty = v[2]
+        valid_flags = ValidFlags(v[3])
+        return cls(receiver_id, bias_uncertainty, bias_drift_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _CLOCK_CORRECTION_UNCERTAINTY_0.write(
+            self.receiver_id, self.bias_uncertainty, self.bias_drift_uncertainty, self.valid_flags
+        )
+        return codec.finished(out)
+
+
 _MULTI_ANTENNA_OFFSET_CORRECTION_0 = codec.Block(
-    "BfffH", "receiver_id", "offset", "offset", "offset", "valid_flags"
+    "BfffH", "receiver_id", *["offset"] * 3, "valid_flags"
 )
 
 
@@ -1268,8 +2157,10 @@ class MultiAntennaOffsetCorrection(Data):
     """Multi-antenna offset correction (0x82,0x34).
 
     Estimated error of the offset of one GNSS antenna.
-    The filter adds it to the stored offset.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    The filter adds it to the stored offset.
 
     - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction (0x82,0x34)
     """
@@ -1282,7 +2173,9 @@ class MultiAntennaOffsetCorrection(Data):
     receiver_id: int
     """Receiver that the antenna belongs to."""
     offset: types.Vector3f
-    """Correction of the offset. [m] Frame: vehicle. Valid if valid_flags.valid."""
+    """Correction of the offset. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1303,7 +2196,7 @@ class MultiAntennaOffsetCorrection(Data):
 
 
 _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0 = codec.Block(
-    "BfffH", "receiver_id", "offset_uncert", "offset_uncert", "offset_uncert", "valid_flags"
+    "BfffH", "receiver_id", *["offset_uncertainty"] * 3, "valid_flags"
 )
 
 
@@ -1312,6 +2205,7 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
     """Multi-antenna offset correction uncertainty (0x82,0x35).
 
     Standard deviation of the estimated error of the offset of one GNSS antenna.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
@@ -1324,8 +2218,10 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
 
     receiver_id: int
     """Receiver that the antenna belongs to."""
-    offset_uncert: types.Vector3f
-    """Standard deviation per axis. [m] Frame: vehicle. Valid if valid_flags.valid."""
+    offset_uncertainty: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1334,22 +2230,20 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
         v = _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.read(raw, at)
         at += 15
         receiver_id = v[0]
-        offset_uncert = v[1:4]
+        offset_uncertainty = v[1:4]
         valid_flags = ValidFlags(v[4])
-        return cls(receiver_id, offset_uncert, valid_flags), at
+        return cls(receiver_id, offset_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.write(
             self.receiver_id,
-            *codec.exactly("offset_uncert", self.offset_uncert, 3),
+            *codec.exactly("offset_uncertainty", self.offset_uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
 
 
-_ECEF_POSITION_UNCERTAINTY_0 = codec.Block(
-    "fffH", "pos_uncertainty", "pos_uncertainty", "pos_uncertainty", "valid_flags"
-)
+_ECEF_POSITION_UNCERTAINTY_0 = codec.Block("fffH", *["position_uncertainty"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -1357,7 +2251,8 @@ class EcefPositionUncertainty(Data):
     """ECEF position uncertainty (0x82,0x36).
 
     Standard deviation of the estimated position.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
     """
@@ -1367,8 +2262,10 @@ class EcefPositionUncertainty(Data):
     NAME = "filter_data.ecef_position_uncertainty"
     ROLE = "data"
 
-    pos_uncertainty: types.Vector3f
-    """Standard deviation per axis. [m] Frame: ecef. Valid if valid_flags.valid."""
+    position_uncertainty: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1376,20 +2273,18 @@ class EcefPositionUncertainty(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[EcefPositionUncertainty, int]:
         v = _ECEF_POSITION_UNCERTAINTY_0.read(raw, at)
         at += 14
-        pos_uncertainty = v[0:3]
+        position_uncertainty = v[0:3]
         valid_flags = ValidFlags(v[3])
-        return cls(pos_uncertainty, valid_flags), at
+        return cls(position_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _ECEF_POSITION_UNCERTAINTY_0.write(
-            *codec.exactly("pos_uncertainty", self.pos_uncertainty, 3), self.valid_flags
+            *codec.exactly("position_uncertainty", self.position_uncertainty, 3), self.valid_flags
         )
         return codec.finished(out)
 
 
-_ECEF_VELOCITY_UNCERTAINTY_0 = codec.Block(
-    "fffH", "vel_uncertainty", "vel_uncertainty", "vel_uncertainty", "valid_flags"
-)
+_ECEF_VELOCITY_UNCERTAINTY_0 = codec.Block("fffH", *["velocity_uncertainty"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -1397,7 +2292,8 @@ class EcefVelocityUncertainty(Data):
     """ECEF velocity uncertainty (0x82,0x37).
 
     Standard deviation of the estimated velocity.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
     """
@@ -1407,8 +2303,10 @@ class EcefVelocityUncertainty(Data):
     NAME = "filter_data.ecef_velocity_uncertainty"
     ROLE = "data"
 
-    vel_uncertainty: types.Vector3f
-    """Standard deviation per axis. [m/s] Frame: ecef. Valid if valid_flags.valid."""
+    velocity_uncertainty: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1416,20 +2314,18 @@ class EcefVelocityUncertainty(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocityUncertainty, int]:
         v = _ECEF_VELOCITY_UNCERTAINTY_0.read(raw, at)
         at += 14
-        vel_uncertainty = v[0:3]
+        velocity_uncertainty = v[0:3]
         valid_flags = ValidFlags(v[3])
-        return cls(vel_uncertainty, valid_flags), at
+        return cls(velocity_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _ECEF_VELOCITY_UNCERTAINTY_0.write(
-            *codec.exactly("vel_uncertainty", self.vel_uncertainty, 3), self.valid_flags
+            *codec.exactly("velocity_uncertainty", self.velocity_uncertainty, 3), self.valid_flags
         )
         return codec.finished(out)
 
 
-_ECEF_POSITION_0 = codec.Block(
-    "dddH", "position_ecef", "position_ecef", "position_ecef", "valid_flags"
-)
+_ECEF_POSITION_0 = codec.Block("dddH", *["position"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -1437,7 +2333,8 @@ class EcefPosition(Data):
     """ECEF position (0x82,0x40).
 
     Estimated position.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
     """
@@ -1447,8 +2344,10 @@ class EcefPosition(Data):
     NAME = "filter_data.ecef_position"
     ROLE = "data"
 
-    position_ecef: types.Vector3d
-    """Position. [m] Frame: ecef. Valid if valid_flags.valid."""
+    position: types.Vector3d
+    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1456,20 +2355,16 @@ class EcefPosition(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
         v = _ECEF_POSITION_0.read(raw, at)
         at += 26
-        position_ecef = v[0:3]
+        position = v[0:3]
         valid_flags = ValidFlags(v[3])
-        return cls(position_ecef, valid_flags), at
+        return cls(position, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _ECEF_POSITION_0.write(
-            *codec.exactly("position_ecef", self.position_ecef, 3), self.valid_flags
-        )
+        out = _ECEF_POSITION_0.write(*codec.exactly("position", self.position, 3), self.valid_flags)
         return codec.finished(out)
 
 
-_ECEF_VELOCITY_0 = codec.Block(
-    "fffH", "velocity_ecef", "velocity_ecef", "velocity_ecef", "valid_flags"
-)
+_ECEF_VELOCITY_0 = codec.Block("fffH", *["velocity"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -1477,7 +2372,8 @@ class EcefVelocity(Data):
     """ECEF velocity (0x82,0x41).
 
     Estimated velocity.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
     """
@@ -1487,8 +2383,10 @@ class EcefVelocity(Data):
     NAME = "filter_data.ecef_velocity"
     ROLE = "data"
 
-    velocity_ecef: types.Vector3f
-    """Velocity. [m/s] Frame: ecef. Valid if valid_flags.valid."""
+    velocity: types.Vector3f
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1496,28 +2394,25 @@ class EcefVelocity(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
         v = _ECEF_VELOCITY_0.read(raw, at)
         at += 14
-        velocity_ecef = v[0:3]
+        velocity = v[0:3]
         valid_flags = ValidFlags(v[3])
-        return cls(velocity_ecef, valid_flags), at
+        return cls(velocity, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _ECEF_VELOCITY_0.write(
-            *codec.exactly("velocity_ecef", self.velocity_ecef, 3), self.valid_flags
-        )
+        out = _ECEF_VELOCITY_0.write(*codec.exactly("velocity", self.velocity, 3), self.valid_flags)
         return codec.finished(out)
 
 
-_NED_RELATIVE_POSITION_0 = codec.Block(
-    "dddH", "relative_position", "relative_position", "relative_position", "valid_flags"
-)
+_NED_RELATIVE_POSITION_0 = codec.Block("dddH", *["relative_position"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
 class NedRelativePosition(Data):
     """NED relative position (0x82,0x42).
 
-    Estimated position relative to the point that `filter.relative_position_configuration` sets.
-    Supported by 3DM-CV7-GNSS/INS.
+    Estimated position relative to the point that `filter.RelativePositionConfig` sets.
+
+    Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
     """
@@ -1528,7 +2423,9 @@ class NedRelativePosition(Data):
     ROLE = "data"
 
     relative_position: types.Vector3d
-    """Relative position. [m] Frame: ned. Valid if valid_flags.valid."""
+    """Relative position. Elements: x, y, z. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1548,18 +2445,7 @@ class NedRelativePosition(Data):
 
 
 _GNSS_POSITION_AIDING_STATUS_0 = codec.Block(
-    "BfHBBBBBBBB",
-    "receiver_id",
-    "time_of_week",
-    "status",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
+    "BfHBBBBBBBB", "receiver_id", "tow", "status", *["reserved"] * 8
 )
 
 
@@ -1568,8 +2454,10 @@ class GnssPositionAidingStatus(Data):
     """GNSS position aiding status (0x82,0x43).
 
     How the filter uses the position measurements of one GNSS receiver.
+
+    Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS.
+
     Single precision resolves the time of week to 0.0625 s at the end of the week.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Position Aiding Status (0x82,0x43)
     """
@@ -1581,8 +2469,8 @@ class GnssPositionAidingStatus(Data):
 
     receiver_id: int
     """Number of the receiver."""
-    time_of_week: float
-    """GPS time of week of the last measurement. [s]"""
+    tow: float
+    """GPS time of week of the last measurement. Unit: s."""
     status: GnssAidingStatus
     """How the measurements are used."""
     reserved: tuple[int, ...] = (0,) * 8
@@ -1593,22 +2481,111 @@ class GnssPositionAidingStatus(Data):
         v = _GNSS_POSITION_AIDING_STATUS_0.read(raw, at)
         at += 15
         receiver_id = v[0]
-        time_of_week = v[1]
+        tow = v[1]
         status = GnssAidingStatus(v[2])
         reserved = v[3:11]
-        return cls(receiver_id, time_of_week, status, reserved), at
+        return cls(receiver_id, tow, status, reserved), at
 
     def _write(self) -> bytes:
         out = _GNSS_POSITION_AIDING_STATUS_0.write(
-            self.receiver_id,
-            self.time_of_week,
-            self.status,
-            *codec.exactly("reserved", self.reserved, 8),
+            self.receiver_id, self.tow, self.status, *codec.exactly("reserved", self.reserved, 8)
         )
         return codec.finished(out)
 
 
-_AIDING_MEASUREMENT_SUMMARY_0 = codec.Block("fBBB", "time_of_week", "source", "type", "indicator")
+_GNSS_ATTITUDE_AIDING_STATUS_0 = codec.Block("fHBBBBBBBB", "tow", "status", *["reserved"] * 8)
+
+
+@dataclass(slots=True)
+class GnssAttitudeAidingStatus(Data):
+    """GNSS attitude aiding status (0x82,0x44).
+
+    How the filter uses the attitude that two GNSS antennas give.
+
+    Also called `gnss_att_aid_status`.
+
+    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
+    - mip-sdk-4: Gnss Att Aid Status (0x82,0x44)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x44
+    NAME = "filter_data.gnss_attitude_aiding_status"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
+    the measurement or that of its processing.
+    """
+    status: GnssAidingStatus
+    """How the measurements are used."""
+    reserved: tuple[int, ...] = (0,) * 8
+    """Reserved. Reserved."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAttitudeAidingStatus, int]:
+        v = _GNSS_ATTITUDE_AIDING_STATUS_0.read(raw, at)
+        at += 14
+        tow = v[0]
+        status = GnssAidingStatus(v[1])
+        reserved = v[2:10]
+        return cls(tow, status, reserved), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_ATTITUDE_AIDING_STATUS_0.write(
+            self.tow, self.status, *codec.exactly("reserved", self.reserved, 8)
+        )
+        return codec.finished(out)
+
+
+_HEADING_AIDING_STATUS_0 = codec.Block("fBff", "tow", "type", *["reserved"] * 2)
+
+
+@dataclass(slots=True)
+class HeadingAidingStatus(Data):
+    """Heading aiding status (0x82,0x45).
+
+    The heading measurement that the filter used last.
+
+    Also called `head_aid_status`.
+
+    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
+    - mip-sdk-4: Head Aid Status (0x82,0x45)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x45
+    NAME = "filter_data.heading_aiding_status"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
+    the measurement or that of its processing.
+    """
+    type: HeadingAidingType
+    """Source of the heading."""
+    reserved: tuple[float, float] = (0.0, 0.0)
+    """Reserved. Reserved."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[HeadingAidingStatus, int]:
+        v = _HEADING_AIDING_STATUS_0.read(raw, at)
+        at += 13
+        tow = v[0]
+        type = HeadingAidingType(v[1])
+        reserved = v[2:4]
+        return cls(tow, type, reserved), at
+
+    def _write(self) -> bytes:
+        out = _HEADING_AIDING_STATUS_0.write(
+            self.tow, self.type, *codec.exactly("reserved", self.reserved, 2)
+        )
+        return codec.finished(out)
+
+
+_AIDING_MEASUREMENT_SUMMARY_0 = codec.Block("fBBB", "tow", "source", "type", "indicator")
 
 
 @dataclass(slots=True)
@@ -1616,8 +2593,10 @@ class AidingMeasurementSummary(Data):
     """Aiding measurement summary (0x82,0x46).
 
     What the filter did with one kind of aiding measurement in the last measurement interval.
-    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    Single precision resolves the time of week to 0.0625 s at the end of the week.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Summary (0x82,0x46)
     """
@@ -1627,8 +2606,8 @@ class AidingMeasurementSummary(Data):
     NAME = "filter_data.aiding_measurement_summary"
     ROLE = "data"
 
-    time_of_week: float
-    """GPS time of week at the end of the interval. [s]"""
+    tow: float
+    """GPS time of week at the end of the interval. Unit: s."""
     source: int
     """Number of the source of the measurement."""
     type: AidingMeasurementType
@@ -1640,16 +2619,14 @@ class AidingMeasurementSummary(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementSummary, int]:
         v = _AIDING_MEASUREMENT_SUMMARY_0.read(raw, at)
         at += 7
-        time_of_week = v[0]
+        tow = v[0]
         source = v[1]
         type = AidingMeasurementType(v[2])
         indicator = AidingMeasurementIndicator(v[3])
-        return cls(time_of_week, source, type, indicator), at
+        return cls(tow, source, type, indicator), at
 
     def _write(self) -> bytes:
-        out = _AIDING_MEASUREMENT_SUMMARY_0.write(
-            self.time_of_week, self.source, self.type, self.indicator
-        )
+        out = _AIDING_MEASUREMENT_SUMMARY_0.write(self.tow, self.source, self.type, self.indicator)
         return codec.finished(out)
 
 
@@ -1661,8 +2638,10 @@ class OdometerScaleFactorError(Data):
     """Odometer scale factor error (0x82,0x47).
 
     Estimated relative error of the odometer scale factor.
-    Estimated scale factor = configured scale factor * (1 + error).
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    Estimated scale factor = configured scale factor * (1 + error).
 
     - 3dm-cv7-gnss-ins: Odometer Scale Factor Error (0x82,0x47)
     """
@@ -1673,7 +2652,7 @@ class OdometerScaleFactorError(Data):
     ROLE = "data"
 
     scale_factor_error: float
-    """Relative error. [1] Valid if valid_flags.valid."""
+    """Relative error. Unit: 1. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1700,6 +2679,7 @@ class OdometerScaleFactorErrorUncertainty(Data):
     """Odometer scale factor error uncertainty (0x82,0x48).
 
     Uncertainty of the estimated error of the odometer scale factor.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
@@ -1711,7 +2691,9 @@ class OdometerScaleFactorErrorUncertainty(Data):
     ROLE = "data"
 
     scale_factor_error_uncertainty: float
-    """Uncertainty of the relative error. [1] Valid if valid_flags.valid."""
+    """Uncertainty of the relative error. Unit: 1. Valid if `ValidFlags.VALID` of `valid_flags` is
+    set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1731,7 +2713,7 @@ class OdometerScaleFactorErrorUncertainty(Data):
 
 
 _GNSS_DUAL_ANTENNA_STATUS_0 = codec.Block(
-    "fffBHH", "time_of_week", "heading", "heading_unc", "fix_type", "status_flags", "valid_flags"
+    "fffBHH", "tow", "heading", "heading_uncertainty", "fix_type", "status_flags", "valid_flags"
 )
 
 
@@ -1740,8 +2722,10 @@ class GnssDualAntennaStatus(Data):
     """GNSS dual antenna status (0x82,0x49).
 
     Heading that two GNSS antennas give.
-    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    Single precision resolves the time of week to 0.0625 s at the end of the week.
 
     - 3dm-cv7-gnss-ins: GNSS Dual Antenna Status (0x82,0x49)
     """
@@ -1751,12 +2735,15 @@ class GnssDualAntennaStatus(Data):
     NAME = "filter_data.gnss_dual_antenna_status"
     ROLE = "data"
 
-    time_of_week: float
-    """GPS time of week of the last measurement. [s] Valid if valid_flags.valid."""
+    tow: float
+    """GPS time of week of the last measurement. Unit: s. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     heading: float
-    """Heading. [rad] Valid if valid_flags.valid."""
-    heading_unc: float
-    """Uncertainty of the heading. [rad] Valid if valid_flags.valid."""
+    """Heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    heading_uncertainty: float
+    """Uncertainty of the heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     fix_type: DualAntennaFixType
     """Kind of solution."""
     status_flags: DualAntennaStatusFlags
@@ -1768,19 +2755,19 @@ class GnssDualAntennaStatus(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[GnssDualAntennaStatus, int]:
         v = _GNSS_DUAL_ANTENNA_STATUS_0.read(raw, at)
         at += 17
-        time_of_week = v[0]
+        tow = v[0]
         heading = v[1]
-        heading_unc = v[2]
+        heading_uncertainty = v[2]
         fix_type = DualAntennaFixType(v[3])
         status_flags = DualAntennaStatusFlags(v[4])
         valid_flags = ValidFlags(v[5])
-        return cls(time_of_week, heading, heading_unc, fix_type, status_flags, valid_flags), at
+        return cls(tow, heading, heading_uncertainty, fix_type, status_flags, valid_flags), at
 
     def _write(self) -> bytes:
         out = _GNSS_DUAL_ANTENNA_STATUS_0.write(
-            self.time_of_week,
+            self.tow,
             self.heading,
-            self.heading_unc,
+            self.heading_uncertainty,
             self.fix_type,
             self.status_flags,
             self.valid_flags,
@@ -1788,24 +2775,17 @@ class GnssDualAntennaStatus(Data):
         return codec.finished(out)
 
 
-_AIDING_FRAME_CONFIGURATION_ERROR_0 = codec.Block(
-    "Bfffffff",
-    "frame_id",
-    "translation",
-    "translation",
-    "translation",
-    "attitude",
-    "attitude",
-    "attitude",
-    "attitude",
+_AIDING_FRAME_CONFIG_ERROR_0 = codec.Block(
+    "Bfffffff", "frame_id", *["translation"] * 3, *["attitude"] * 4
 )
 
 
 @dataclass(slots=True)
-class AidingFrameConfigurationError(Data):
+class AidingFrameConfigError(Data):
     """Aiding frame configuration error (0x82,0x50).
 
-    Estimated error of a frame that `aiding.frame_configuration` defines; it is corrected for.
+    Estimated error of a frame that `aiding.FrameConfig` defines; it is corrected for.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
@@ -1813,19 +2793,19 @@ class AidingFrameConfigurationError(Data):
 
     SET = 0x82
     DESCRIPTOR = 0x50
-    NAME = "filter_data.aiding_frame_configuration_error"
+    NAME = "filter_data.aiding_frame_config_error"
     ROLE = "data"
 
     frame_id: int
     """Number of the frame."""
     translation: types.Vector3f
-    """Error of the translation. [m]"""
+    """Error of the translation. Elements: x, y, z. Unit: m."""
     attitude: types.Quatf
-    """Error of the rotation. [1]"""
+    """Error of the rotation. Elements: w, x, y, z. Unit: 1."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigurationError, int]:
-        v = _AIDING_FRAME_CONFIGURATION_ERROR_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigError, int]:
+        v = _AIDING_FRAME_CONFIG_ERROR_0.read(raw, at)
         at += 29
         frame_id = v[0]
         translation = v[1:4]
@@ -1833,7 +2813,7 @@ class AidingFrameConfigurationError(Data):
         return cls(frame_id, translation, attitude), at
 
     def _write(self) -> bytes:
-        out = _AIDING_FRAME_CONFIGURATION_ERROR_0.write(
+        out = _AIDING_FRAME_CONFIG_ERROR_0.write(
             self.frame_id,
             *codec.exactly("translation", self.translation, 3),
             *codec.exactly("attitude", self.attitude, 4),
@@ -1841,23 +2821,17 @@ class AidingFrameConfigurationError(Data):
         return codec.finished(out)
 
 
-_AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_0 = codec.Block(
-    "Bffffff",
-    "frame_id",
-    "translation_unc",
-    "translation_unc",
-    "translation_unc",
-    "attitude_unc",
-    "attitude_unc",
-    "attitude_unc",
+_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_0 = codec.Block(
+    "Bffffff", "frame_id", *["translation_uncertainty"] * 3, *["attitude_uncertainty"] * 3
 )
 
 
 @dataclass(slots=True)
-class AidingFrameConfigurationErrorUncertainty(Data):
+class AidingFrameConfigErrorUncertainty(Data):
     """Aiding frame configuration error uncertainty (0x82,0x51).
 
-    Uncertainty of the estimated error of a frame that `aiding.frame_configuration` defines.
+    Uncertainty of the estimated error of a frame that `aiding.FrameConfig` defines.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
@@ -1865,30 +2839,30 @@ class AidingFrameConfigurationErrorUncertainty(Data):
 
     SET = 0x82
     DESCRIPTOR = 0x51
-    NAME = "filter_data.aiding_frame_configuration_error_uncertainty"
+    NAME = "filter_data.aiding_frame_config_error_uncertainty"
     ROLE = "data"
 
     frame_id: int
     """Number of the frame."""
-    translation_unc: types.Vector3f
-    """Uncertainty of the translation. [m]"""
-    attitude_unc: types.Vector3f
-    """Uncertainty of the rotation about each axis. [rad]"""
+    translation_uncertainty: types.Vector3f
+    """Uncertainty of the translation. Elements: x, y, z. Unit: m."""
+    attitude_uncertainty: types.Vector3f
+    """Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigurationErrorUncertainty, int]:
-        v = _AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigErrorUncertainty, int]:
+        v = _AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_0.read(raw, at)
         at += 25
         frame_id = v[0]
-        translation_unc = v[1:4]
-        attitude_unc = v[4:7]
-        return cls(frame_id, translation_unc, attitude_unc), at
+        translation_uncertainty = v[1:4]
+        attitude_uncertainty = v[4:7]
+        return cls(frame_id, translation_uncertainty, attitude_uncertainty), at
 
     def _write(self) -> bytes:
-        out = _AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_0.write(
+        out = _AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_0.write(
             self.frame_id,
-            *codec.exactly("translation_unc", self.translation_unc, 3),
-            *codec.exactly("attitude_unc", self.attitude_unc, 3),
+            *codec.exactly("translation_uncertainty", self.translation_uncertainty, 3),
+            *codec.exactly("attitude_uncertainty", self.attitude_uncertainty, 3),
         )
         return codec.finished(out)
 
@@ -1896,7 +2870,7 @@ class AidingFrameConfigurationErrorUncertainty(Data):
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (LlhPosition,),
-    0x02: (VelocityNed,),
+    0x02: (NedVelocity,),
     0x03: (AttitudeQuaternion,),
     0x04: (AttitudeDcm,),
     0x05: (EulerAngles,),
@@ -1909,15 +2883,33 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x0C: (AccelBiasUncertainty,),
     0x0D: (LinearAccel,),
     0x0E: (CompAngularRate,),
-    0x0F: (Wgs84LocalGravityMagnitude,),
+    0x0F: (Wgs84GravityMagnitude,),
     0x10: (Status,),
     0x11: (Timestamp,),
     0x12: (QuaternionAttitudeUncertainty,),
     0x13: (GravityVector,),
-    0x14: (HeadingUpdateSourceState,),
+    0x14: (HeadingUpdateState,),
     0x15: (MagneticModel,),
-    0x1C: (CompensatedAcceleration,),
+    0x16: (GyroScaleFactor,),
+    0x17: (AccelScaleFactor,),
+    0x18: (GyroScaleFactorUncertainty,),
+    0x19: (AccelScaleFactorUncertainty,),
+    0x1A: (MagBias,),
+    0x1B: (MagBiasUncertainty,),
+    0x1C: (CompAccel,),
+    0x20: (StandardAtmosphere,),
     0x21: (PressureAltitude,),
+    0x22: (DensityAltitude,),
+    0x25: (MagOffset,),
+    0x26: (MagMatrix,),
+    0x28: (MagOffsetUncertainty,),
+    0x29: (MagMatrixUncertainty,),
+    0x2A: (MagCovarianceMatrix,),
+    0x2C: (MagResidualVector,),
+    0x30: (AntennaOffsetCorrection,),
+    0x31: (AntennaOffsetCorrectionUncertainty,),
+    0x32: (ClockCorrection,),
+    0x33: (ClockCorrectionUncertainty,),
     0x34: (MultiAntennaOffsetCorrection,),
     0x35: (MultiAntennaOffsetCorrectionUncertainty,),
     0x36: (EcefPositionUncertainty,),
@@ -1926,10 +2918,12 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x41: (EcefVelocity,),
     0x42: (NedRelativePosition,),
     0x43: (GnssPositionAidingStatus,),
+    0x44: (GnssAttitudeAidingStatus,),
+    0x45: (HeadingAidingStatus,),
     0x46: (AidingMeasurementSummary,),
     0x47: (OdometerScaleFactorError,),
     0x48: (OdometerScaleFactorErrorUncertainty,),
     0x49: (GnssDualAntennaStatus,),
-    0x50: (AidingFrameConfigurationError,),
-    0x51: (AidingFrameConfigurationErrorUncertainty,),
+    0x50: (AidingFrameConfigError,),
+    0x51: (AidingFrameConfigErrorUncertainty,),
 }

@@ -1,6 +1,8 @@
 """GNSS commands (0x0E).
 
 Commands that describe and set up the internal GNSS receivers.
+
+- 3dm-cv7-gnss-ins: GNSS (0x0E)
 """
 
 from __future__ import annotations
@@ -10,7 +12,7 @@ from enum import IntFlag
 
 from . import codec
 from .errors import Truncated
-from .field import Command, Field, Response, Structure
+from .field import Command, Field, Response, ResponseClass, Structure
 from .protocol import FunctionSelector
 
 _RECEIVER_INFO_ENTRY_0 = codec.Block("BB", "receiver_id", "mip_data_descriptor_set")
@@ -18,10 +20,13 @@ _RECEIVER_INFO_ENTRY_0 = codec.Block("BB", "receiver_id", "mip_data_descriptor_s
 
 @dataclass(slots=True)
 class ReceiverInfoEntry(Structure):
-    """One GNSS receiver."""
+    """One GNSS receiver.
+
+    - 3dm-cv7-gnss-ins: Info
+    """
 
     receiver_id: int
-    """Receiver, counted from 1. Range: 1 to …."""
+    """Receiver, counted from 1. Range: at least 1."""
     mip_data_descriptor_set: int
     """Descriptor set of the data of this receiver. Range: 128 to 254."""
     description: str
@@ -49,11 +54,11 @@ class GpsSignals(IntFlag):
     """GPS signals that are enabled."""
 
     L1CA = 1 << 0
-    """L1 C/A."""
+    """L1 C/A. Bit 0."""
     L2C = 1 << 1
-    """L2C."""
+    """L2C. Bit 1."""
     L5 = 1 << 2
-    """L5."""
+    """L5. Bit 2."""
 
 
 @codec.open_flag(8)
@@ -61,9 +66,9 @@ class GlonassSignals(IntFlag):
     """GLONASS signals that are enabled."""
 
     L1OF = 1 << 0
-    """L1OF."""
+    """L1OF. Bit 0."""
     L2OF = 1 << 1
-    """L2OF."""
+    """L2OF. Bit 1."""
 
 
 @codec.open_flag(8)
@@ -71,11 +76,11 @@ class GalileoSignals(IntFlag):
     """Galileo signals that are enabled."""
 
     E1 = 1 << 0
-    """E1."""
+    """E1. Bit 0."""
     E5B = 1 << 1
-    """E5b."""
+    """E5b. Bit 1."""
     E5A = 1 << 2
-    """E5a."""
+    """E5a. Bit 2."""
 
 
 @codec.open_flag(8)
@@ -83,11 +88,11 @@ class BeidouSignals(IntFlag):
     """BeiDou signals that are enabled."""
 
     B1 = 1 << 0
-    """B1."""
+    """B1. Bit 0."""
     B2 = 1 << 1
-    """B2."""
+    """B2. Bit 1."""
     B2A = 1 << 2
-    """B2a."""
+    """B2a. Bit 2."""
 
 
 class SpartnConnection(codec.OpenEnum):
@@ -108,8 +113,7 @@ _RECEIVER_INFO_RESPONSE_0 = codec.Block("B", "num_receivers")
 class ReceiverInfoResponse(Response):
     """Receiver info response (0x0E,0x81).
 
-    Answers Receiver info (0x0E,0x01).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `ReceiverInfo`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
@@ -119,6 +123,8 @@ class ReceiverInfoResponse(Response):
     NAME = "gnss.receiver_info_response"
     ROLE = "response"
 
+    # On the wire: num_receivers. Number of physical receivers. The number of elements of
+    # `receiver_info`.
     receiver_info: tuple[ReceiverInfoEntry, ...]
     """The receivers."""
 
@@ -141,25 +147,17 @@ class ReceiverInfoResponse(Response):
         return codec.finished(out)
 
 
-_SIGNAL_CONFIGURATION_RESPONSE_0 = codec.Block(
-    "BBBBBBBB",
-    "gps_enable",
-    "glonass_enable",
-    "galileo_enable",
-    "beidou_enable",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
+_SIGNAL_CONFIG_RESPONSE_0 = codec.Block(
+    "BBBBBBBB", "gps_enable", "glonass_enable", "galileo_enable", "beidou_enable", *["reserved"] * 4
 )
 
 
 @dataclass(slots=True)
-class SignalConfigurationResponse(Response):
+class SignalConfigResponse(Response):
     """Signal configuration response (0x0E,0x82).
 
-    Answers Signal configuration (0x0E,0x02).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `signal_configuration_response`. Answers `SignalConfig`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
     - 3dm-cv7-gnss-ins: GNSS
@@ -167,7 +165,7 @@ class SignalConfigurationResponse(Response):
 
     SET = 0x0E
     DESCRIPTOR = 0x82
-    NAME = "gnss.signal_configuration_response"
+    NAME = "gnss.signal_config_response"
     ROLE = "response"
 
     gps_enable: GpsSignals
@@ -178,11 +176,12 @@ class SignalConfigurationResponse(Response):
     """Galileo signals."""
     beidou_enable: BeidouSignals
     """BeiDou signals."""
-    reserved: tuple[int, int, int, int] = (0,) * 4
+    reserved: tuple[int, int, int, int] = (0, 0, 0, 0)
+    """Reserved."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SignalConfigurationResponse, int]:
-        v = _SIGNAL_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SignalConfigResponse, int]:
+        v = _SIGNAL_CONFIG_RESPONSE_0.read(raw, at)
         at += 8
         gps_enable = GpsSignals(v[0])
         glonass_enable = GlonassSignals(v[1])
@@ -192,7 +191,7 @@ class SignalConfigurationResponse(Response):
         return cls(gps_enable, glonass_enable, galileo_enable, beidou_enable, reserved), at
 
     def _write(self) -> bytes:
-        out = _SIGNAL_CONFIGURATION_RESPONSE_0.write(
+        out = _SIGNAL_CONFIG_RESPONSE_0.write(
             self.gps_enable,
             self.glonass_enable,
             self.galileo_enable,
@@ -202,87 +201,62 @@ class SignalConfigurationResponse(Response):
         return codec.finished(out)
 
 
-_SPARTN_CONFIGURATION_RESPONSE_0 = codec.Block(
+_RTK_DONGLE_CONFIG_RESPONSE_0 = codec.Block("BBBB", "enable", *["reserved"] * 3)
+
+
+@dataclass(slots=True)
+class RtkDongleConfigResponse(Response):
+    """RTK dongle configuration response (0x0E,0x90).
+
+    Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`.
+
+    - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
+    """
+
+    SET = 0x0E
+    DESCRIPTOR = 0x90
+    NAME = "gnss.rtk_dongle_config_response"
+    ROLE = "response"
+
+    enable: int
+    """1 enables the dongle, 0 disables it. Range: 0 to 1."""
+    reserved: tuple[int, int, int] = (0, 0, 0)
+    """Reserved. Uncertain: What to send; 0 is assumed."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfigResponse, int]:
+        v = _RTK_DONGLE_CONFIG_RESPONSE_0.read(raw, at)
+        at += 4
+        enable = v[0]
+        reserved = v[1:4]
+        return cls(enable, reserved), at
+
+    def _write(self) -> bytes:
+        out = _RTK_DONGLE_CONFIG_RESPONSE_0.write(
+            self.enable, *codec.exactly("reserved", self.reserved, 3)
+        )
+        return codec.finished(out)
+
+
+_SPARTN_CONFIG_RESPONSE_0 = codec.Block(
     "BBIHBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBIHBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB",
     "enable",
     "type",
     "current_key_tow",
     "current_key_week",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
+    *["current_key"] * 32,
     "next_key_tow",
     "next_key_week",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
+    *["next_key"] * 32,
 )
 
 
 @dataclass(slots=True)
-class SpartnConfigurationResponse(Response):
+class SpartnConfigResponse(Response):
     """SPARTN configuration response (0x0E,0xA0).
 
-    Answers SPARTN configuration (0x0E,0x20).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `spartn_configuration_response`. Answers `SpartnConfig`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
     - 3dm-cv7-gnss-ins: SPARTN Corrections
@@ -291,7 +265,7 @@ class SpartnConfigurationResponse(Response):
 
     SET = 0x0E
     DESCRIPTOR = 0xA0
-    NAME = "gnss.spartn_configuration_response"
+    NAME = "gnss.spartn_config_response"
     ROLE = "response"
 
     enable: int
@@ -299,21 +273,21 @@ class SpartnConfigurationResponse(Response):
     type: SpartnConnection
     """How the corrections come."""
     current_key_tow: int
-    """GPS time of week until which the current key is valid. [s]"""
+    """GPS time of week until which the current key is valid. Unit: s."""
     current_key_week: int
-    """GPS week number until which the current key is valid. [week]"""
+    """GPS week number until which the current key is valid. Unit: week."""
     current_key: tuple[int, ...]
     """Current key in ASCII digits."""
     next_key_tow: int
-    """GPS time of week until which the next key is valid. [s]"""
+    """GPS time of week until which the next key is valid. Unit: s."""
     next_key_week: int
-    """GPS week number until which the next key is valid. [week]"""
+    """GPS week number until which the next key is valid. Unit: week."""
     next_key: tuple[int, ...]
     """Next key in ASCII digits."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfigurationResponse, int]:
-        v = _SPARTN_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfigResponse, int]:
+        v = _SPARTN_CONFIG_RESPONSE_0.read(raw, at)
         at += 78
         enable = v[0]
         type = SpartnConnection(v[1])
@@ -335,7 +309,7 @@ class SpartnConfigurationResponse(Response):
         ), at
 
     def _write(self) -> bytes:
-        out = _SPARTN_CONFIGURATION_RESPONSE_0.write(
+        out = _SPARTN_CONFIG_RESPONSE_0.write(
             self.enable,
             self.type,
             self.current_key_tow,
@@ -353,7 +327,8 @@ class ReceiverInfo(Command):
     """Receiver info (0x0E,0x01).
 
     Asks which GNSS receivers the device has.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
@@ -372,13 +347,13 @@ class ReceiverInfo(Command):
         return b""
 
 
-_SIGNAL_CONFIGURATION_0 = codec.Block("B", "function")
-_SIGNAL_CONFIGURATION_1 = codec.Block("B", "gps_enable")
-_SIGNAL_CONFIGURATION_2 = codec.Block("B", "glonass_enable")
-_SIGNAL_CONFIGURATION_3 = codec.Block("B", "galileo_enable")
-_SIGNAL_CONFIGURATION_4 = codec.Block("B", "beidou_enable")
-_SIGNAL_CONFIGURATION_5 = codec.Block("BBBB", "reserved", "reserved", "reserved", "reserved")
-_SIGNAL_CONFIGURATION_GROUPS = (
+_SIGNAL_CONFIG_0 = codec.Block("B", "function")
+_SIGNAL_CONFIG_1 = codec.Block("B", "gps_enable")
+_SIGNAL_CONFIG_2 = codec.Block("B", "glonass_enable")
+_SIGNAL_CONFIG_3 = codec.Block("B", "galileo_enable")
+_SIGNAL_CONFIG_4 = codec.Block("B", "beidou_enable")
+_SIGNAL_CONFIG_5 = codec.Block("BBBB", *["reserved"] * 4)
+_SIGNAL_CONFIG_GROUPS = (
     (1, ("gps_enable",), False),
     (2, ("glonass_enable",), False),
     (3, ("galileo_enable",), False),
@@ -388,14 +363,17 @@ _SIGNAL_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class SignalConfiguration(Command):
+class SignalConfig(Command):
     """Signal configuration (0x0E,0x02).
 
     GNSS signals that the device uses.
-    A device takes certain combinations only.
-    The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. It takes for
-    GPS and BeiDou none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or L1.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `SignalConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    A device takes certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses
+    GPS L1 with BeiDou L1 alone. It takes for GPS and BeiDou none, L1, or L1 and L5; for Galileo
+    none, or L1 and L5; for GLONASS none or L1.
 
     - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
     - 3dm-cv7-gnss-ins: GNSS
@@ -403,22 +381,23 @@ class SignalConfiguration(Command):
 
     SET = 0x0E
     DESCRIPTOR = 0x02
-    NAME = "gnss.signal_configuration"
+    NAME = "gnss.signal_config"
     ROLE = "command"
-    RESPONSES = (SignalConfigurationResponse,)
+    RESPONSES = (SignalConfigResponse,)
     REQUIRED = {1: 5, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     gps_enable: GpsSignals | None = None
-    """GPS signals."""
+    """GPS signals. Required for `write`."""
     glonass_enable: GlonassSignals | None = None
-    """GLONASS signals."""
+    """GLONASS signals. Required for `write`."""
     galileo_enable: GalileoSignals | None = None
-    """Galileo signals."""
+    """Galileo signals. Required for `write`."""
     beidou_enable: BeidouSignals | None = None
-    """BeiDou signals."""
+    """BeiDou signals. Required for `write`."""
     reserved: tuple[int, int, int, int] | None = None
+    """Reserved: send 0. Required for `write`."""
 
     @classmethod
     def write(
@@ -427,7 +406,7 @@ class SignalConfiguration(Command):
         glonass_enable: GlonassSignals,
         galileo_enable: GalileoSignals,
         beidou_enable: BeidouSignals,
-    ) -> SignalConfiguration:
+    ) -> SignalConfig:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -435,43 +414,43 @@ class SignalConfiguration(Command):
             glonass_enable=glonass_enable,
             galileo_enable=galileo_enable,
             beidou_enable=beidou_enable,
-            reserved=(0,) * 4,
+            reserved=(0, 0, 0, 0),
         )
 
     @classmethod
-    def read(cls) -> SignalConfiguration:
+    def read(cls) -> SignalConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SignalConfiguration:
+    def save(cls) -> SignalConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SignalConfiguration:
+    def load(cls) -> SignalConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SignalConfiguration:
+    def default(cls) -> SignalConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return SignalConfigurationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SignalConfigResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SignalConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SignalConfig, int]:
         gps_enable: GpsSignals | None = None
         glonass_enable: GlonassSignals | None = None
         galileo_enable: GalileoSignals | None = None
         beidou_enable: BeidouSignals | None = None
         reserved: tuple[int, int, int, int] | None = None
-        v = _SIGNAL_CONFIGURATION_0.read(raw, at)
+        v = _SIGNAL_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -479,31 +458,31 @@ class SignalConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _SIGNAL_CONFIGURATION_1.read(raw, at)
+            v = _SIGNAL_CONFIG_1.read(raw, at)
             at += 1
             gps_enable = GpsSignals(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _SIGNAL_CONFIGURATION_2.read(raw, at)
+            v = _SIGNAL_CONFIG_2.read(raw, at)
             at += 1
             glonass_enable = GlonassSignals(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _SIGNAL_CONFIGURATION_3.read(raw, at)
+            v = _SIGNAL_CONFIG_3.read(raw, at)
             at += 1
             galileo_enable = GalileoSignals(v[0])
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _SIGNAL_CONFIGURATION_4.read(raw, at)
+            v = _SIGNAL_CONFIG_4.read(raw, at)
             at += 1
             beidou_enable = BeidouSignals(v[0])
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
-            v = _SIGNAL_CONFIGURATION_5.read(raw, at)
+            v = _SIGNAL_CONFIG_5.read(raw, at)
             at += 4
             reserved = v[0:4]
             done, end = 5, at
@@ -516,100 +495,134 @@ class SignalConfiguration(Command):
         ), at
 
     def _write(self) -> bytes:
-        out = _SIGNAL_CONFIGURATION_0.write(self.function)
+        out = _SIGNAL_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SIGNAL_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _SIGNAL_CONFIG_GROUPS)
         if there >= 1:
-            out += _SIGNAL_CONFIGURATION_1.write(self.gps_enable)
+            out += _SIGNAL_CONFIG_1.write(self.gps_enable)
         if there >= 2:
-            out += _SIGNAL_CONFIGURATION_2.write(self.glonass_enable)
+            out += _SIGNAL_CONFIG_2.write(self.glonass_enable)
         if there >= 3:
-            out += _SIGNAL_CONFIGURATION_3.write(self.galileo_enable)
+            out += _SIGNAL_CONFIG_3.write(self.galileo_enable)
         if there >= 4:
-            out += _SIGNAL_CONFIGURATION_4.write(self.beidou_enable)
+            out += _SIGNAL_CONFIG_4.write(self.beidou_enable)
         if there >= 5:
-            out += _SIGNAL_CONFIGURATION_5.write(*codec.exactly("reserved", self.reserved, 4))
+            out += _SIGNAL_CONFIG_5.write(*codec.exactly("reserved", self.reserved, 4))
         return codec.finished(out)
 
 
-_SPARTN_CONFIGURATION_0 = codec.Block("B", "function")
-_SPARTN_CONFIGURATION_1 = codec.Block("B", "enable")
-_SPARTN_CONFIGURATION_2 = codec.Block("B", "type")
-_SPARTN_CONFIGURATION_3 = codec.Block("I", "current_key_tow")
-_SPARTN_CONFIGURATION_4 = codec.Block("H", "current_key_week")
-_SPARTN_CONFIGURATION_5 = codec.Block(
-    "BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-)
-_SPARTN_CONFIGURATION_6 = codec.Block("I", "next_key_tow")
-_SPARTN_CONFIGURATION_7 = codec.Block("H", "next_key_week")
-_SPARTN_CONFIGURATION_8 = codec.Block(
-    "BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-)
-_SPARTN_CONFIGURATION_GROUPS = (
+_RTK_DONGLE_CONFIG_0 = codec.Block("B", "function")
+_RTK_DONGLE_CONFIG_1 = codec.Block("B", "enable")
+_RTK_DONGLE_CONFIG_2 = codec.Block("BBB", *["reserved"] * 3)
+_RTK_DONGLE_CONFIG_GROUPS = ((1, ("enable",), False), (2, ("reserved",), False))
+
+
+@dataclass(slots=True)
+class RtkDongleConfig(Command):
+    """RTK dongle configuration (0x0E,0x10).
+
+    Whether the device talks to the RTK dongle that is connected to it.
+
+    Also called `rtk_dongle_configuration`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `RtkDongleConfigResponse`.
+
+    - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
+    """
+
+    SET = 0x0E
+    DESCRIPTOR = 0x10
+    NAME = "gnss.rtk_dongle_config"
+    ROLE = "command"
+    RESPONSES = (RtkDongleConfigResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    enable: int | None = None
+    """1 enables the dongle, 0 disables it. Range: 0 to 1. Required for `write`."""
+    reserved: tuple[int, int, int] | None = None
+    """Reserved: send 0. Required for `write`. Uncertain: What to send; 0 is assumed."""
+
+    @classmethod
+    def write(cls, enable: int) -> RtkDongleConfig:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, enable=enable, reserved=(0, 0, 0))
+
+    @classmethod
+    def read(cls) -> RtkDongleConfig:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> RtkDongleConfig:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> RtkDongleConfig:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> RtkDongleConfig:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return RtkDongleConfigResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfig, int]:
+        enable: int | None = None
+        reserved: tuple[int, int, int] | None = None
+        v = _RTK_DONGLE_CONFIG_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _RTK_DONGLE_CONFIG_1.read(raw, at)
+            at += 1
+            enable = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _RTK_DONGLE_CONFIG_2.read(raw, at)
+            at += 3
+            reserved = v[0:3]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, enable, reserved), at
+
+    def _write(self) -> bytes:
+        out = _RTK_DONGLE_CONFIG_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _RTK_DONGLE_CONFIG_GROUPS)
+        if there >= 1:
+            out += _RTK_DONGLE_CONFIG_1.write(self.enable)
+        if there >= 2:
+            out += _RTK_DONGLE_CONFIG_2.write(*codec.exactly("reserved", self.reserved, 3))
+        return codec.finished(out)
+
+
+_SPARTN_CONFIG_0 = codec.Block("B", "function")
+_SPARTN_CONFIG_1 = codec.Block("B", "enable")
+_SPARTN_CONFIG_2 = codec.Block("B", "type")
+_SPARTN_CONFIG_3 = codec.Block("I", "current_key_tow")
+_SPARTN_CONFIG_4 = codec.Block("H", "current_key_week")
+_SPARTN_CONFIG_5 = codec.Block("BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB", *["current_key"] * 32)
+_SPARTN_CONFIG_6 = codec.Block("I", "next_key_tow")
+_SPARTN_CONFIG_7 = codec.Block("H", "next_key_week")
+_SPARTN_CONFIG_8 = codec.Block("BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB", *["next_key"] * 32)
+_SPARTN_CONFIG_GROUPS = (
     (1, ("enable",), False),
     (2, ("type",), False),
     (3, ("current_key_tow",), False),
@@ -622,15 +635,17 @@ _SPARTN_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class SpartnConfiguration(Command):
+class SpartnConfig(Command):
     """SPARTN configuration (0x0E,0x20).
 
     Source and keys of SPARTN corrections.
+
+    Also called `spartn_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `SpartnConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     A change of enable or type has an effect after a power cycle only; keys can be changed while
-    running.
-    While SPARTN corrections are enabled, RTCM corrections are blocked.
-    A key of 16 bytes, none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each byte.
-    Supported by 3DM-CV7-GNSS/INS.
+    running. While SPARTN corrections are enabled, RTCM corrections are blocked. A key of 16 bytes,
+    none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each byte.
 
     - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
     - 3dm-cv7-gnss-ins: SPARTN Corrections
@@ -639,29 +654,29 @@ class SpartnConfiguration(Command):
 
     SET = 0x0E
     DESCRIPTOR = 0x20
-    NAME = "gnss.spartn_configuration"
+    NAME = "gnss.spartn_config"
     ROLE = "command"
-    RESPONSES = (SpartnConfigurationResponse,)
+    RESPONSES = (SpartnConfigResponse,)
     REQUIRED = {1: 8, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """1 enables SPARTN corrections, 0 disables them. Range: 0 to 1."""
+    """1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for `write`."""
     type: SpartnConnection | None = None
-    """How the corrections come."""
+    """How the corrections come. Required for `write`."""
     current_key_tow: int | None = None
-    """GPS time of week until which the current key is valid. [s]"""
+    """GPS time of week until which the current key is valid. Unit: s. Required for `write`."""
     current_key_week: int | None = None
-    """GPS week number until which the current key is valid. [week]"""
+    """GPS week number until which the current key is valid. Unit: week. Required for `write`."""
     current_key: tuple[int, ...] | None = None
-    """Current key in ASCII digits."""
+    """Current key in ASCII digits. Required for `write`."""
     next_key_tow: int | None = None
-    """GPS time of week until which the next key is valid. [s]"""
+    """GPS time of week until which the next key is valid. Unit: s. Required for `write`."""
     next_key_week: int | None = None
-    """GPS week number until which the next key is valid. [week]"""
+    """GPS week number until which the next key is valid. Unit: week. Required for `write`."""
     next_key: tuple[int, ...] | None = None
-    """Next key in ASCII digits."""
+    """Next key in ASCII digits. Required for `write`."""
 
     @classmethod
     def write(
@@ -674,7 +689,7 @@ class SpartnConfiguration(Command):
         next_key_tow: int,
         next_key_week: int,
         next_key: tuple[int, ...],
-    ) -> SpartnConfiguration:
+    ) -> SpartnConfig:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -689,33 +704,33 @@ class SpartnConfiguration(Command):
         )
 
     @classmethod
-    def read(cls) -> SpartnConfiguration:
+    def read(cls) -> SpartnConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SpartnConfiguration:
+    def save(cls) -> SpartnConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SpartnConfiguration:
+    def load(cls) -> SpartnConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SpartnConfiguration:
+    def default(cls) -> SpartnConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return SpartnConfigurationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SpartnConfigResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfig, int]:
         enable: int | None = None
         type: SpartnConnection | None = None
         current_key_tow: int | None = None
@@ -724,7 +739,7 @@ class SpartnConfiguration(Command):
         next_key_tow: int | None = None
         next_key_week: int | None = None
         next_key: tuple[int, ...] | None = None
-        v = _SPARTN_CONFIGURATION_0.read(raw, at)
+        v = _SPARTN_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -732,49 +747,49 @@ class SpartnConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_1.read(raw, at)
+            v = _SPARTN_CONFIG_1.read(raw, at)
             at += 1
             enable = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_2.read(raw, at)
+            v = _SPARTN_CONFIG_2.read(raw, at)
             at += 1
             type = SpartnConnection(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_3.read(raw, at)
+            v = _SPARTN_CONFIG_3.read(raw, at)
             at += 4
             current_key_tow = v[0]
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_4.read(raw, at)
+            v = _SPARTN_CONFIG_4.read(raw, at)
             at += 2
             current_key_week = v[0]
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_5.read(raw, at)
+            v = _SPARTN_CONFIG_5.read(raw, at)
             at += 32
             current_key = v[0:32]
             done, end = 5, at
             if at == len(raw) and required < 6:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_6.read(raw, at)
+            v = _SPARTN_CONFIG_6.read(raw, at)
             at += 4
             next_key_tow = v[0]
             done, end = 6, at
             if at == len(raw) and required < 7:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_7.read(raw, at)
+            v = _SPARTN_CONFIG_7.read(raw, at)
             at += 2
             next_key_week = v[0]
             done, end = 7, at
             if at == len(raw) and required < 8:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_8.read(raw, at)
+            v = _SPARTN_CONFIG_8.read(raw, at)
             at += 32
             next_key = v[0:32]
             done, end = 8, at
@@ -795,41 +810,41 @@ class SpartnConfiguration(Command):
         ), at
 
     def _write(self) -> bytes:
-        out = _SPARTN_CONFIGURATION_0.write(self.function)
+        out = _SPARTN_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SPARTN_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _SPARTN_CONFIG_GROUPS)
         if there >= 1:
-            out += _SPARTN_CONFIGURATION_1.write(self.enable)
+            out += _SPARTN_CONFIG_1.write(self.enable)
         if there >= 2:
-            out += _SPARTN_CONFIGURATION_2.write(self.type)
+            out += _SPARTN_CONFIG_2.write(self.type)
         if there >= 3:
-            out += _SPARTN_CONFIGURATION_3.write(self.current_key_tow)
+            out += _SPARTN_CONFIG_3.write(self.current_key_tow)
         if there >= 4:
-            out += _SPARTN_CONFIGURATION_4.write(self.current_key_week)
+            out += _SPARTN_CONFIG_4.write(self.current_key_week)
         if there >= 5:
-            out += _SPARTN_CONFIGURATION_5.write(
-                *codec.exactly("current_key", self.current_key, 32)
-            )
+            out += _SPARTN_CONFIG_5.write(*codec.exactly("current_key", self.current_key, 32))
         if there >= 6:
-            out += _SPARTN_CONFIGURATION_6.write(self.next_key_tow)
+            out += _SPARTN_CONFIG_6.write(self.next_key_tow)
         if there >= 7:
-            out += _SPARTN_CONFIGURATION_7.write(self.next_key_week)
+            out += _SPARTN_CONFIG_7.write(self.next_key_week)
         if there >= 8:
-            out += _SPARTN_CONFIGURATION_8.write(*codec.exactly("next_key", self.next_key, 32))
+            out += _SPARTN_CONFIG_8.write(*codec.exactly("next_key", self.next_key, 32))
         return codec.finished(out)
 
 
 ReceiverInfoResponse.COMMANDS = (ReceiverInfo,)
-SignalConfigurationResponse.COMMANDS = (SignalConfiguration,)
-SpartnConfigurationResponse.COMMANDS = (SpartnConfiguration,)
-
+SignalConfigResponse.COMMANDS = (SignalConfig,)
+RtkDongleConfigResponse.COMMANDS = (RtkDongleConfig,)
+SpartnConfigResponse.COMMANDS = (SpartnConfig,)
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (ReceiverInfo,),
-    0x02: (SignalConfiguration,),
-    0x20: (SpartnConfiguration,),
+    0x02: (SignalConfig,),
+    0x10: (RtkDongleConfig,),
+    0x20: (SpartnConfig,),
     0x81: (ReceiverInfoResponse,),
-    0x82: (SignalConfigurationResponse,),
-    0xA0: (SpartnConfigurationResponse,),
+    0x82: (SignalConfigResponse,),
+    0x90: (RtkDongleConfigResponse,),
+    0xA0: (SpartnConfigResponse,),
 }

@@ -1,11 +1,13 @@
 """GNSS receiver 1 data (0x91).
 
 Measurements and status of the first internal GNSS receiver.
+
+- 3dm-cv7-gnss-ins: GNSS Recv 1 (0x91)
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntFlag
 
 from . import codec, types
@@ -13,33 +15,33 @@ from .field import Data, Field
 
 
 @codec.open_flag(16)
-class GnssLlhPositionFlags(IntFlag):
+class LlhPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
     LAT_LON = 1 << 0
-    """Latitude and longitude."""
+    """Latitude and longitude. Bit 0."""
     ELLIPSOID_HEIGHT = 1 << 1
-    """Height above the ellipsoid."""
+    """Height above the ellipsoid. Bit 1."""
     MSL_HEIGHT = 1 << 2
-    """Height above mean sea level."""
+    """Height above mean sea level. Bit 2."""
     HORIZONTAL_ACCURACY = 1 << 3
-    """Horizontal accuracy."""
+    """Horizontal accuracy. Bit 3."""
     VERTICAL_ACCURACY = 1 << 4
-    """Vertical accuracy."""
+    """Vertical accuracy. Bit 4."""
     FLAGS = 0x1F
-    """All of them."""
+    """All of them. Bits 0 to 4. Overlaps other bits."""
 
 
 @codec.open_flag(16)
-class GnssEcefPositionFlags(IntFlag):
+class EcefPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
     POSITION = 1 << 0
-    """Position."""
+    """Position. Bit 0."""
     POSITION_ACCURACY = 1 << 1
-    """Accuracy of the position."""
+    """Accuracy of the position. Bit 1."""
     FLAGS = 0x3
-    """All of them."""
+    """All of them. Bits 0 to 1. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -47,31 +49,31 @@ class NedVelocityFlags(IntFlag):
     """Which parts of the velocity are valid."""
 
     VELOCITY = 1 << 0
-    """Velocity vector."""
+    """Velocity vector. Bit 0."""
     SPEED_3D = 1 << 1
-    """Speed in space."""
+    """Speed in space. Bit 1."""
     GROUND_SPEED = 1 << 2
-    """Speed over ground."""
+    """Speed over ground. Bit 2."""
     HEADING = 1 << 3
-    """Heading."""
+    """Heading. Bit 3."""
     SPEED_ACCURACY = 1 << 4
-    """Accuracy of the speed."""
+    """Accuracy of the speed. Bit 4."""
     HEADING_ACCURACY = 1 << 5
-    """Accuracy of the heading."""
+    """Accuracy of the heading. Bit 5."""
     FLAGS = 0x3F
-    """All of them."""
+    """All of them. Bits 0 to 5. Overlaps other bits."""
 
 
 @codec.open_flag(16)
-class GnssEcefVelocityFlags(IntFlag):
+class EcefVelocityFlags(IntFlag):
     """Which parts of the velocity are valid."""
 
     VELOCITY = 1 << 0
-    """Velocity."""
+    """Velocity. Bit 0."""
     VELOCITY_ACCURACY = 1 << 1
-    """Accuracy of the velocity."""
+    """Accuracy of the velocity. Bit 1."""
     FLAGS = 0x3
-    """All of them."""
+    """All of them. Bits 0 to 1. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -79,21 +81,21 @@ class DopFlags(IntFlag):
     """Which dilutions of precision are valid."""
 
     GDOP = 1 << 0
-    """Geometric."""
+    """Geometric. Bit 0."""
     PDOP = 1 << 1
-    """Position."""
+    """Position. Bit 1."""
     HDOP = 1 << 2
-    """Horizontal."""
+    """Horizontal. Bit 2."""
     VDOP = 1 << 3
-    """Vertical."""
+    """Vertical. Bit 3."""
     TDOP = 1 << 4
-    """Time."""
+    """Time. Bit 4."""
     NDOP = 1 << 5
-    """Northing."""
+    """Northing. Bit 5."""
     EDOP = 1 << 6
-    """Easting."""
+    """Easting. Bit 6."""
     FLAGS = 0x7F
-    """All of them."""
+    """All of them. Bits 0 to 6. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -101,11 +103,11 @@ class UtcTimeFlags(IntFlag):
     """How far the UTC time is valid."""
 
     GNSS_DATE_TIME = 1 << 0
-    """Date and time come from GNSS."""
+    """Date and time come from GNSS. Bit 0."""
     LEAP_SECONDS_KNOWN = 1 << 1
-    """The leap seconds between GPS time and UTC are known."""
+    """The leap seconds between GPS time and UTC are known. Bit 1."""
     FLAGS = 0x3
-    """All of them."""
+    """All of them. Bits 0 to 1. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -113,11 +115,25 @@ class GpsTimeFlags(IntFlag):
     """Which parts of the time are valid."""
 
     TOW = 1 << 0
-    """Time of week."""
+    """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number."""
+    """Week number. Bit 1."""
     FLAGS = 0x3
-    """All of them."""
+    """All of them. Bits 0 to 1. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class ClockInfoFlags(IntFlag):
+    """Which clock parameters are valid."""
+
+    BIAS = 1 << 0
+    """Bias. Bit 0."""
+    DRIFT = 1 << 1
+    """Drift. Bit 1."""
+    ACCURACY_ESTIMATE = 1 << 2
+    """Accuracy. Bit 2."""
+    FLAGS = 0x7
+    """All of them. Bits 0 to 2. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -125,9 +141,9 @@ class FixFlags(IntFlag):
     """What the fix makes use of."""
 
     SBAS_USED = 1 << 0
-    """Satellite based augmentation."""
+    """Satellite based augmentation. Bit 0."""
     DGNSS_USED = 1 << 1
-    """Differential corrections."""
+    """Differential corrections. Bit 1."""
 
 
 @codec.open_flag(16)
@@ -135,13 +151,43 @@ class FixInfoFlags(IntFlag):
     """Which parts of the fix information are valid."""
 
     FIX_TYPE = 1 << 0
-    """Type of the fix."""
+    """Type of the fix. Bit 0."""
     NUM_SV = 1 << 1
-    """Number of satellites."""
+    """Number of satellites. Bit 1."""
     FIX_FLAGS = 1 << 2
-    """Fix flags."""
+    """Fix flags. Bit 2."""
     FLAGS = 0x7
-    """All of them."""
+    """All of them. Bits 0 to 2. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class SvFlags(IntFlag):
+    """State of a satellite."""
+
+    USED_FOR_NAVIGATION = 1 << 0
+    """The position fix uses it. Bit 0."""
+    HEALTHY = 1 << 1
+    """It is healthy. Bit 1."""
+
+
+@codec.open_flag(16)
+class SvInfoFlags(IntFlag):
+    """Which parts of the satellite info are valid."""
+
+    CHANNEL = 1 << 0
+    """Channel. Bit 0."""
+    SATELLITE_ID = 1 << 1
+    """Satellite. Bit 1."""
+    CARRIER_NOISE_RATIO = 1 << 2
+    """Carrier to noise density ratio. Bit 2."""
+    AZIMUTH = 1 << 3
+    """Azimuth. Bit 3."""
+    ELEVATION = 1 << 4
+    """Elevation. Bit 4."""
+    SV_FLAGS = 1 << 5
+    """State of the satellite. Bit 5."""
+    FLAGS = 0x3F
+    """All of them. Bits 0 to 5. Overlaps other bits."""
 
 
 class ReceiverState(codec.OpenEnum):
@@ -182,17 +228,49 @@ class AntennaPower(codec.OpenEnum):
 
 
 @codec.open_flag(16)
-class GnssHardwareStatusFlags(IntFlag):
+class HardwareStatusFlags(IntFlag):
     """Which parts of the hardware status are valid."""
 
     SENSOR_STATE = 1 << 0
-    """State of the receiver."""
+    """State of the receiver. Bit 0."""
     ANTENNA_STATE = 1 << 1
-    """State of the antenna."""
+    """State of the antenna. Bit 1."""
     ANTENNA_POWER = 1 << 2
-    """Supply of the antenna."""
+    """Supply of the antenna. Bit 2."""
     FLAGS = 0x7
-    """All of them."""
+    """All of them. Bits 0 to 2. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class DgpsInfoFlags(IntFlag):
+    """Which parts of the state of the corrections are valid."""
+
+    AGE = 1 << 0
+    """Age. Bit 0."""
+    BASE_STATION_ID = 1 << 1
+    """Number of the base station. Bit 1."""
+    BASE_STATION_STATUS = 1 << 2
+    """State of the base station. Bit 2."""
+    NUM_CHANNELS = 1 << 3
+    """Number of channels. Bit 3."""
+    FLAGS = 0xF
+    """All of them. Bits 0 to 3. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class DgpsChannelFlags(IntFlag):
+    """Which parts of a differential correction are valid."""
+
+    SATELLITE_ID = 1 << 0
+    """Satellite. Bit 0."""
+    AGE = 1 << 1
+    """Age. Bit 1."""
+    RANGE_CORRECTION = 1 << 2
+    """Correction of the range. Bit 2."""
+    RANGE_RATE_CORRECTION = 1 << 3
+    """Correction of the range rate. Bit 3."""
+    FLAGS = 0xF
+    """All of them. Bits 0 to 3. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -200,15 +278,15 @@ class ClockInfo2Flags(IntFlag):
     """Which clock parameters are valid."""
 
     BIAS = 1 << 0
-    """Bias."""
+    """Bias. Bit 0."""
     DRIFT = 1 << 1
-    """Drift."""
+    """Drift. Bit 1."""
     BIAS_ACCURACY = 1 << 2
-    """Accuracy of the bias."""
+    """Accuracy of the bias. Bit 2."""
     DRIFT_ACCURACY = 1 << 3
-    """Accuracy of the drift."""
+    """Accuracy of the drift. Bit 3."""
     FLAGS = 0xF
-    """All of them."""
+    """All of them. Bits 0 to 3. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -216,7 +294,7 @@ class GpsLeapSecondsFlags(IntFlag):
     """Whether the leap seconds are valid. Bit 0 is not used."""
 
     LEAP_SECONDS = 1 << 1
-    """Leap seconds."""
+    """Leap seconds. Bit 1."""
 
 
 class SbasSystem(codec.OpenEnum):
@@ -239,13 +317,13 @@ class SbasStatus(IntFlag):
     """What the SBAS service offers."""
 
     RANGE_AVAILABLE = 1 << 0
-    """Ranging is available."""
+    """Ranging is available. Bit 0."""
     CORRECTIONS_AVAILABLE = 1 << 1
-    """Corrections are available."""
+    """Corrections are available. Bit 1."""
     INTEGRITY_AVAILABLE = 1 << 2
-    """Integrity information is available."""
+    """Integrity information is available. Bit 2."""
     TEST_MODE = 1 << 3
-    """The service is in test mode."""
+    """The service is in test mode. Bit 3."""
 
 
 @codec.open_flag(16)
@@ -253,19 +331,86 @@ class SbasInfoFlags(IntFlag):
     """Which parts of the SBAS status are valid."""
 
     TOW = 1 << 0
-    """Time of week."""
+    """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number."""
+    """Week number. Bit 1."""
     SBAS_SYSTEM = 1 << 2
-    """System."""
+    """System. Bit 2."""
     SBAS_ID = 1 << 3
-    """Satellite."""
+    """Satellite. Bit 3."""
     COUNT = 1 << 4
-    """Number of corrections."""
+    """Number of corrections. Bit 4."""
     SBAS_STATUS = 1 << 5
-    """Status of the service."""
+    """Status of the service. Bit 5."""
     FLAGS = 0x3F
-    """All of them."""
+    """All of them. Bits 0 to 5. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class SbasCorrectionFlags(IntFlag):
+    """Which parts of an SBAS correction are valid."""
+
+    UDREI = 1 << 0
+    """Indicator of the range error. Bit 0."""
+    PSEUDORANGE_CORRECTION = 1 << 1
+    """Correction of the pseudorange. Bit 1."""
+    IONO_CORRECTION = 1 << 2
+    """Correction of the ionospheric delay. Bit 2."""
+    FLAGS = 0x7
+    """All of them. Bits 0 to 2. Overlaps other bits."""
+
+
+class RfBand(codec.OpenEnum):
+    """Frequency band of GNSS signals."""
+
+    UNKNOWN = 0
+    """Not known."""
+    L1 = 1
+    """L1."""
+    L2 = 2
+    """L2."""
+    L5 = 5
+    """L5."""
+
+
+class JammingState(codec.OpenEnum):
+    """How much the reception is jammed."""
+
+    UNKNOWN = 0
+    """Not known."""
+    NONE = 1
+    """Not at all."""
+    PARTIAL = 2
+    """In part."""
+    SIGNIFICANT = 3
+    """Badly."""
+
+
+class SpoofingState(codec.OpenEnum):
+    """How much the signals are spoofed."""
+
+    UNKNOWN = 0
+    """Not known."""
+    NONE = 1
+    """Not at all."""
+    PARTIAL = 2
+    """In part."""
+    SIGNIFICANT = 3
+    """Badly."""
+
+
+@codec.open_flag(16)
+class RfErrorDetectionFlags(IntFlag):
+    """Which parts of the detection are valid."""
+
+    RF_BAND = 1 << 0
+    """Band. Bit 0."""
+    JAMMING_STATE = 1 << 1
+    """Jamming. Bit 1."""
+    SPOOFING_STATE = 1 << 2
+    """Spoofing. Bit 2."""
+    FLAGS = 0x7
+    """All of them. Bits 0 to 2. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -273,21 +418,21 @@ class SatelliteStatusFlags(IntFlag):
     """Which parts of the satellite status are valid."""
 
     TOW = 1 << 0
-    """Time of week."""
+    """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number."""
+    """Week number. Bit 1."""
     GNSS_ID = 1 << 2
-    """Constellation."""
+    """Constellation. Bit 2."""
     SATELLITE_ID = 1 << 3
-    """Satellite."""
+    """Satellite. Bit 3."""
     ELEVATION = 1 << 4
-    """Elevation."""
+    """Elevation. Bit 4."""
     AZIMUTH = 1 << 5
-    """Azimuth."""
+    """Azimuth. Bit 5."""
     HEALTH = 1 << 6
-    """Health."""
+    """Health. Bit 6."""
     FLAGS = 0x7F
-    """All of them."""
+    """All of them. Bits 0 to 6. Overlaps other bits."""
 
 
 class SignalQuality(codec.OpenEnum):
@@ -312,39 +457,131 @@ class RawFlags(IntFlag):
     """Which parts of the observation are valid."""
 
     TOW = 1 << 0
-    """Time of week."""
+    """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number."""
+    """Week number. Bit 1."""
     RECEIVER_ID = 1 << 2
-    """Receiver or reference station."""
+    """Receiver or reference station. Bit 2."""
     TRACKING_CHANNEL = 1 << 3
-    """Tracking channel."""
+    """Tracking channel. Bit 3."""
     GNSS_ID = 1 << 4
-    """Constellation."""
+    """Constellation. Bit 4."""
     SATELLITE_ID = 1 << 5
-    """Satellite."""
+    """Satellite. Bit 5."""
     SIGNAL_ID = 1 << 6
-    """Signal."""
+    """Signal. Bit 6."""
     SIGNAL_STRENGTH = 1 << 7
-    """Signal strength."""
+    """Signal strength. Bit 7."""
     QUALITY = 1 << 8
-    """Signal quality."""
+    """Signal quality. Bit 8."""
     PSEUDORANGE = 1 << 9
-    """Pseudorange."""
+    """Pseudorange. Bit 9."""
     CARRIER_PHASE = 1 << 10
-    """Carrier phase."""
+    """Carrier phase. Bit 10."""
     DOPPLER = 1 << 11
-    """Doppler shift."""
+    """Doppler shift. Bit 11."""
     RANGE_UNCERTAINTY = 1 << 12
-    """Uncertainty of the pseudorange."""
+    """Uncertainty of the pseudorange. Bit 12."""
     CARRIER_PHASE_UNCERTAINTY = 1 << 13
-    """Uncertainty of the carrier phase."""
+    """Uncertainty of the carrier phase. Bit 13."""
     DOPPLER_UNCERTAINTY = 1 << 14
-    """Uncertainty of the Doppler shift."""
+    """Uncertainty of the Doppler shift. Bit 14."""
     LOCK_TIME = 1 << 15
-    """Lock time."""
+    """Lock time. Bit 15."""
     FLAGS = 0xFFFF
-    """All of them."""
+    """All of them. Bits 0 to 15. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class BaseStationIndicators(IntFlag):
+    """Properties of a base station, as its RTCM message gives them."""
+
+    GPS = 1 << 0
+    """GPS is supported. Bit 0."""
+    GLONASS = 1 << 1
+    """GLONASS is supported. Bit 1."""
+    GALILEO = 1 << 2
+    """Galileo is supported. Bit 2."""
+    BEIDOU = 1 << 3
+    """BeiDou is supported. Bit 3."""
+    REFERENCE_STATION = 1 << 4
+    """Reference station indicator. Bit 4."""
+    SINGLE_RECEIVER = 1 << 5
+    """Single receiver oscillator indicator. Bit 5."""
+    QUARTER_CYCLE_BIT1 = 1 << 6
+    """First bit of the quarter cycle indicator. Bit 6."""
+    QUARTER_CYCLE_BIT2 = 1 << 7
+    """Second bit of the quarter cycle indicator. Bit 7."""
+    QUARTER_CYCLE_BITS = 0xC0
+    """Quarter cycle indicator. Bits 6 to 7. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class BaseStationInfoFlags(IntFlag):
+    """Which values are valid."""
+
+    TOW = 1 << 0
+    """Time of week. Bit 0."""
+    WEEK_NUMBER = 1 << 1
+    """Week number. Bit 1."""
+    ECEF_POSITION = 1 << 2
+    """Position. Bit 2."""
+    HEIGHT = 1 << 3
+    """Antenna height. Bit 3."""
+    STATION_ID = 1 << 4
+    """Station. Bit 4."""
+    INDICATORS = 1 << 5
+    """Indicators. Bit 5."""
+    FLAGS = 0x3F
+    """All of them. Bits 0 to 5. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class RtkEpochStatus(IntFlag):
+    """Corrections that came during an epoch."""
+
+    ANTENNA_LOCATION_RECEIVED = 1 << 0
+    """Antenna location. Bit 0."""
+    ANTENNA_DESCRIPTION_RECEIVED = 1 << 1
+    """Antenna description. Bit 1."""
+    GPS_RECEIVED = 1 << 2
+    """GPS corrections. Bit 2."""
+    GLONASS_RECEIVED = 1 << 3
+    """GLONASS corrections. Bit 3."""
+    GALILEO_RECEIVED = 1 << 4
+    """Galileo corrections. Bit 4."""
+    BEIDOU_RECEIVED = 1 << 5
+    """BeiDou corrections. Bit 5."""
+    USING_GPS_MSM_MESSAGES = 1 << 6
+    """GPS corrections come in MSM messages, not in the RTCM messages 1001-1004. Bit 6."""
+    USING_GLONASS_MSM_MESSAGES = 1 << 7
+    """GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012. Bit 7."""
+    DONGLE_STATUS_READ_FAILED = 1 << 8
+    """The status of the dongle could not be read. Bit 8."""
+
+
+@codec.open_flag(16)
+class RtkCorrectionsStatusFlags(IntFlag):
+    """Which values are valid."""
+
+    TOW = 1 << 0
+    """Time of week. Bit 0."""
+    WEEK_NUMBER = 1 << 1
+    """Week number. Bit 1."""
+    EPOCH_STATUS = 1 << 2
+    """Epoch status. Bit 2."""
+    DONGLE_STATUS = 1 << 3
+    """Status of the dongle. Bit 3."""
+    GPS_LATENCY = 1 << 4
+    """Latency of GPS corrections. Bit 4."""
+    GLONASS_LATENCY = 1 << 5
+    """Latency of GLONASS corrections. Bit 5."""
+    GALILEO_LATENCY = 1 << 6
+    """Latency of Galileo corrections. Bit 6."""
+    BEIDOU_LATENCY = 1 << 7
+    """Latency of BeiDou corrections. Bit 7."""
+    FLAGS = 0xFF
+    """All of them. Bits 0 to 7. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -352,13 +589,13 @@ class EphemerisFlags(IntFlag):
     """What an ephemeris of GPS, Galileo or BeiDou holds."""
 
     EPHEMERIS = 1 << 0
-    """The ephemeris is valid."""
+    """The ephemeris is valid. Bit 0."""
     MODERN_DATA = 1 << 1
-    """The data of the modernized navigation message are included."""
+    """The data of the modernized navigation message are included. Bit 1."""
     ISC_L5 = 1 << 2
-    """isc_l2c is the correction for L5, not for L2."""
+    """isc_l2c is the correction for L5, not for L2. Bit 2."""
     FLAGS = 0x7
-    """All of them."""
+    """All of them. Bits 0 to 2. Overlaps other bits."""
 
 
 class GlonassSatelliteType(codec.OpenEnum):
@@ -375,12 +612,62 @@ class GlonassEphemerisFlags(IntFlag):
     """Whether the ephemeris is valid."""
 
     EPHEMERIS = 1 << 0
-    """The ephemeris is valid."""
+    """The ephemeris is valid. Bit 0."""
     FLAGS = 1 << 0
-    """All of them."""
+    """All of them. Bit 0. Overlaps other bits."""
 
 
-_GNSS_LLH_POSITION_0 = codec.Block(
+@codec.open_flag(16)
+class GpsIonoCorrectionFlags(IntFlag):
+    """Which parts of the model are valid."""
+
+    TOW = 1 << 0
+    """Time of week. Bit 0."""
+    WEEK_NUMBER = 1 << 1
+    """Week number. Bit 1."""
+    ALPHA = 1 << 2
+    """Coefficients alpha. Bit 2."""
+    BETA = 1 << 3
+    """Coefficients beta. Bit 3."""
+    FLAGS = 0xF
+    """All of them. Bits 0 to 3. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class GalileoIonoCorrectionFlags(IntFlag):
+    """Which parts of the model are valid."""
+
+    TOW = 1 << 0
+    """Time of week. Bit 0."""
+    WEEK_NUMBER = 1 << 1
+    """Week number. Bit 1."""
+    ALPHA = 1 << 2
+    """Coefficients. Bit 2."""
+    DISTURBANCE_FLAGS = 1 << 3
+    """Storm flags. Bit 3."""
+    FLAGS = 0xF
+    """All of them. Bits 0 to 3. Overlaps other bits."""
+
+
+@codec.open_flag(16)
+class BeidouIonoCorrectionFlags(IntFlag):
+    """Which parts of the model are valid."""
+
+    TOW = 1 << 0
+    """Time of week. Bit 0."""
+    WEEK_NUMBER = 1 << 1
+    """Week number. Bit 1."""
+    ALPHA = 1 << 2
+    """Coefficients alpha. Bit 2."""
+    BETA = 1 << 3
+    """Coefficients beta. Bit 3."""
+    ALPHA_CORRECTION = 1 << 4
+    """Further coefficients. Bit 4."""
+    FLAGS = 0x1F
+    """All of them. Bits 0 to 4. Overlaps other bits."""
+
+
+_LLH_POSITION_0 = codec.Block(
     "ddddffH",
     "latitude",
     "longitude",
@@ -393,38 +680,50 @@ _GNSS_LLH_POSITION_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class GnssLlhPosition(Data):
+class LlhPosition(Data):
     """GNSS LLH position (0x91,0x03).
 
     GNSS position as latitude, longitude and height.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
     """
 
     SET = 0x91
     DESCRIPTOR = 0x03
-    NAME = "gnss_1.gnss_llh_position"
+    NAME = "gnss_1.llh_position"
     ROLE = "data"
 
     latitude: float
-    """Latitude. [deg] Frame: llh. Valid if valid_flags.lat_lon."""
+    """Latitude. Unit: deg. Frame: llh. Valid if `LlhPositionFlags.LAT_LON` of `valid_flags` is set.
+    """
     longitude: float
-    """Longitude. [deg] Frame: llh. Valid if valid_flags.lat_lon."""
+    """Longitude. Unit: deg. Frame: llh. Valid if `LlhPositionFlags.LAT_LON` of `valid_flags` is
+    set.
+    """
     ellipsoid_height: float
-    """Height above the ellipsoid. [m] Frame: llh. Valid if valid_flags.ellipsoid_height."""
+    """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `LlhPositionFlags.ELLIPSOID_HEIGHT`
+    of `valid_flags` is set.
+    """
     msl_height: float
-    """Height above mean sea level. [m] Valid if valid_flags.msl_height."""
+    """Height above mean sea level. Unit: m. Valid if `LlhPositionFlags.MSL_HEIGHT` of `valid_flags`
+    is set.
+    """
     horizontal_accuracy: float
-    """Horizontal accuracy. [m] Valid if valid_flags.horizontal_accuracy."""
+    """Horizontal accuracy. Unit: m. Valid if `LlhPositionFlags.HORIZONTAL_ACCURACY` of
+    `valid_flags` is set.
+    """
     vertical_accuracy: float
-    """Vertical accuracy. [m] Valid if valid_flags.vertical_accuracy."""
-    valid_flags: GnssLlhPositionFlags
+    """Vertical accuracy. Unit: m. Valid if `LlhPositionFlags.VERTICAL_ACCURACY` of `valid_flags` is
+    set.
+    """
+    valid_flags: LlhPositionFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssLlhPosition, int]:
-        v = _GNSS_LLH_POSITION_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[LlhPosition, int]:
+        v = _LLH_POSITION_0.read(raw, at)
         at += 42
         latitude = v[0]
         longitude = v[1]
@@ -432,7 +731,7 @@ class GnssLlhPosition(Data):
         msl_height = v[3]
         horizontal_accuracy = v[4]
         vertical_accuracy = v[5]
-        valid_flags = GnssLlhPositionFlags(v[6])
+        valid_flags = LlhPositionFlags(v[6])
         return cls(
             latitude,
             longitude,
@@ -444,7 +743,7 @@ class GnssLlhPosition(Data):
         ), at
 
     def _write(self) -> bytes:
-        out = _GNSS_LLH_POSITION_0.write(
+        out = _LLH_POSITION_0.write(
             self.latitude,
             self.longitude,
             self.ellipsoid_height,
@@ -456,52 +755,55 @@ class GnssLlhPosition(Data):
         return codec.finished(out)
 
 
-_GNSS_ECEF_POSITION_0 = codec.Block("dddfH", "x", "x", "x", "x_accuracy", "valid_flags")
+_ECEF_POSITION_0 = codec.Block("dddfH", *["position"] * 3, "position_accuracy", "valid_flags")
 
 
 @dataclass(slots=True)
-class GnssEcefPosition(Data):
+class EcefPosition(Data):
     """GNSS ECEF position (0x91,0x04).
 
     GNSS position in Earth-fixed coordinates.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
     """
 
     SET = 0x91
     DESCRIPTOR = 0x04
-    NAME = "gnss_1.gnss_ecef_position"
+    NAME = "gnss_1.ecef_position"
     ROLE = "data"
 
-    x: types.Vector3d
-    """Position. [m] Frame: ecef. Valid if valid_flags.position."""
-    x_accuracy: float
-    """Accuracy of the position. [m] Valid if valid_flags.position_accuracy."""
-    valid_flags: GnssEcefPositionFlags
+    position: types.Vector3d
+    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `EcefPositionFlags.POSITION` of
+    `valid_flags` is set.
+    """
+    position_accuracy: float
+    """Accuracy of the position. Unit: m. Valid if `EcefPositionFlags.POSITION_ACCURACY` of
+    `valid_flags` is set.
+    """
+    valid_flags: EcefPositionFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssEcefPosition, int]:
-        v = _GNSS_ECEF_POSITION_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
+        v = _ECEF_POSITION_0.read(raw, at)
         at += 30
-        x = v[0:3]
-        x_accuracy = v[3]
-        valid_flags = GnssEcefPositionFlags(v[4])
-        return cls(x, x_accuracy, valid_flags), at
+        position = v[0:3]
+        position_accuracy = v[3]
+        valid_flags = EcefPositionFlags(v[4])
+        return cls(position, position_accuracy, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ECEF_POSITION_0.write(
-            *codec.exactly("x", self.x, 3), self.x_accuracy, self.valid_flags
+        out = _ECEF_POSITION_0.write(
+            *codec.exactly("position", self.position, 3), self.position_accuracy, self.valid_flags
         )
         return codec.finished(out)
 
 
 _NED_VELOCITY_0 = codec.Block(
     "ffffffffH",
-    "v_",
-    "v_",
-    "v_",
+    *["velocity"] * 3,
     "speed",
     "ground_speed",
     "heading",
@@ -516,7 +818,8 @@ class NedVelocity(Data):
     """NED velocity (0x91,0x05).
 
     GNSS velocity in the local level frame.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
     """
@@ -526,18 +829,28 @@ class NedVelocity(Data):
     NAME = "gnss_1.ned_velocity"
     ROLE = "data"
 
-    v_: types.Vector3f
-    """Velocity. [m/s] Frame: ned. Valid if valid_flags.velocity."""
+    velocity: types.Vector3f
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Valid if `NedVelocityFlags.VELOCITY` of
+    `valid_flags` is set.
+    """
     speed: float
-    """Speed in space. [m/s] Valid if valid_flags.speed_3d."""
+    """Speed in space. Unit: m/s. Valid if `NedVelocityFlags.SPEED_3D` of `valid_flags` is set."""
     ground_speed: float
-    """Speed over ground. [m/s] Valid if valid_flags.ground_speed."""
+    """Speed over ground. Unit: m/s. Valid if `NedVelocityFlags.GROUND_SPEED` of `valid_flags` is
+    set.
+    """
     heading: float
-    """Direction of the motion over ground. [deg] Frame: ned. Valid if valid_flags.heading."""
+    """Direction of the motion over ground. Unit: deg. Frame: ned. Valid if
+    `NedVelocityFlags.HEADING` of `valid_flags` is set.
+    """
     speed_accuracy: float
-    """Accuracy of the speed. [m/s] Valid if valid_flags.speed_accuracy."""
+    """Accuracy of the speed. Unit: m/s. Valid if `NedVelocityFlags.SPEED_ACCURACY` of `valid_flags`
+    is set.
+    """
     heading_accuracy: float
-    """Accuracy of the heading. [deg] Valid if valid_flags.heading_accuracy."""
+    """Accuracy of the heading. Unit: deg. Valid if `NedVelocityFlags.HEADING_ACCURACY` of
+    `valid_flags` is set.
+    """
     valid_flags: NedVelocityFlags
     """Which values are valid."""
 
@@ -545,7 +858,7 @@ class NedVelocity(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
         v = _NED_VELOCITY_0.read(raw, at)
         at += 34
-        v_ = v[0:3]
+        velocity = v[0:3]
         speed = v[3]
         ground_speed = v[4]
         heading = v[5]
@@ -553,12 +866,12 @@ class NedVelocity(Data):
         heading_accuracy = v[7]
         valid_flags = NedVelocityFlags(v[8])
         return cls(
-            v_, speed, ground_speed, heading, speed_accuracy, heading_accuracy, valid_flags
+            velocity, speed, ground_speed, heading, speed_accuracy, heading_accuracy, valid_flags
         ), at
 
     def _write(self) -> bytes:
         out = _NED_VELOCITY_0.write(
-            *codec.exactly("v_", self.v_, 3),
+            *codec.exactly("velocity", self.velocity, 3),
             self.speed,
             self.ground_speed,
             self.heading,
@@ -569,43 +882,48 @@ class NedVelocity(Data):
         return codec.finished(out)
 
 
-_GNSS_ECEF_VELOCITY_0 = codec.Block("ffffH", "v_", "v_", "v_", "v_accuracy", "valid_flags")
+_ECEF_VELOCITY_0 = codec.Block("ffffH", *["velocity"] * 3, "velocity_accuracy", "valid_flags")
 
 
 @dataclass(slots=True)
-class GnssEcefVelocity(Data):
+class EcefVelocity(Data):
     """GNSS ECEF velocity (0x91,0x06).
 
     GNSS velocity in Earth-fixed coordinates.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
     """
 
     SET = 0x91
     DESCRIPTOR = 0x06
-    NAME = "gnss_1.gnss_ecef_velocity"
+    NAME = "gnss_1.ecef_velocity"
     ROLE = "data"
 
-    v_: types.Vector3f
-    """Velocity. [m/s] Frame: ecef. Valid if valid_flags.velocity."""
-    v_accuracy: float
-    """Accuracy of the velocity. [m/s] Valid if valid_flags.velocity_accuracy."""
-    valid_flags: GnssEcefVelocityFlags
+    velocity: types.Vector3f
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if `EcefVelocityFlags.VELOCITY` of
+    `valid_flags` is set.
+    """
+    velocity_accuracy: float
+    """Accuracy of the velocity. Unit: m/s. Valid if `EcefVelocityFlags.VELOCITY_ACCURACY` of
+    `valid_flags` is set.
+    """
+    valid_flags: EcefVelocityFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssEcefVelocity, int]:
-        v = _GNSS_ECEF_VELOCITY_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
+        v = _ECEF_VELOCITY_0.read(raw, at)
         at += 18
-        v_ = v[0:3]
-        v_accuracy = v[3]
-        valid_flags = GnssEcefVelocityFlags(v[4])
-        return cls(v_, v_accuracy, valid_flags), at
+        velocity = v[0:3]
+        velocity_accuracy = v[3]
+        valid_flags = EcefVelocityFlags(v[4])
+        return cls(velocity, velocity_accuracy, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ECEF_VELOCITY_0.write(
-            *codec.exactly("v_", self.v_, 3), self.v_accuracy, self.valid_flags
+        out = _ECEF_VELOCITY_0.write(
+            *codec.exactly("velocity", self.velocity, 3), self.velocity_accuracy, self.valid_flags
         )
         return codec.finished(out)
 
@@ -620,6 +938,7 @@ class Dop(Data):
     """DOP (0x91,0x07).
 
     Dilution of precision of the satellite geometry.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
@@ -631,19 +950,19 @@ class Dop(Data):
     ROLE = "data"
 
     gdop: float
-    """Geometric dilution. [1] Valid if valid_flags.gdop."""
+    """Geometric dilution. Unit: 1. Valid if `DopFlags.GDOP` of `valid_flags` is set."""
     pdop: float
-    """Position dilution. [1] Valid if valid_flags.pdop."""
+    """Position dilution. Unit: 1. Valid if `DopFlags.PDOP` of `valid_flags` is set."""
     hdop: float
-    """Horizontal dilution. [1] Valid if valid_flags.hdop."""
+    """Horizontal dilution. Unit: 1. Valid if `DopFlags.HDOP` of `valid_flags` is set."""
     vdop: float
-    """Vertical dilution. [1] Valid if valid_flags.vdop."""
+    """Vertical dilution. Unit: 1. Valid if `DopFlags.VDOP` of `valid_flags` is set."""
     tdop: float
-    """Time dilution. [1] Valid if valid_flags.tdop."""
+    """Time dilution. Unit: 1. Valid if `DopFlags.TDOP` of `valid_flags` is set."""
     ndop: float
-    """Northing dilution. [1] Valid if valid_flags.ndop."""
+    """Northing dilution. Unit: 1. Valid if `DopFlags.NDOP` of `valid_flags` is set."""
     edop: float
-    """Easting dilution. [1] Valid if valid_flags.edop."""
+    """Easting dilution. Unit: 1. Valid if `DopFlags.EDOP` of `valid_flags` is set."""
     valid_flags: DopFlags
     """Which values are valid."""
 
@@ -685,6 +1004,7 @@ class UtcTime(Data):
     """UTC time (0x91,0x08).
 
     Coordinated universal time as the receiver knows it.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
@@ -696,19 +1016,25 @@ class UtcTime(Data):
     ROLE = "data"
 
     year: int
-    """Year. Valid if valid_flags.gnss_date_time."""
+    """Year. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
     month: int
-    """Month. Range: 1 to 12. Valid if valid_flags.gnss_date_time."""
+    """Month. Range: 1 to 12. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
     day: int
-    """Day of the month. Range: 1 to 31. Valid if valid_flags.gnss_date_time."""
+    """Day of the month. Range: 1 to 31. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is
+    set.
+    """
     hour: int
-    """Hour. Range: 0 to 23. Valid if valid_flags.gnss_date_time."""
+    """Hour. Range: 0 to 23. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
     min: int
-    """Minute. Range: 0 to 59. Valid if valid_flags.gnss_date_time."""
+    """Minute. Range: 0 to 59. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
     sec: int
-    """Second. [s] Range: 0 to 59. Valid if valid_flags.gnss_date_time."""
+    """Second. Unit: s. Range: 0 to 59. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is
+    set.
+    """
     msec: int
-    """Fraction of the second. [ms] Range: 0 to 999. Valid if valid_flags.gnss_date_time."""
+    """Fraction of the second. Unit: ms. Range: 0 to 999. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of
+    `valid_flags` is set.
+    """
     valid_flags: UtcTimeFlags
     """How far the time is valid."""
 
@@ -748,6 +1074,7 @@ class GpsTime(Data):
     """GPS time (0x91,0x09).
 
     GPS time as the receiver knows it.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
@@ -759,9 +1086,9 @@ class GpsTime(Data):
     ROLE = "data"
 
     tow: float
-    """GPS time of week. [s] Valid if valid_flags.tow."""
+    """GPS time of week. Unit: s. Valid if `GpsTimeFlags.TOW` of `valid_flags` is set."""
     week_number: int
-    """GPS week number. [week] Valid if valid_flags.week_number."""
+    """GPS week number. Unit: week. Valid if `GpsTimeFlags.WEEK_NUMBER` of `valid_flags` is set."""
     valid_flags: GpsTimeFlags
     """Which values are valid."""
 
@@ -779,6 +1106,51 @@ class GpsTime(Data):
         return codec.finished(out)
 
 
+_CLOCK_INFO_0 = codec.Block("dddH", "bias", "drift", "accuracy_estimate", "valid_flags")
+
+
+@dataclass(slots=True)
+class ClockInfo(Data):
+    """Clock info (0x91,0x0A).
+
+    Bias and drift of the receiver clock.
+
+    Clock info 2 replaces it and tells more.
+
+    - mip-sdk-4: Clock Info (0x81,0x0A)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x0A
+    NAME = "gnss_1.clock_info"
+    ROLE = "data"
+
+    bias: float
+    """Bias of the clock. Unit: s. Valid if `ClockInfoFlags.BIAS` of `valid_flags` is set."""
+    drift: float
+    """Drift of the clock. Unit: s/s. Valid if `ClockInfoFlags.DRIFT` of `valid_flags` is set."""
+    accuracy_estimate: float
+    """Estimated accuracy. Unit: s. Valid if `ClockInfoFlags.ACCURACY_ESTIMATE` of `valid_flags` is
+    set.
+    """
+    valid_flags: ClockInfoFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ClockInfo, int]:
+        v = _CLOCK_INFO_0.read(raw, at)
+        at += 26
+        bias = v[0]
+        drift = v[1]
+        accuracy_estimate = v[2]
+        valid_flags = ClockInfoFlags(v[3])
+        return cls(bias, drift, accuracy_estimate, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _CLOCK_INFO_0.write(self.bias, self.drift, self.accuracy_estimate, self.valid_flags)
+        return codec.finished(out)
+
+
 _FIX_INFO_0 = codec.Block("BBHH", "fix_type", "num_sv", "fix_flags", "valid_flags")
 
 
@@ -787,6 +1159,7 @@ class FixInfo(Data):
     """Fix info (0x91,0x0B).
 
     Type of the position fix and what it is made of.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
@@ -798,11 +1171,13 @@ class FixInfo(Data):
     ROLE = "data"
 
     fix_type: types.GnssFixType
-    """Type of the fix. Valid if valid_flags.fix_type."""
+    """Type of the fix. Valid if `FixInfoFlags.FIX_TYPE` of `valid_flags` is set."""
     num_sv: int
-    """Number of satellites of the fix. [1] Valid if valid_flags.num_sv."""
+    """Number of satellites of the fix. Unit: 1. Valid if `FixInfoFlags.NUM_SV` of `valid_flags` is
+    set.
+    """
     fix_flags: FixFlags
-    """Aids of the fix. Valid if valid_flags.fix_flags."""
+    """Aids of the fix. Valid if `FixInfoFlags.FIX_FLAGS` of `valid_flags` is set."""
     valid_flags: FixInfoFlags
     """Which values are valid."""
 
@@ -821,48 +1196,253 @@ class FixInfo(Data):
         return codec.finished(out)
 
 
-_GNSS_HARDWARE_STATUS_0 = codec.Block(
+_SV_INFO_0 = codec.Block(
+    "BBHhhHH",
+    "channel",
+    "satellite_id",
+    "carrier_noise_ratio",
+    "azimuth",
+    "elevation",
+    "sv_flags",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class SvInfo(Data):
+    """Satellite info (0x91,0x0C).
+
+    One satellite that is tracked.
+
+    Uncertain: Whether a packet holds one of these fields or several.
+
+    The satellites come as one field each, in packets apart from other GNSS data.
+
+    - mip-sdk-4: Sv Info (0x81,0x0C)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x0C
+    NAME = "gnss_1.sv_info"
+    ROLE = "data"
+
+    channel: int
+    """Channel of the receiver that tracks the satellite. Valid if `SvInfoFlags.CHANNEL` of
+    `valid_flags` is set.
+    """
+    satellite_id: int
+    """Number of the satellite. Valid if `SvInfoFlags.SATELLITE_ID` of `valid_flags` is set."""
+    carrier_noise_ratio: int
+    """Carrier to noise density ratio. Unit: dB-Hz. Valid if `SvInfoFlags.CARRIER_NOISE_RATIO` of
+    `valid_flags` is set.
+    """
+    azimuth: int
+    """Azimuth. Unit: deg. Valid if `SvInfoFlags.AZIMUTH` of `valid_flags` is set."""
+    elevation: int
+    """Elevation. Unit: deg. Valid if `SvInfoFlags.ELEVATION` of `valid_flags` is set."""
+    sv_flags: SvFlags
+    """State of the satellite. Valid if `SvInfoFlags.SV_FLAGS` of `valid_flags` is set."""
+    valid_flags: SvInfoFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SvInfo, int]:
+        v = _SV_INFO_0.read(raw, at)
+        at += 12
+        channel = v[0]
+        satellite_id = v[1]
+        carrier_noise_ratio = v[2]
+        azimuth = v[3]
+        elevation = v[4]
+        sv_flags = SvFlags(v[5])
+        valid_flags = SvInfoFlags(v[6])
+        return cls(
+            channel, satellite_id, carrier_noise_ratio, azimuth, elevation, sv_flags, valid_flags
+        ), at
+
+    def _write(self) -> bytes:
+        out = _SV_INFO_0.write(
+            self.channel,
+            self.satellite_id,
+            self.carrier_noise_ratio,
+            self.azimuth,
+            self.elevation,
+            self.sv_flags,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_HARDWARE_STATUS_0 = codec.Block(
     "BBBH", "receiver_state", "antenna_state", "antenna_power", "valid_flags"
 )
 
 
 @dataclass(slots=True)
-class GnssHardwareStatus(Data):
+class HardwareStatus(Data):
     """GNSS hardware status (0x91,0x0D).
 
     State of the receiver and of its antenna.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
     """
 
     SET = 0x91
     DESCRIPTOR = 0x0D
-    NAME = "gnss_1.gnss_hardware_status"
+    NAME = "gnss_1.hardware_status"
     ROLE = "data"
 
     receiver_state: ReceiverState
-    """State of the receiver. Valid if valid_flags.sensor_state."""
+    """State of the receiver. Valid if `HardwareStatusFlags.SENSOR_STATE` of `valid_flags` is set.
+    """
     antenna_state: AntennaState
-    """State of the antenna. Valid if valid_flags.antenna_state."""
+    """State of the antenna. Valid if `HardwareStatusFlags.ANTENNA_STATE` of `valid_flags` is set.
+    """
     antenna_power: AntennaPower
-    """Supply of the antenna. Valid if valid_flags.antenna_power."""
-    valid_flags: GnssHardwareStatusFlags
+    """Supply of the antenna. Valid if `HardwareStatusFlags.ANTENNA_POWER` of `valid_flags` is set.
+    """
+    valid_flags: HardwareStatusFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssHardwareStatus, int]:
-        v = _GNSS_HARDWARE_STATUS_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[HardwareStatus, int]:
+        v = _HARDWARE_STATUS_0.read(raw, at)
         at += 5
         receiver_state = ReceiverState(v[0])
         antenna_state = AntennaState(v[1])
         antenna_power = AntennaPower(v[2])
-        valid_flags = GnssHardwareStatusFlags(v[3])
+        valid_flags = HardwareStatusFlags(v[3])
         return cls(receiver_state, antenna_state, antenna_power, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _GNSS_HARDWARE_STATUS_0.write(
+        out = _HARDWARE_STATUS_0.write(
             self.receiver_state, self.antenna_state, self.antenna_power, self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_DGPS_INFO_0 = codec.Block(
+    "fhhHH", "age", "base_station_id", "base_station_status", "num_channels", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class DgpsInfo(Data):
+    """DGPS info (0x91,0x0E).
+
+    State of the differential corrections.
+
+    Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of the
+    vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8, three floats and
+    u16, which is that of dgps_channel and does not agree with its own valid flags (age, base
+    station id, base station status, number of channels).
+
+    - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
+    - mip-sdk-4: Dgps Info (0x81,0x0E)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x0E
+    NAME = "gnss_1.dgps_info"
+    ROLE = "data"
+
+    age: float
+    """Age of the corrections. Unit: s. Valid if `DgpsInfoFlags.AGE` of `valid_flags` is set.
+    Uncertain: The unit, which follows from dgps_channel.
+    """
+    base_station_id: int
+    """Number of the base station. Valid if `DgpsInfoFlags.BASE_STATION_ID` of `valid_flags` is set.
+    """
+    base_station_status: int
+    """State of the base station: 0 to 5 are factors of the user differential range error, which are
+    1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if
+    `DgpsInfoFlags.BASE_STATION_STATUS` of `valid_flags` is set.
+    """
+    num_channels: int
+    """Number of channels that have corrections. Unit: 1. Valid if `DgpsInfoFlags.NUM_CHANNELS` of
+    `valid_flags` is set.
+    """
+    valid_flags: DgpsInfoFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DgpsInfo, int]:
+        v = _DGPS_INFO_0.read(raw, at)
+        at += 12
+        age = v[0]
+        base_station_id = v[1]
+        base_station_status = v[2]
+        num_channels = v[3]
+        valid_flags = DgpsInfoFlags(v[4])
+        return cls(age, base_station_id, base_station_status, num_channels, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _DGPS_INFO_0.write(
+            self.age,
+            self.base_station_id,
+            self.base_station_status,
+            self.num_channels,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_DGPS_CHANNEL_0 = codec.Block(
+    "BfffH", "satellite_id", "age", "range_correction", "range_rate_correction", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class DgpsChannel(Data):
+    """DGPS channel (0x91,0x0F).
+
+    Differential correction for one satellite.
+
+    The active satellites come as one field each, all in one packet.
+
+    - mip-sdk-4: Dgps Channel (0x81,0x0F)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x0F
+    NAME = "gnss_1.dgps_channel"
+    ROLE = "data"
+
+    satellite_id: int
+    """Number of the satellite. Valid if `DgpsChannelFlags.SATELLITE_ID` of `valid_flags` is set."""
+    age: float
+    """Age of the correction. Unit: s. Valid if `DgpsChannelFlags.AGE` of `valid_flags` is set."""
+    range_correction: float
+    """Correction of the range. Unit: m. Valid if `DgpsChannelFlags.RANGE_CORRECTION` of
+    `valid_flags` is set.
+    """
+    range_rate_correction: float
+    """Correction of the range rate. Unit: m/s. Valid if `DgpsChannelFlags.RANGE_RATE_CORRECTION` of
+    `valid_flags` is set.
+    """
+    valid_flags: DgpsChannelFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DgpsChannel, int]:
+        v = _DGPS_CHANNEL_0.read(raw, at)
+        at += 15
+        satellite_id = v[0]
+        age = v[1]
+        range_correction = v[2]
+        range_rate_correction = v[3]
+        valid_flags = DgpsChannelFlags(v[4])
+        return cls(satellite_id, age, range_correction, range_rate_correction, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _DGPS_CHANNEL_0.write(
+            self.satellite_id,
+            self.age,
+            self.range_correction,
+            self.range_rate_correction,
+            self.valid_flags,
         )
         return codec.finished(out)
 
@@ -877,8 +1457,10 @@ class ClockInfo2(Data):
     """Clock info 2 (0x91,0x10).
 
     Bias and drift of the receiver clock.
-    It supersedes an older field, which the manual does not define.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    It supersedes clock info.
 
     - 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
     """
@@ -889,13 +1471,17 @@ class ClockInfo2(Data):
     ROLE = "data"
 
     bias: float
-    """Bias of the clock. [s] Valid if valid_flags.bias."""
+    """Bias of the clock. Unit: s. Valid if `ClockInfo2Flags.BIAS` of `valid_flags` is set."""
     drift: float
-    """Drift of the clock. [s/s] Valid if valid_flags.drift."""
+    """Drift of the clock. Unit: s/s. Valid if `ClockInfo2Flags.DRIFT` of `valid_flags` is set."""
     bias_accuracy_estimate: float
-    """Accuracy of the bias. [s] Valid if valid_flags.bias_accuracy."""
+    """Accuracy of the bias. Unit: s. Valid if `ClockInfo2Flags.BIAS_ACCURACY` of `valid_flags` is
+    set.
+    """
     drift_accuracy_estimate: float
-    """Accuracy of the drift. [s/s] Valid if valid_flags.drift_accuracy."""
+    """Accuracy of the drift. Unit: s/s. Valid if `ClockInfo2Flags.DRIFT_ACCURACY` of `valid_flags`
+    is set.
+    """
     valid_flags: ClockInfo2Flags
     """Which values are valid."""
 
@@ -929,6 +1515,7 @@ class GpsLeapSeconds(Data):
     """GPS leap seconds (0x91,0x11).
 
     Difference between GPS time and UTC.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
@@ -940,7 +1527,9 @@ class GpsLeapSeconds(Data):
     ROLE = "data"
 
     leap_seconds: int
-    """GPS time minus UTC. [s] Valid if valid_flags.leap_seconds."""
+    """GPS time minus UTC. Unit: s. Valid if `GpsLeapSecondsFlags.LEAP_SECONDS` of `valid_flags` is
+    set.
+    """
     valid_flags: GpsLeapSecondsFlags
     """Whether the value is valid."""
 
@@ -958,14 +1547,7 @@ class GpsLeapSeconds(Data):
 
 
 _SBAS_INFO_0 = codec.Block(
-    "dHBBBBH",
-    "time_of_week",
-    "week_number",
-    "sbas_system",
-    "sbas_id",
-    "count",
-    "sbas_status",
-    "valid_flags",
+    "dHBBBBH", "tow", "week_number", "sbas_system", "sbas_id", "count", "sbas_status", "valid_flags"
 )
 
 
@@ -974,6 +1556,7 @@ class SbasInfo(Data):
     """SBAS info (0x91,0x12).
 
     Status of the satellite based augmentation.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
@@ -984,18 +1567,19 @@ class SbasInfo(Data):
     NAME = "gnss_1.sbas_info"
     ROLE = "data"
 
-    time_of_week: float
-    """GPS time of week. [s] Valid if valid_flags.tow."""
+    tow: float
+    """GPS time of week. Unit: s. Valid if `SbasInfoFlags.TOW` of `valid_flags` is set."""
     week_number: int
-    """GPS week number. [week] Valid if valid_flags.week_number."""
+    """GPS week number. Unit: week. Valid if `SbasInfoFlags.WEEK_NUMBER` of `valid_flags` is set."""
     sbas_system: SbasSystem
-    """System in use. Valid if valid_flags.sbas_system."""
+    """System in use. Valid if `SbasInfoFlags.SBAS_SYSTEM` of `valid_flags` is set."""
     sbas_id: int
-    """SBAS satellite. Valid if valid_flags.sbas_id."""
+    """SBAS satellite. Valid if `SbasInfoFlags.SBAS_ID` of `valid_flags` is set."""
     count: int
-    """Number of SBAS corrections. [1] Valid if valid_flags.count."""
+    """Number of SBAS corrections. Unit: 1. Valid if `SbasInfoFlags.COUNT` of `valid_flags` is set.
+    """
     sbas_status: SbasStatus
-    """Status of the service. Valid if valid_flags.sbas_status."""
+    """Status of the service. Valid if `SbasInfoFlags.SBAS_STATUS` of `valid_flags` is set."""
     valid_flags: SbasInfoFlags
     """Which values are valid."""
 
@@ -1003,20 +1587,18 @@ class SbasInfo(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[SbasInfo, int]:
         v = _SBAS_INFO_0.read(raw, at)
         at += 16
-        time_of_week = v[0]
+        tow = v[0]
         week_number = v[1]
         sbas_system = SbasSystem(v[2])
         sbas_id = v[3]
         count = v[4]
         sbas_status = SbasStatus(v[5])
         valid_flags = SbasInfoFlags(v[6])
-        return cls(
-            time_of_week, week_number, sbas_system, sbas_id, count, sbas_status, valid_flags
-        ), at
+        return cls(tow, week_number, sbas_system, sbas_id, count, sbas_status, valid_flags), at
 
     def _write(self) -> bytes:
         out = _SBAS_INFO_0.write(
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.sbas_system,
             self.sbas_id,
@@ -1027,11 +1609,167 @@ class SbasInfo(Data):
         return codec.finished(out)
 
 
+_SBAS_CORRECTION_0 = codec.Block(
+    "BBdHBBBffH",
+    "index",
+    "count",
+    "tow",
+    "week_number",
+    "gnss_id",
+    "satellite_id",
+    "udrei",
+    "pseudorange_correction",
+    "iono_correction",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class SbasCorrection(Data):
+    """SBAS correction (0x91,0x13).
+
+    SBAS correction for one satellite.
+
+    An epoch is sent as one field for each satellite; index and count number the fields. udrei 0 to
+    13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709,
+    2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
+
+    - mip-sdk-4: Sbas Correction (0x81,0x13)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x13
+    NAME = "gnss_1.sbas_correction"
+    ROLE = "data"
+
+    index: int
+    """Number of this field within the epoch."""
+    count: int
+    """How many of these fields the epoch has."""
+    tow: float
+    """GPS time of week of the reception. Unit: s."""
+    week_number: int
+    """GPS week number. Unit: week."""
+    gnss_id: types.GnssConstellation
+    """Constellation."""
+    satellite_id: int
+    """Satellite within the constellation."""
+    udrei: int
+    """Indicator of the range error that is left after fast and long-term corrections, the
+    atmosphere apart; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
+    `SbasCorrectionFlags.UDREI` of `valid_flags` is set.
+    """
+    pseudorange_correction: float
+    """Correction of the pseudorange. Unit: m. Valid if `SbasCorrectionFlags.PSEUDORANGE_CORRECTION`
+    of `valid_flags` is set.
+    """
+    iono_correction: float
+    """Correction of the ionospheric delay. Unit: m. Valid if `SbasCorrectionFlags.IONO_CORRECTION`
+    of `valid_flags` is set.
+    """
+    valid_flags: SbasCorrectionFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SbasCorrection, int]:
+        v = _SBAS_CORRECTION_0.read(raw, at)
+        at += 25
+        index = v[0]
+        count = v[1]
+        tow = v[2]
+        week_number = v[3]
+        gnss_id = types.GnssConstellation(v[4])
+        satellite_id = v[5]
+        udrei = v[6]
+        pseudorange_correction = v[7]
+        iono_correction = v[8]
+        valid_flags = SbasCorrectionFlags(v[9])
+        return cls(
+            index,
+            count,
+            tow,
+            week_number,
+            gnss_id,
+            satellite_id,
+            udrei,
+            pseudorange_correction,
+            iono_correction,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _SBAS_CORRECTION_0.write(
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.gnss_id,
+            self.satellite_id,
+            self.udrei,
+            self.pseudorange_correction,
+            self.iono_correction,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_RF_ERROR_DETECTION_0 = codec.Block(
+    "BBBBBBBH", "rf_band", "jamming_state", "spoofing_state", *["reserved"] * 4, "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class RfErrorDetection(Data):
+    """RF error detection (0x91,0x14).
+
+    Jamming and spoofing as the receiver detects them in one band.
+
+    - mip-sdk-4: Rf Error Detection (0x81,0x14)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x14
+    NAME = "gnss_1.rf_error_detection"
+    ROLE = "data"
+
+    rf_band: RfBand
+    """Band. Valid if `RfErrorDetectionFlags.RF_BAND` of `valid_flags` is set."""
+    jamming_state: JammingState
+    """Jamming. Valid if `RfErrorDetectionFlags.JAMMING_STATE` of `valid_flags` is set."""
+    spoofing_state: SpoofingState
+    """Spoofing. Valid if `RfErrorDetectionFlags.SPOOFING_STATE` of `valid_flags` is set."""
+    reserved: tuple[int, int, int, int] = field(default=(0, 0, 0, 0), kw_only=True)
+    """Reserved."""
+    valid_flags: RfErrorDetectionFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RfErrorDetection, int]:
+        v = _RF_ERROR_DETECTION_0.read(raw, at)
+        at += 9
+        rf_band = RfBand(v[0])
+        jamming_state = JammingState(v[1])
+        spoofing_state = SpoofingState(v[2])
+        reserved = v[3:7]
+        valid_flags = RfErrorDetectionFlags(v[7])
+        return cls(rf_band, jamming_state, spoofing_state, valid_flags, reserved=reserved), at
+
+    def _write(self) -> bytes:
+        out = _RF_ERROR_DETECTION_0.write(
+            self.rf_band,
+            self.jamming_state,
+            self.spoofing_state,
+            *codec.exactly("reserved", self.reserved, 4),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
 _SATELLITE_STATUS_0 = codec.Block(
     "BBdHBBffBH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "gnss_id",
     "satellite_id",
@@ -1047,8 +1785,10 @@ class SatelliteStatus(Data):
     """Satellite status (0x91,0x20).
 
     Where one satellite stands, and its health.
-    An epoch is sent as one field for each satellite; index and count number the fields.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    An epoch is sent as one field for each satellite; index and count number the fields.
 
     - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
     """
@@ -1062,20 +1802,30 @@ class SatelliteStatus(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
-    """GPS time of week. [s] Valid if valid_flags.tow."""
+    tow: float
+    """GPS time of week. Unit: s. Valid if `SatelliteStatusFlags.TOW` of `valid_flags` is set."""
     week_number: int
-    """GPS week number. [week] Valid if valid_flags.week_number."""
+    """GPS week number. Unit: week. Valid if `SatelliteStatusFlags.WEEK_NUMBER` of `valid_flags` is
+    set.
+    """
     gnss_id: types.GnssConstellation
-    """Constellation. Valid if valid_flags.gnss_id."""
+    """Constellation. Valid if `SatelliteStatusFlags.GNSS_ID` of `valid_flags` is set."""
     satellite_id: int
-    """Satellite within the constellation. Valid if valid_flags.satellite_id."""
+    """Satellite within the constellation. Valid if `SatelliteStatusFlags.SATELLITE_ID` of
+    `valid_flags` is set.
+    """
     elevation: float
-    """Elevation, as seen from the rover. [deg] Valid if valid_flags.elevation."""
+    """Elevation, as seen from the rover. Unit: deg. Valid if `SatelliteStatusFlags.ELEVATION` of
+    `valid_flags` is set.
+    """
     azimuth: float
-    """Azimuth, as seen from the rover. [deg] Valid if valid_flags.azimuth."""
+    """Azimuth, as seen from the rover. Unit: deg. Valid if `SatelliteStatusFlags.AZIMUTH` of
+    `valid_flags` is set.
+    """
     health: bool
-    """Whether the satellite is healthy. Valid if valid_flags.health."""
+    """Whether the satellite is healthy. Valid if `SatelliteStatusFlags.HEALTH` of `valid_flags` is
+    set.
+    """
     valid_flags: SatelliteStatusFlags
     """Which values are valid."""
 
@@ -1085,7 +1835,7 @@ class SatelliteStatus(Data):
         at += 25
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         gnss_id = types.GnssConstellation(v[4])
         satellite_id = v[5]
@@ -1096,7 +1846,7 @@ class SatelliteStatus(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             gnss_id,
             satellite_id,
@@ -1110,7 +1860,7 @@ class SatelliteStatus(Data):
         out = _SATELLITE_STATUS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.gnss_id,
             self.satellite_id,
@@ -1126,7 +1876,7 @@ _RAW_0 = codec.Block(
     "BBdHHBBBBfBddfffffH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "receiver_id",
     "tracking_channel",
@@ -1138,9 +1888,9 @@ _RAW_0 = codec.Block(
     "pseudorange",
     "carrier_phase",
     "doppler",
-    "range_uncert",
-    "phase_uncert",
-    "doppler_uncert",
+    "range_uncertainty",
+    "phase_uncertainty",
+    "doppler_uncertainty",
     "lock_time",
     "valid_flags",
 )
@@ -1151,9 +1901,11 @@ class Raw(Data):
     """Raw (0x91,0x22).
 
     Raw observation of one signal of one satellite.
-    An epoch is sent as one field for each signal; index and count number the fields.
-    The greatest lock time depends on the receiver.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    An epoch is sent as one field for each signal; index and count number the fields. The greatest
+    lock time depends on the receiver.
 
     - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
     """
@@ -1167,41 +1919,52 @@ class Raw(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
-    """GPS time of week. [s] Valid if valid_flags.tow."""
+    tow: float
+    """GPS time of week. Unit: s. Valid if `RawFlags.TOW` of `valid_flags` is set."""
     week_number: int
-    """GPS week number. [week] Valid if valid_flags.week_number."""
+    """GPS week number. Unit: week. Valid if `RawFlags.WEEK_NUMBER` of `valid_flags` is set."""
     receiver_id: int
     """Receiver, counted from 1; for a measurement from RTCM, the reference station. Valid if
-    valid_flags.receiver_id.
+    `RawFlags.RECEIVER_ID` of `valid_flags` is set.
     """
     tracking_channel: int
-    """Channel that tracks the satellite. Valid if valid_flags.tracking_channel."""
+    """Channel that tracks the satellite. Valid if `RawFlags.TRACKING_CHANNEL` of `valid_flags` is
+    set.
+    """
     gnss_id: types.GnssConstellation
-    """Constellation. Valid if valid_flags.gnss_id."""
+    """Constellation. Valid if `RawFlags.GNSS_ID` of `valid_flags` is set."""
     satellite_id: int
-    """Satellite within the constellation. Valid if valid_flags.satellite_id."""
+    """Satellite within the constellation. Valid if `RawFlags.SATELLITE_ID` of `valid_flags` is set.
+    """
     signal_id: types.GnssSignal
-    """Signal. Valid if valid_flags.signal_id."""
+    """Signal. Valid if `RawFlags.SIGNAL_ID` of `valid_flags` is set."""
     signal_strength: float
-    """Carrier to noise density ratio. [dB-Hz] Valid if valid_flags.signal_strength."""
+    """Carrier to noise density ratio. Unit: dB-Hz. Valid if `RawFlags.SIGNAL_STRENGTH` of
+    `valid_flags` is set.
+    """
     quality: SignalQuality
-    """How well the signal is tracked. Valid if valid_flags.quality."""
+    """How well the signal is tracked. Valid if `RawFlags.QUALITY` of `valid_flags` is set."""
     pseudorange: float
-    """Pseudorange. [m] Valid if valid_flags.pseudorange."""
+    """Pseudorange. Unit: m. Valid if `RawFlags.PSEUDORANGE` of `valid_flags` is set."""
     carrier_phase: float
-    """Carrier phase. [cycle] Valid if valid_flags.carrier_phase."""
+    """Carrier phase. Unit: cycle. Valid if `RawFlags.CARRIER_PHASE` of `valid_flags` is set."""
     doppler: float
-    """Doppler shift. [Hz] Valid if valid_flags.doppler."""
-    range_uncert: float
-    """Uncertainty of the pseudorange. [m] Valid if valid_flags.range_uncertainty."""
-    phase_uncert: float
-    """Uncertainty of the carrier phase. [cycle] Valid if valid_flags.carrier_phase_uncertainty."""
-    doppler_uncert: float
-    """Uncertainty of the Doppler shift. [Hz] Valid if valid_flags.doppler_uncertainty."""
+    """Doppler shift. Unit: Hz. Valid if `RawFlags.DOPPLER` of `valid_flags` is set."""
+    range_uncertainty: float
+    """Uncertainty of the pseudorange. Unit: m. Valid if `RawFlags.RANGE_UNCERTAINTY` of
+    `valid_flags` is set.
+    """
+    phase_uncertainty: float
+    """Uncertainty of the carrier phase. Unit: cycle. Valid if `RawFlags.CARRIER_PHASE_UNCERTAINTY`
+    of `valid_flags` is set.
+    """
+    doppler_uncertainty: float
+    """Uncertainty of the Doppler shift. Unit: Hz. Valid if `RawFlags.DOPPLER_UNCERTAINTY` of
+    `valid_flags` is set.
+    """
     lock_time: float
-    """Lower limit of the time that the carrier phase has been locked. [s] Valid if
-    valid_flags.lock_time.
+    """Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if
+    `RawFlags.LOCK_TIME` of `valid_flags` is set.
     """
     valid_flags: RawFlags
     """Which values are valid."""
@@ -1212,7 +1975,7 @@ class Raw(Data):
         at += 61
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         receiver_id = v[4]
         tracking_channel = v[5]
@@ -1224,15 +1987,15 @@ class Raw(Data):
         pseudorange = v[11]
         carrier_phase = v[12]
         doppler = v[13]
-        range_uncert = v[14]
-        phase_uncert = v[15]
-        doppler_uncert = v[16]
+        range_uncertainty = v[14]
+        phase_uncertainty = v[15]
+        doppler_uncertainty = v[16]
         lock_time = v[17]
         valid_flags = RawFlags(v[18])
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             receiver_id,
             tracking_channel,
@@ -1244,9 +2007,9 @@ class Raw(Data):
             pseudorange,
             carrier_phase,
             doppler,
-            range_uncert,
-            phase_uncert,
-            doppler_uncert,
+            range_uncertainty,
+            phase_uncertainty,
+            doppler_uncertainty,
             lock_time,
             valid_flags,
         ), at
@@ -1255,7 +2018,7 @@ class Raw(Data):
         out = _RAW_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.receiver_id,
             self.tracking_channel,
@@ -1267,10 +2030,198 @@ class Raw(Data):
             self.pseudorange,
             self.carrier_phase,
             self.doppler,
-            self.range_uncert,
-            self.phase_uncert,
-            self.doppler_uncert,
+            self.range_uncertainty,
+            self.phase_uncertainty,
+            self.doppler_uncertainty,
             self.lock_time,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_BASE_STATION_INFO_0 = codec.Block(
+    "dHdddfHHH",
+    "tow",
+    "week_number",
+    *["ecef_position"] * 3,
+    "height",
+    "station_id",
+    "indicators",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class BaseStationInfo(Data):
+    """Base station info (0x91,0x30).
+
+    The base station of the corrections, from an RTCM message 1005 or 1006.
+
+    - mip-sdk-4: Base Station Info (0x81,0x30)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x30
+    NAME = "gnss_1.base_station_info"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week at which the message was received. Unit: s. Valid if
+    `BaseStationInfoFlags.TOW` of `valid_flags` is set.
+    """
+    week_number: int
+    """GPS week number. Unit: week. Valid if `BaseStationInfoFlags.WEEK_NUMBER` of `valid_flags` is
+    set.
+    """
+    ecef_position: types.Vector3d
+    """Position of the station. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+    `BaseStationInfoFlags.ECEF_POSITION` of `valid_flags` is set.
+    """
+    height: float
+    """Height of the antenna above the marker that was surveyed. Unit: m. Valid if
+    `BaseStationInfoFlags.HEIGHT` of `valid_flags` is set.
+    """
+    station_id: int
+    """Number of the station. Range: 0 to 4095. Valid if `BaseStationInfoFlags.STATION_ID` of
+    `valid_flags` is set.
+    """
+    indicators: BaseStationIndicators
+    """Properties of the station. Valid if `BaseStationInfoFlags.INDICATORS` of `valid_flags` is
+    set.
+    """
+    valid_flags: BaseStationInfoFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[BaseStationInfo, int]:
+        v = _BASE_STATION_INFO_0.read(raw, at)
+        at += 44
+        tow = v[0]
+        week_number = v[1]
+        ecef_position = v[2:5]
+        height = v[5]
+        station_id = v[6]
+        indicators = BaseStationIndicators(v[7])
+        valid_flags = BaseStationInfoFlags(v[8])
+        return cls(tow, week_number, ecef_position, height, station_id, indicators, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _BASE_STATION_INFO_0.write(
+            self.tow,
+            self.week_number,
+            *codec.exactly("ecef_position", self.ecef_position, 3),
+            self.height,
+            self.station_id,
+            self.indicators,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_RTK_CORRECTIONS_STATUS_0 = codec.Block(
+    "dHHIffffIIIIH",
+    "tow",
+    "week_number",
+    "epoch_status",
+    "dongle_status",
+    "gps_correction_latency",
+    "glonass_correction_latency",
+    "galileo_correction_latency",
+    "beidou_correction_latency",
+    *["reserved"] * 4,
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class RtkCorrectionsStatus(Data):
+    """RTK corrections status (0x91,0x31).
+
+    Which corrections come, and how old they are.
+
+    - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x31
+    NAME = "gnss_1.rtk_corrections_status"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week. Unit: s. Valid if `RtkCorrectionsStatusFlags.TOW` of `valid_flags` is set.
+    """
+    week_number: int
+    """GPS week number. Unit: week. Valid if `RtkCorrectionsStatusFlags.WEEK_NUMBER` of
+    `valid_flags` is set.
+    """
+    epoch_status: RtkEpochStatus
+    """Corrections that came during this epoch. Valid if `RtkCorrectionsStatusFlags.EPOCH_STATUS` of
+    `valid_flags` is set.
+    """
+    dongle_status: types.RtkStatusFlags
+    """Status flags of the RTK dongle; of use only with a dongle. Valid if
+    `RtkCorrectionsStatusFlags.DONGLE_STATUS` of `valid_flags` is set. The same word as that of get
+    status flags `rtk.GetStatusFlags` (0x0F,0x01), in one of its two forms.
+    """
+    gps_correction_latency: float
+    """Latency of the last GPS correction. Unit: s. Valid if `RtkCorrectionsStatusFlags.GPS_LATENCY`
+    of `valid_flags` is set.
+    """
+    glonass_correction_latency: float
+    """Latency of the last GLONASS correction. Unit: s. Valid if
+    `RtkCorrectionsStatusFlags.GLONASS_LATENCY` of `valid_flags` is set.
+    """
+    galileo_correction_latency: float
+    """Latency of the last Galileo correction. Unit: s. Valid if
+    `RtkCorrectionsStatusFlags.GALILEO_LATENCY` of `valid_flags` is set.
+    """
+    beidou_correction_latency: float
+    """Latency of the last BeiDou correction. Unit: s. Valid if
+    `RtkCorrectionsStatusFlags.BEIDOU_LATENCY` of `valid_flags` is set.
+    """
+    reserved: tuple[int, int, int, int] = field(default=(0, 0, 0, 0), kw_only=True)
+    """Reserved."""
+    valid_flags: RtkCorrectionsStatusFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RtkCorrectionsStatus, int]:
+        v = _RTK_CORRECTIONS_STATUS_0.read(raw, at)
+        at += 50
+        tow = v[0]
+        week_number = v[1]
+        epoch_status = RtkEpochStatus(v[2])
+        dongle_status = types.RtkStatusFlags(v[3])
+        gps_correction_latency = v[4]
+        glonass_correction_latency = v[5]
+        galileo_correction_latency = v[6]
+        beidou_correction_latency = v[7]
+        reserved = v[8:12]
+        valid_flags = RtkCorrectionsStatusFlags(v[12])
+        return cls(
+            tow,
+            week_number,
+            epoch_status,
+            dongle_status,
+            gps_correction_latency,
+            glonass_correction_latency,
+            galileo_correction_latency,
+            beidou_correction_latency,
+            valid_flags,
+            reserved=reserved,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _RTK_CORRECTIONS_STATUS_0.write(
+            self.tow,
+            self.week_number,
+            self.epoch_status,
+            self.dongle_status,
+            self.gps_correction_latency,
+            self.glonass_correction_latency,
+            self.galileo_correction_latency,
+            self.beidou_correction_latency,
+            *codec.exactly("reserved", self.reserved, 4),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -1280,11 +2231,11 @@ _GPS_EPHEMERIS_0 = codec.Block(
     "BBdHBBBBdddddddddddddddddddddddddH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
     "health",
-    "iodec",
+    "iodc",
     "iode",
     "t_oc",
     "af0",
@@ -1320,8 +2271,10 @@ class GpsEphemeris(Data):
     """GPS ephemeris (0x91,0x61).
 
     Broadcast orbit and clock of one GPS satellite.
-    iodec changes with the clock data; the manual has it roll over at 4.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    iodc changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
     """
@@ -1335,74 +2288,103 @@ class GpsEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
-    """GPS time of week. [s]"""
+    tow: float
+    """GPS time of week. Unit: s."""
     week_number: int
-    """GPS week number. [week]"""
+    """GPS week number. Unit: week."""
     satellite_id: int
     """Satellite within the constellation."""
     health: int
-    """Health of satellite and signals. Valid if valid_flags.ephemeris."""
-    iodec: int
-    """Issue of data, clock. Valid if valid_flags.ephemeris."""
+    """Health of satellite and signals. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    iodc: int
+    """Issue of data, clock. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     iode: int
-    """Issue of data, ephemeris. Valid if valid_flags.ephemeris."""
+    """Issue of data, ephemeris. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     t_oc: float
-    """Reference time of the clock data. [s] Valid if valid_flags.ephemeris."""
+    """Reference time of the clock data. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     af0: float
-    """Clock bias. [s] Valid if valid_flags.ephemeris."""
+    """Clock bias. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     af1: float
-    """Clock drift. [s/s] Valid if valid_flags.ephemeris."""
+    """Clock drift. Unit: s/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     af2: float
-    """Clock drift rate. [s/s^2] Valid if valid_flags.ephemeris."""
+    """Clock drift rate. Unit: s/s^2. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     t_gd: float
-    """Group delay. [s] Valid if valid_flags.ephemeris."""
+    """Group delay. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     isc_l1ca: float
-    """Inter-signal correction for L1. [s] Valid if valid_flags.ephemeris."""
+    """Inter-signal correction for L1. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
     isc_l2c: float
-    """Inter-signal correction for L2, or for L5 if isc_l5 is set. [s] Valid if
-    valid_flags.ephemeris.
+    """Inter-signal correction for L2, or for L5 if isc_l5 is set. Unit: s. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     t_oe: float
-    """Reference time of the ephemeris. [s] Valid if valid_flags.ephemeris."""
+    """Reference time of the ephemeris. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     a: float
-    """Semi-major axis. [m] Valid if valid_flags.ephemeris."""
+    """Semi-major axis. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     a_dot: float
-    """Rate of the semi-major axis. [m/s] Valid if valid_flags.ephemeris."""
+    """Rate of the semi-major axis. Unit: m/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
     mean_anomaly: float
-    """Mean anomaly. [rad] Valid if valid_flags.ephemeris."""
+    """Mean anomaly. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     delta_mean_motion: float
-    """Correction of the mean motion. [rad/s] Valid if valid_flags.ephemeris."""
+    """Correction of the mean motion. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     delta_mean_motion_dot: float
-    """Rate of the correction of the mean motion. [rad/s^2] Valid if valid_flags.ephemeris."""
+    """Rate of the correction of the mean motion. Unit: rad/s^2. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     eccentricity: float
-    """Eccentricity. [1] Valid if valid_flags.ephemeris."""
+    """Eccentricity. Unit: 1. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     argument_of_perigee: float
-    """Argument of perigee. [rad] Valid if valid_flags.ephemeris."""
+    """Argument of perigee. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     omega: float
-    """Longitude of the ascending node. [rad] Valid if valid_flags.ephemeris."""
+    """Longitude of the ascending node. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     omega_dot: float
-    """Rate of the right ascension. [rad/s] Valid if valid_flags.ephemeris."""
+    """Rate of the right ascension. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     inclination: float
-    """Inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     inclination_dot: float
-    """Rate of the inclination. [rad/s] Valid if valid_flags.ephemeris."""
+    """Rate of the inclination. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is
+    set.
+    """
     c_ic: float
-    """Cosine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Cosine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_is: float
-    """Sine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Sine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_uc: float
-    """Cosine harmonic correction of the argument of latitude. [rad] Valid if
-    valid_flags.ephemeris.
+    """Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     c_us: float
-    """Sine harmonic correction of the argument of latitude. [rad] Valid if
-    valid_flags.ephemeris.
+    """Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     c_rc: float
-    """Cosine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    """Cosine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_rs: float
-    """Sine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    """Sine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     valid_flags: EphemerisFlags
     """What the ephemeris holds."""
 
@@ -1412,11 +2394,11 @@ class GpsEphemeris(Data):
         at += 218
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
         health = v[5]
-        iodec = v[6]
+        iodc = v[6]
         iode = v[7]
         t_oc = v[8]
         af0 = v[9]
@@ -1447,11 +2429,11 @@ class GpsEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
             health,
-            iodec,
+            iodc,
             iode,
             t_oc,
             af0,
@@ -1485,11 +2467,11 @@ class GpsEphemeris(Data):
         out = _GPS_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
             self.health,
-            self.iodec,
+            self.iodc,
             self.iode,
             self.t_oc,
             self.af0,
@@ -1525,24 +2507,18 @@ _GLONASS_EPHEMERIS_0 = codec.Block(
     "BBdHBbIIBdddddffffffBBBfBBBBBBH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
-    "freq_number",
+    "frequency_number",
     "tk",
     "tb",
-    "sat_type",
+    "satellite_type",
     "gamma",
     "tau_n",
-    "x",
-    "x",
-    "x",
-    "v_",
-    "v_",
-    "v_",
-    "a",
-    "a",
-    "a",
+    *["position"] * 3,
+    *["velocity"] * 3,
+    *["accel"] * 3,
     "health",
     "p",
     "nt",
@@ -1562,9 +2538,11 @@ class GlonassEphemeris(Data):
     """GLONASS ephemeris (0x91,0x62).
 
     Broadcast orbit and clock of one GLONASS satellite.
-    The interface control document of GLONASS explains p and ft.
-    A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
+
+    The interface control document of GLONASS explains p and ft. A period of four years has 1461
+    days; the manual does not say how nt, a u8, counts them.
 
     - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
     """
@@ -1578,56 +2556,88 @@ class GlonassEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
-    """GPS time of week. [s]"""
+    tow: float
+    """GPS time of week. Unit: s."""
     week_number: int
-    """GPS week number. [week]"""
+    """GPS week number. Unit: week."""
     satellite_id: int
     """Satellite within the constellation."""
-    freq_number: int
-    """GLONASS frequency number. Range: -7 to 24. Valid if valid_flags.ephemeris."""
+    frequency_number: int
+    """GLONASS frequency number. Range: -7 to 24. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     tk: int
-    """Start of the frame within the day. [s] Valid if valid_flags.ephemeris."""
+    """Start of the frame within the day. Unit: s. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     tb: int
-    """Reference time of the ephemeris. [s] Valid if valid_flags.ephemeris."""
-    sat_type: GlonassSatelliteType
-    """Generation of the satellite (M). Valid if valid_flags.ephemeris."""
+    """Reference time of the ephemeris. Unit: s. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
+    satellite_type: GlonassSatelliteType
+    """Generation of the satellite (M). Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
     gamma: float
-    """Relative deviation of the carrier frequency from its nominal value. [1] Valid if
-    valid_flags.ephemeris.
+    """Relative deviation of the carrier frequency from its nominal value. Unit: 1. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     tau_n: float
-    """Correction of the satellite time relative to GLONASS time. [s] Valid if
-    valid_flags.ephemeris.
+    """Correction of the satellite time relative to GLONASS time. Unit: s. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
-    x: types.Vector3d
-    """Position of the satellite in PZ-90. [m] Valid if valid_flags.ephemeris."""
-    v_: types.Vector3f
-    """Velocity of the satellite in PZ-90. [m/s] Valid if valid_flags.ephemeris."""
-    a: types.Vector3f
-    """Acceleration of the satellite by perturbations, in PZ-90. [m/s^2] Valid if
-    valid_flags.ephemeris.
+    position: types.Vector3d
+    """Position of the satellite in PZ-90. Elements: x, y, z. Unit: m. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    velocity: types.Vector3f
+    """Velocity of the satellite in PZ-90. Elements: x, y, z. Unit: m/s. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    accel: types.Vector3f
+    """Acceleration of the satellite by perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
+    Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     health: int
-    """Health (Bn); not 0 if the satellite fails. Valid if valid_flags.ephemeris."""
+    """Health (Bn); not 0 if the satellite fails. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     p: int
-    """Mode of operation of the satellite. Valid if valid_flags.ephemeris."""
+    """Mode of operation of the satellite. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     nt: int
-    """Day within a period of four years. [day] Valid if valid_flags.ephemeris."""
+    """Day within a period of four years. Unit: day. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     delta_tau_n: float
-    """Time difference between L1 and L2. [s] Valid if valid_flags.ephemeris."""
+    """Time difference between L1 and L2. Unit: s. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     ft: int
-    """Code of the user range accuracy. Valid if valid_flags.ephemeris."""
+    """Code of the user range accuracy. Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
     en: int
-    """Age of the information. [day] Valid if valid_flags.ephemeris."""
+    """Age of the information. Unit: day. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     p1: int
-    """Time between adjacent values of tb. [min] Valid if valid_flags.ephemeris."""
+    """Time between adjacent values of tb. Unit: min. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     p2: int
-    """1 if tb is odd, 0 if it is even. Range: 0 to 1. Valid if valid_flags.ephemeris."""
+    """1 if tb is odd, 0 if it is even. Range: 0 to 1. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     p3: int
-    """Number of satellites in the almanac of the frame. [1] Valid if valid_flags.ephemeris."""
+    """Number of satellites in the almanac of the frame. Unit: 1. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     p4: int
-    """Whether ephemeris parameters are present. Valid if valid_flags.ephemeris."""
+    """Whether ephemeris parameters are present. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     valid_flags: GlonassEphemerisFlags
     """Whether the ephemeris is valid."""
 
@@ -1637,18 +2647,18 @@ class GlonassEphemeris(Data):
         at += 102
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
-        freq_number = v[5]
+        frequency_number = v[5]
         tk = v[6]
         tb = v[7]
-        sat_type = GlonassSatelliteType(v[8])
+        satellite_type = GlonassSatelliteType(v[8])
         gamma = v[9]
         tau_n = v[10]
-        x = v[11:14]
-        v_ = v[14:17]
-        a = v[17:20]
+        position = v[11:14]
+        velocity = v[14:17]
+        accel = v[17:20]
         health = v[20]
         p = v[21]
         nt = v[22]
@@ -1663,18 +2673,18 @@ class GlonassEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
-            freq_number,
+            frequency_number,
             tk,
             tb,
-            sat_type,
+            satellite_type,
             gamma,
             tau_n,
-            x,
-            v_,
-            a,
+            position,
+            velocity,
+            accel,
             health,
             p,
             nt,
@@ -1692,18 +2702,18 @@ class GlonassEphemeris(Data):
         out = _GLONASS_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
-            self.freq_number,
+            self.frequency_number,
             self.tk,
             self.tb,
-            self.sat_type,
+            self.satellite_type,
             self.gamma,
             self.tau_n,
-            *codec.exactly("x", self.x, 3),
-            *codec.exactly("v_", self.v_, 3),
-            *codec.exactly("a", self.a, 3),
+            *codec.exactly("position", self.position, 3),
+            *codec.exactly("velocity", self.velocity, 3),
+            *codec.exactly("accel", self.accel, 3),
             self.health,
             self.p,
             self.nt,
@@ -1723,11 +2733,11 @@ _GALILEO_EPHEMERIS_0 = codec.Block(
     "BBdHBBBBdddddddddddddddddddddddddH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
     "health",
-    "iodec",
+    "iodc",
     "iode",
     "t_oc",
     "af0",
@@ -1763,10 +2773,11 @@ class GalileoEphemeris(Data):
     """Galileo ephemeris (0x91,0x63).
 
     Broadcast orbit and clock of one Galileo satellite.
-    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here.
-    iodec changes with the clock data; the manual has it roll over at 4.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
     """
@@ -1780,74 +2791,103 @@ class GalileoEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
-    """GPS time of week. [s]"""
+    tow: float
+    """GPS time of week. Unit: s."""
     week_number: int
-    """GPS week number. [week]"""
+    """GPS week number. Unit: week."""
     satellite_id: int
     """Satellite within the constellation."""
     health: int
-    """Health of satellite and signals. Valid if valid_flags.ephemeris."""
-    iodec: int
-    """Issue of data, clock. Valid if valid_flags.ephemeris."""
+    """Health of satellite and signals. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    iodc: int
+    """Issue of data, clock. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     iode: int
-    """Issue of data, ephemeris. Valid if valid_flags.ephemeris."""
+    """Issue of data, ephemeris. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     t_oc: float
-    """Reference time of the clock data. [s] Valid if valid_flags.ephemeris."""
+    """Reference time of the clock data. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     af0: float
-    """Clock bias. [s] Valid if valid_flags.ephemeris."""
+    """Clock bias. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     af1: float
-    """Clock drift. [s/s] Valid if valid_flags.ephemeris."""
+    """Clock drift. Unit: s/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     af2: float
-    """Clock drift rate. [s/s^2] Valid if valid_flags.ephemeris."""
+    """Clock drift rate. Unit: s/s^2. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     t_gd: float
-    """Group delay. [s] Valid if valid_flags.ephemeris."""
+    """Group delay. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     isc_l1ca: float
-    """Place of the inter-signal correction for L1 of GPS. [s] Valid if valid_flags.ephemeris."""
+    """Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     isc_l2c: float
-    """Place of the inter-signal correction for L2 or L5 of GPS. [s] Valid if
-    valid_flags.ephemeris.
+    """Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     t_oe: float
-    """Reference time of the ephemeris. [s] Valid if valid_flags.ephemeris."""
+    """Reference time of the ephemeris. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     a: float
-    """Semi-major axis. [m] Valid if valid_flags.ephemeris."""
+    """Semi-major axis. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     a_dot: float
-    """Rate of the semi-major axis. [m/s] Valid if valid_flags.ephemeris."""
+    """Rate of the semi-major axis. Unit: m/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
     mean_anomaly: float
-    """Mean anomaly. [rad] Valid if valid_flags.ephemeris."""
+    """Mean anomaly. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     delta_mean_motion: float
-    """Correction of the mean motion. [rad/s] Valid if valid_flags.ephemeris."""
+    """Correction of the mean motion. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     delta_mean_motion_dot: float
-    """Rate of the correction of the mean motion. [rad/s^2] Valid if valid_flags.ephemeris."""
+    """Rate of the correction of the mean motion. Unit: rad/s^2. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     eccentricity: float
-    """Eccentricity. [1] Valid if valid_flags.ephemeris."""
+    """Eccentricity. Unit: 1. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     argument_of_perigee: float
-    """Argument of perigee. [rad] Valid if valid_flags.ephemeris."""
+    """Argument of perigee. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     omega: float
-    """Longitude of the ascending node. [rad] Valid if valid_flags.ephemeris."""
+    """Longitude of the ascending node. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     omega_dot: float
-    """Rate of the right ascension. [rad/s] Valid if valid_flags.ephemeris."""
+    """Rate of the right ascension. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     inclination: float
-    """Inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     inclination_dot: float
-    """Rate of the inclination. [rad/s] Valid if valid_flags.ephemeris."""
+    """Rate of the inclination. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is
+    set.
+    """
     c_ic: float
-    """Cosine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Cosine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_is: float
-    """Sine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Sine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_uc: float
-    """Cosine harmonic correction of the argument of latitude. [rad] Valid if
-    valid_flags.ephemeris.
+    """Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     c_us: float
-    """Sine harmonic correction of the argument of latitude. [rad] Valid if
-    valid_flags.ephemeris.
+    """Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     c_rc: float
-    """Cosine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    """Cosine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_rs: float
-    """Sine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    """Sine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     valid_flags: EphemerisFlags
     """What the ephemeris holds."""
 
@@ -1857,11 +2897,11 @@ class GalileoEphemeris(Data):
         at += 218
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
         health = v[5]
-        iodec = v[6]
+        iodc = v[6]
         iode = v[7]
         t_oc = v[8]
         af0 = v[9]
@@ -1892,11 +2932,11 @@ class GalileoEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
             health,
-            iodec,
+            iodc,
             iode,
             t_oc,
             af0,
@@ -1930,11 +2970,11 @@ class GalileoEphemeris(Data):
         out = _GALILEO_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
             self.health,
-            self.iodec,
+            self.iodc,
             self.iode,
             self.t_oc,
             self.af0,
@@ -1970,11 +3010,11 @@ _BEIDOU_EPHEMERIS_0 = codec.Block(
     "BBdHBBBBdddddddddddddddddddddddddH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
     "health",
-    "iodec",
+    "iodc",
     "iode",
     "t_oc",
     "af0",
@@ -2010,10 +3050,11 @@ class BeidouEphemeris(Data):
     """BeiDou ephemeris (0x91,0x64).
 
     Broadcast orbit and clock of one BeiDou satellite.
-    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here.
-    iodec changes with the clock data; the manual has it roll over at 4.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
     """
@@ -2027,74 +3068,103 @@ class BeidouEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
-    """GPS time of week. [s]"""
+    tow: float
+    """GPS time of week. Unit: s."""
     week_number: int
-    """GPS week number. [week]"""
+    """GPS week number. Unit: week."""
     satellite_id: int
     """Satellite within the constellation."""
     health: int
-    """Health of satellite and signals. Valid if valid_flags.ephemeris."""
-    iodec: int
-    """Issue of data, clock. Valid if valid_flags.ephemeris."""
+    """Health of satellite and signals. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
+    iodc: int
+    """Issue of data, clock. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     iode: int
-    """Issue of data, ephemeris. Valid if valid_flags.ephemeris."""
+    """Issue of data, ephemeris. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     t_oc: float
-    """Reference time of the clock data. [s] Valid if valid_flags.ephemeris."""
+    """Reference time of the clock data. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     af0: float
-    """Clock bias. [s] Valid if valid_flags.ephemeris."""
+    """Clock bias. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     af1: float
-    """Clock drift. [s/s] Valid if valid_flags.ephemeris."""
+    """Clock drift. Unit: s/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     af2: float
-    """Clock drift rate. [s/s^2] Valid if valid_flags.ephemeris."""
+    """Clock drift rate. Unit: s/s^2. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     t_gd: float
-    """Group delay. [s] Valid if valid_flags.ephemeris."""
+    """Group delay. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     isc_l1ca: float
-    """Place of the inter-signal correction for L1 of GPS. [s] Valid if valid_flags.ephemeris."""
+    """Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     isc_l2c: float
-    """Place of the inter-signal correction for L2 or L5 of GPS. [s] Valid if
-    valid_flags.ephemeris.
+    """Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     t_oe: float
-    """Reference time of the ephemeris. [s] Valid if valid_flags.ephemeris."""
+    """Reference time of the ephemeris. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     a: float
-    """Semi-major axis. [m] Valid if valid_flags.ephemeris."""
+    """Semi-major axis. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     a_dot: float
-    """Rate of the semi-major axis. [m/s] Valid if valid_flags.ephemeris."""
+    """Rate of the semi-major axis. Unit: m/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
     mean_anomaly: float
-    """Mean anomaly. [rad] Valid if valid_flags.ephemeris."""
+    """Mean anomaly. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     delta_mean_motion: float
-    """Correction of the mean motion. [rad/s] Valid if valid_flags.ephemeris."""
+    """Correction of the mean motion. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     delta_mean_motion_dot: float
-    """Rate of the correction of the mean motion. [rad/s^2] Valid if valid_flags.ephemeris."""
+    """Rate of the correction of the mean motion. Unit: rad/s^2. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     eccentricity: float
-    """Eccentricity. [1] Valid if valid_flags.ephemeris."""
+    """Eccentricity. Unit: 1. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     argument_of_perigee: float
-    """Argument of perigee. [rad] Valid if valid_flags.ephemeris."""
+    """Argument of perigee. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     omega: float
-    """Longitude of the ascending node. [rad] Valid if valid_flags.ephemeris."""
+    """Longitude of the ascending node. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     omega_dot: float
-    """Rate of the right ascension. [rad/s] Valid if valid_flags.ephemeris."""
+    """Rate of the right ascension. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     inclination: float
-    """Inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     inclination_dot: float
-    """Rate of the inclination. [rad/s] Valid if valid_flags.ephemeris."""
+    """Rate of the inclination. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is
+    set.
+    """
     c_ic: float
-    """Cosine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Cosine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_is: float
-    """Sine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Sine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_uc: float
-    """Cosine harmonic correction of the argument of latitude. [rad] Valid if
-    valid_flags.ephemeris.
+    """Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     c_us: float
-    """Sine harmonic correction of the argument of latitude. [rad] Valid if
-    valid_flags.ephemeris.
+    """Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     c_rc: float
-    """Cosine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    """Cosine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_rs: float
-    """Sine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    """Sine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     valid_flags: EphemerisFlags
     """What the ephemeris holds."""
 
@@ -2104,11 +3174,11 @@ class BeidouEphemeris(Data):
         at += 218
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
         health = v[5]
-        iodec = v[6]
+        iodc = v[6]
         iode = v[7]
         t_oc = v[8]
         af0 = v[9]
@@ -2139,11 +3209,11 @@ class BeidouEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
             health,
-            iodec,
+            iodc,
             iode,
             t_oc,
             af0,
@@ -2177,11 +3247,11 @@ class BeidouEphemeris(Data):
         out = _BEIDOU_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
             self.health,
-            self.iodec,
+            self.iodc,
             self.iode,
             self.t_oc,
             self.af0,
@@ -2213,24 +3283,230 @@ class BeidouEphemeris(Data):
         return codec.finished(out)
 
 
+_GPS_IONO_CORRECTION_0 = codec.Block(
+    "dHddddddddH", "tow", "week_number", *["alpha"] * 4, *["beta"] * 4, "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class GpsIonoCorrection(Data):
+    """GPS ionospheric correction (0x91,0x71).
+
+    Model of the ionosphere that GPS broadcasts.
+
+    Also called `gps_iono_corr`.
+
+    - mip-sdk-4: Gps Iono Corr (0x81,0x71)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x71
+    NAME = "gnss_1.gps_iono_correction"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week. Unit: s. Valid if `GpsIonoCorrectionFlags.TOW` of `valid_flags` is set."""
+    week_number: int
+    """GPS week number. Unit: week. Valid if `GpsIonoCorrectionFlags.WEEK_NUMBER` of `valid_flags`
+    is set.
+    """
+    alpha: tuple[float, float, float, float]
+    """Coefficients alpha 0 to 3. Valid if `GpsIonoCorrectionFlags.ALPHA` of `valid_flags` is set.
+    Uncertain: The units.
+    """
+    beta: tuple[float, float, float, float]
+    """Coefficients beta 0 to 3. Valid if `GpsIonoCorrectionFlags.BETA` of `valid_flags` is set.
+    Uncertain: The units.
+    """
+    valid_flags: GpsIonoCorrectionFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsIonoCorrection, int]:
+        v = _GPS_IONO_CORRECTION_0.read(raw, at)
+        at += 76
+        tow = v[0]
+        week_number = v[1]
+        alpha = v[2:6]
+        beta = v[6:10]
+        valid_flags = GpsIonoCorrectionFlags(v[10])
+        return cls(tow, week_number, alpha, beta, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GPS_IONO_CORRECTION_0.write(
+            self.tow,
+            self.week_number,
+            *codec.exactly("alpha", self.alpha, 4),
+            *codec.exactly("beta", self.beta, 4),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_GALILEO_IONO_CORRECTION_0 = codec.Block(
+    "dHdddBH", "tow", "week_number", *["alpha"] * 3, "disturbance_flags", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class GalileoIonoCorrection(Data):
+    """Galileo ionospheric correction (0x91,0x73).
+
+    Model of the ionosphere that Galileo broadcasts.
+
+    Also called `galileo_iono_corr`.
+
+    - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x73
+    NAME = "gnss_1.galileo_iono_correction"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week. Unit: s. Valid if `GalileoIonoCorrectionFlags.TOW` of `valid_flags` is set.
+    """
+    week_number: int
+    """GPS week number. Unit: week. Valid if `GalileoIonoCorrectionFlags.WEEK_NUMBER` of
+    `valid_flags` is set.
+    """
+    alpha: tuple[float, float, float]
+    """The three coefficients of the model. Valid if `GalileoIonoCorrectionFlags.ALPHA` of
+    `valid_flags` is set. Uncertain: The units.
+    """
+    disturbance_flags: int
+    """Storm flags of five regions, in bits 1 to 5. Valid if
+    `GalileoIonoCorrectionFlags.DISTURBANCE_FLAGS` of `valid_flags` is set. Uncertain: Whether the
+    bits count from 0 or from 1, and which region each stands for.
+    """
+    valid_flags: GalileoIonoCorrectionFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GalileoIonoCorrection, int]:
+        v = _GALILEO_IONO_CORRECTION_0.read(raw, at)
+        at += 37
+        tow = v[0]
+        week_number = v[1]
+        alpha = v[2:5]
+        disturbance_flags = v[5]
+        valid_flags = GalileoIonoCorrectionFlags(v[6])
+        return cls(tow, week_number, alpha, disturbance_flags, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GALILEO_IONO_CORRECTION_0.write(
+            self.tow,
+            self.week_number,
+            *codec.exactly("alpha", self.alpha, 3),
+            self.disturbance_flags,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_BEIDOU_IONO_CORRECTION_0 = codec.Block(
+    "dHdddddddddddddddddH",
+    "tow",
+    "week_number",
+    *["alpha"] * 4,
+    *["beta"] * 4,
+    *["alpha_correction"] * 9,
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class BeidouIonoCorrection(Data):
+    """BeiDou ionospheric correction (0x91,0x74).
+
+    Model of the ionosphere that BeiDou broadcasts.
+
+    Also called `beidou_iono_corr`.
+
+    - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x74
+    NAME = "gnss_1.beidou_iono_correction"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week. Unit: s. Valid if `BeidouIonoCorrectionFlags.TOW` of `valid_flags` is set.
+    """
+    week_number: int
+    """GPS week number. Unit: week. Valid if `BeidouIonoCorrectionFlags.WEEK_NUMBER` of
+    `valid_flags` is set.
+    """
+    alpha: tuple[float, float, float, float]
+    """Coefficients alpha 0 to 3. Valid if `BeidouIonoCorrectionFlags.ALPHA` of `valid_flags` is
+    set. Uncertain: The units.
+    """
+    beta: tuple[float, float, float, float]
+    """Coefficients beta 0 to 3. Valid if `BeidouIonoCorrectionFlags.BETA` of `valid_flags` is set.
+    Uncertain: The units.
+    """
+    alpha_correction: tuple[float, ...]
+    """Nine further coefficients of the delay. Valid if `BeidouIonoCorrectionFlags.ALPHA_CORRECTION`
+    of `valid_flags` is set. Uncertain: The units.
+    """
+    valid_flags: BeidouIonoCorrectionFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[BeidouIonoCorrection, int]:
+        v = _BEIDOU_IONO_CORRECTION_0.read(raw, at)
+        at += 148
+        tow = v[0]
+        week_number = v[1]
+        alpha = v[2:6]
+        beta = v[6:10]
+        alpha_correction = v[10:19]
+        valid_flags = BeidouIonoCorrectionFlags(v[19])
+        return cls(tow, week_number, alpha, beta, alpha_correction, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _BEIDOU_IONO_CORRECTION_0.write(
+            self.tow,
+            self.week_number,
+            *codec.exactly("alpha", self.alpha, 4),
+            *codec.exactly("beta", self.beta, 4),
+            *codec.exactly("alpha_correction", self.alpha_correction, 9),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0x03: (GnssLlhPosition,),
-    0x04: (GnssEcefPosition,),
+    0x03: (LlhPosition,),
+    0x04: (EcefPosition,),
     0x05: (NedVelocity,),
-    0x06: (GnssEcefVelocity,),
+    0x06: (EcefVelocity,),
     0x07: (Dop,),
     0x08: (UtcTime,),
     0x09: (GpsTime,),
+    0x0A: (ClockInfo,),
     0x0B: (FixInfo,),
-    0x0D: (GnssHardwareStatus,),
+    0x0C: (SvInfo,),
+    0x0D: (HardwareStatus,),
+    0x0E: (DgpsInfo,),
+    0x0F: (DgpsChannel,),
     0x10: (ClockInfo2,),
     0x11: (GpsLeapSeconds,),
     0x12: (SbasInfo,),
+    0x13: (SbasCorrection,),
+    0x14: (RfErrorDetection,),
     0x20: (SatelliteStatus,),
     0x22: (Raw,),
+    0x30: (BaseStationInfo,),
+    0x31: (RtkCorrectionsStatus,),
     0x61: (GpsEphemeris,),
     0x62: (GlonassEphemeris,),
     0x63: (GalileoEphemeris,),
     0x64: (BeidouEphemeris,),
+    0x71: (GpsIonoCorrection,),
+    0x73: (GalileoIonoCorrection,),
+    0x74: (BeidouIonoCorrection,),
 }

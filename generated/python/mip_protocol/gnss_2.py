@@ -1,6 +1,8 @@
 """GNSS receiver 2 data (0x92).
 
 Measurements and status of the second internal GNSS receiver.
+
+- 3dm-cv7-gnss-ins: GNSS Recv 2 (0x92)
 """
 
 from __future__ import annotations
@@ -9,11 +11,12 @@ from . import gnss_1
 from .field import Field
 
 
-class GnssLlhPosition(gnss_1.GnssLlhPosition):
+class LlhPosition(gnss_1.LlhPosition):
     """GNSS LLH position (0x92,0x03).
 
-    Has the values of gnss_1.GnssLlhPosition.
-    Supported by 3DM-CV7-GNSS/INS.
+    GNSS position as latitude, longitude and height.
+
+    Has the layout of `gnss_1.LlhPosition`. Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
     """
@@ -21,14 +24,15 @@ class GnssLlhPosition(gnss_1.GnssLlhPosition):
     __slots__ = ()
 
     SET = 0x92
-    NAME = "gnss_2.gnss_llh_position"
+    NAME = "gnss_2.llh_position"
 
 
-class GnssEcefPosition(gnss_1.GnssEcefPosition):
+class EcefPosition(gnss_1.EcefPosition):
     """GNSS ECEF position (0x92,0x04).
 
-    Has the values of gnss_1.GnssEcefPosition.
-    Supported by 3DM-CV7-GNSS/INS.
+    GNSS position in Earth-fixed coordinates.
+
+    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
     """
@@ -36,14 +40,15 @@ class GnssEcefPosition(gnss_1.GnssEcefPosition):
     __slots__ = ()
 
     SET = 0x92
-    NAME = "gnss_2.gnss_ecef_position"
+    NAME = "gnss_2.ecef_position"
 
 
 class NedVelocity(gnss_1.NedVelocity):
     """NED velocity (0x92,0x05).
 
-    Has the values of gnss_1.NedVelocity.
-    Supported by 3DM-CV7-GNSS/INS.
+    GNSS velocity in the local level frame.
+
+    Has the layout of `gnss_1.NedVelocity`. Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
     """
@@ -54,11 +59,12 @@ class NedVelocity(gnss_1.NedVelocity):
     NAME = "gnss_2.ned_velocity"
 
 
-class GnssEcefVelocity(gnss_1.GnssEcefVelocity):
+class EcefVelocity(gnss_1.EcefVelocity):
     """GNSS ECEF velocity (0x92,0x06).
 
-    Has the values of gnss_1.GnssEcefVelocity.
-    Supported by 3DM-CV7-GNSS/INS.
+    GNSS velocity in Earth-fixed coordinates.
+
+    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06)
     """
@@ -66,14 +72,15 @@ class GnssEcefVelocity(gnss_1.GnssEcefVelocity):
     __slots__ = ()
 
     SET = 0x92
-    NAME = "gnss_2.gnss_ecef_velocity"
+    NAME = "gnss_2.ecef_velocity"
 
 
 class Dop(gnss_1.Dop):
     """DOP (0x92,0x07).
 
-    Has the values of gnss_1.Dop.
-    Supported by 3DM-CV7-GNSS/INS.
+    Dilution of precision of the satellite geometry.
+
+    Has the layout of `gnss_1.Dop`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
     """
@@ -87,8 +94,9 @@ class Dop(gnss_1.Dop):
 class UtcTime(gnss_1.UtcTime):
     """UTC time (0x92,0x08).
 
-    Has the values of gnss_1.UtcTime.
-    Supported by 3DM-CV7-GNSS/INS.
+    Coordinated universal time as the receiver knows it.
+
+    Has the layout of `gnss_1.UtcTime`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
     """
@@ -102,8 +110,9 @@ class UtcTime(gnss_1.UtcTime):
 class GpsTime(gnss_1.GpsTime):
     """GPS time (0x92,0x09).
 
-    Has the values of gnss_1.GpsTime.
-    Supported by 3DM-CV7-GNSS/INS.
+    GPS time as the receiver knows it.
+
+    Has the layout of `gnss_1.GpsTime`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
     """
@@ -114,11 +123,30 @@ class GpsTime(gnss_1.GpsTime):
     NAME = "gnss_2.gps_time"
 
 
+class ClockInfo(gnss_1.ClockInfo):
+    """Clock info (0x92,0x0A).
+
+    Bias and drift of the receiver clock.
+
+    Has the layout of `gnss_1.ClockInfo`.
+
+    Clock info 2 replaces it and tells more.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.clock_info"
+
+
 class FixInfo(gnss_1.FixInfo):
     """Fix info (0x92,0x0B).
 
-    Has the values of gnss_1.FixInfo.
-    Supported by 3DM-CV7-GNSS/INS.
+    Type of the position fix and what it is made of.
+
+    Has the layout of `gnss_1.FixInfo`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
     """
@@ -129,11 +157,32 @@ class FixInfo(gnss_1.FixInfo):
     NAME = "gnss_2.fix_info"
 
 
-class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
+class SvInfo(gnss_1.SvInfo):
+    """Satellite info (0x92,0x0C).
+
+    One satellite that is tracked.
+
+    Has the layout of `gnss_1.SvInfo`. Uncertain: Whether a packet holds one of these fields or
+    several.
+
+    The satellites come as one field each, in packets apart from other GNSS data.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.sv_info"
+
+
+class HardwareStatus(gnss_1.HardwareStatus):
     """GNSS hardware status (0x92,0x0D).
 
-    Has the values of gnss_1.GnssHardwareStatus.
-    Supported by 3DM-CV7-GNSS/INS.
+    State of the receiver and of its antenna.
+
+    Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
     """
@@ -141,14 +190,54 @@ class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
     __slots__ = ()
 
     SET = 0x92
-    NAME = "gnss_2.gnss_hardware_status"
+    NAME = "gnss_2.hardware_status"
+
+
+class DgpsInfo(gnss_1.DgpsInfo):
+    """DGPS info (0x92,0x0E).
+
+    State of the differential corrections.
+
+    Has the layout of `gnss_1.DgpsInfo`. Uncertain: The layout is that of a manual of the 3DM-GX5-35
+    and of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK
+    has another one, u8, three floats and u16, which is that of dgps_channel and does not agree with
+    its own valid flags (age, base station id, base station status, number of channels).
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.dgps_info"
+
+
+class DgpsChannel(gnss_1.DgpsChannel):
+    """DGPS channel (0x92,0x0F).
+
+    Differential correction for one satellite.
+
+    Has the layout of `gnss_1.DgpsChannel`.
+
+    The active satellites come as one field each, all in one packet.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.dgps_channel"
 
 
 class ClockInfo2(gnss_1.ClockInfo2):
     """Clock info 2 (0x92,0x10).
 
-    Has the values of gnss_1.ClockInfo2.
-    Supported by 3DM-CV7-GNSS/INS.
+    Bias and drift of the receiver clock.
+
+    Has the layout of `gnss_1.ClockInfo2`. Supported by 3DM-CV7-GNSS/INS.
+
+    It supersedes clock info.
 
     - 3dm-cv7-gnss-ins: Clock Info 2 (0x92,0x10)
     """
@@ -162,8 +251,9 @@ class ClockInfo2(gnss_1.ClockInfo2):
 class GpsLeapSeconds(gnss_1.GpsLeapSeconds):
     """GPS leap seconds (0x92,0x11).
 
-    Has the values of gnss_1.GpsLeapSeconds.
-    Supported by 3DM-CV7-GNSS/INS.
+    Difference between GPS time and UTC.
+
+    Has the layout of `gnss_1.GpsLeapSeconds`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
     """
@@ -177,8 +267,9 @@ class GpsLeapSeconds(gnss_1.GpsLeapSeconds):
 class SbasInfo(gnss_1.SbasInfo):
     """SBAS info (0x92,0x12).
 
-    Has the values of gnss_1.SbasInfo.
-    Supported by 3DM-CV7-GNSS/INS.
+    Status of the satellite based augmentation.
+
+    Has the layout of `gnss_1.SbasInfo`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
     """
@@ -189,11 +280,50 @@ class SbasInfo(gnss_1.SbasInfo):
     NAME = "gnss_2.sbas_info"
 
 
+class SbasCorrection(gnss_1.SbasCorrection):
+    """SBAS correction (0x92,0x13).
+
+    SBAS correction for one satellite.
+
+    Has the layout of `gnss_1.SbasCorrection`.
+
+    An epoch is sent as one field for each satellite; index and count number the fields. udrei 0 to
+    13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709,
+    2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.sbas_correction"
+
+
+class RfErrorDetection(gnss_1.RfErrorDetection):
+    """RF error detection (0x92,0x14).
+
+    Jamming and spoofing as the receiver detects them in one band.
+
+    Has the layout of `gnss_1.RfErrorDetection`.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.rf_error_detection"
+
+
 class SatelliteStatus(gnss_1.SatelliteStatus):
     """Satellite status (0x92,0x20).
 
-    Has the values of gnss_1.SatelliteStatus.
-    Supported by 3DM-CV7-GNSS/INS.
+    Where one satellite stands, and its health.
+
+    Has the layout of `gnss_1.SatelliteStatus`. Supported by 3DM-CV7-GNSS/INS.
+
+    An epoch is sent as one field for each satellite; index and count number the fields.
 
     - 3dm-cv7-gnss-ins: Satellite Status (0x92,0x20)
     """
@@ -207,8 +337,12 @@ class SatelliteStatus(gnss_1.SatelliteStatus):
 class Raw(gnss_1.Raw):
     """Raw (0x92,0x22).
 
-    Has the values of gnss_1.Raw.
-    Supported by 3DM-CV7-GNSS/INS.
+    Raw observation of one signal of one satellite.
+
+    Has the layout of `gnss_1.Raw`. Supported by 3DM-CV7-GNSS/INS.
+
+    An epoch is sent as one field for each signal; index and count number the fields. The greatest
+    lock time depends on the receiver.
 
     - 3dm-cv7-gnss-ins: Raw (0x92,0x22)
     """
@@ -219,11 +353,46 @@ class Raw(gnss_1.Raw):
     NAME = "gnss_2.raw"
 
 
+class BaseStationInfo(gnss_1.BaseStationInfo):
+    """Base station info (0x92,0x30).
+
+    The base station of the corrections, from an RTCM message 1005 or 1006.
+
+    Has the layout of `gnss_1.BaseStationInfo`.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.base_station_info"
+
+
+class RtkCorrectionsStatus(gnss_1.RtkCorrectionsStatus):
+    """RTK corrections status (0x92,0x31).
+
+    Which corrections come, and how old they are.
+
+    Has the layout of `gnss_1.RtkCorrectionsStatus`.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.rtk_corrections_status"
+
+
 class GpsEphemeris(gnss_1.GpsEphemeris):
     """GPS ephemeris (0x92,0x61).
 
-    Has the values of gnss_1.GpsEphemeris.
-    Supported by 3DM-CV7-GNSS/INS.
+    Broadcast orbit and clock of one GPS satellite.
+
+    Has the layout of `gnss_1.GpsEphemeris`. Supported by 3DM-CV7-GNSS/INS.
+
+    iodc changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61)
     """
@@ -237,8 +406,13 @@ class GpsEphemeris(gnss_1.GpsEphemeris):
 class GlonassEphemeris(gnss_1.GlonassEphemeris):
     """GLONASS ephemeris (0x92,0x62).
 
-    Has the values of gnss_1.GlonassEphemeris.
-    Supported by 3DM-CV7-GNSS/INS.
+    Broadcast orbit and clock of one GLONASS satellite.
+
+    Has the layout of `gnss_1.GlonassEphemeris`. Also called `glo_ephemeris`. Supported by
+    3DM-CV7-GNSS/INS.
+
+    The interface control document of GLONASS explains p and ft. A period of four years has 1461
+    days; the manual does not say how nt, a u8, counts them.
 
     - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
     """
@@ -252,8 +426,12 @@ class GlonassEphemeris(gnss_1.GlonassEphemeris):
 class GalileoEphemeris(gnss_1.GalileoEphemeris):
     """Galileo ephemeris (0x92,0x63).
 
-    Has the values of gnss_1.GalileoEphemeris.
-    Supported by 3DM-CV7-GNSS/INS.
+    Broadcast orbit and clock of one Galileo satellite.
+
+    Has the layout of `gnss_1.GalileoEphemeris`. Supported by 3DM-CV7-GNSS/INS.
+
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
     """
@@ -267,8 +445,12 @@ class GalileoEphemeris(gnss_1.GalileoEphemeris):
 class BeidouEphemeris(gnss_1.BeidouEphemeris):
     """BeiDou ephemeris (0x92,0x64).
 
-    Has the values of gnss_1.BeidouEphemeris.
-    Supported by 3DM-CV7-GNSS/INS.
+    Broadcast orbit and clock of one BeiDou satellite.
+
+    Has the layout of `gnss_1.BeidouEphemeris`. Supported by 3DM-CV7-GNSS/INS.
+
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
     """
@@ -279,24 +461,83 @@ class BeidouEphemeris(gnss_1.BeidouEphemeris):
     NAME = "gnss_2.beidou_ephemeris"
 
 
+class GpsIonoCorrection(gnss_1.GpsIonoCorrection):
+    """GPS ionospheric correction (0x92,0x71).
+
+    Model of the ionosphere that GPS broadcasts.
+
+    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.gps_iono_correction"
+
+
+class GalileoIonoCorrection(gnss_1.GalileoIonoCorrection):
+    """Galileo ionospheric correction (0x92,0x73).
+
+    Model of the ionosphere that Galileo broadcasts.
+
+    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.galileo_iono_correction"
+
+
+class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
+    """BeiDou ionospheric correction (0x92,0x74).
+
+    Model of the ionosphere that BeiDou broadcasts.
+
+    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.beidou_iono_correction"
+
+
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0x03: (GnssLlhPosition,),
-    0x04: (GnssEcefPosition,),
+    0x03: (LlhPosition,),
+    0x04: (EcefPosition,),
     0x05: (NedVelocity,),
-    0x06: (GnssEcefVelocity,),
+    0x06: (EcefVelocity,),
     0x07: (Dop,),
     0x08: (UtcTime,),
     0x09: (GpsTime,),
+    0x0A: (ClockInfo,),
     0x0B: (FixInfo,),
-    0x0D: (GnssHardwareStatus,),
+    0x0C: (SvInfo,),
+    0x0D: (HardwareStatus,),
+    0x0E: (DgpsInfo,),
+    0x0F: (DgpsChannel,),
     0x10: (ClockInfo2,),
     0x11: (GpsLeapSeconds,),
     0x12: (SbasInfo,),
+    0x13: (SbasCorrection,),
+    0x14: (RfErrorDetection,),
     0x20: (SatelliteStatus,),
     0x22: (Raw,),
+    0x30: (BaseStationInfo,),
+    0x31: (RtkCorrectionsStatus,),
     0x61: (GpsEphemeris,),
     0x62: (GlonassEphemeris,),
     0x63: (GalileoEphemeris,),
     0x64: (BeidouEphemeris,),
+    0x71: (GpsIonoCorrection,),
+    0x73: (GalileoIonoCorrection,),
+    0x74: (BeidouIonoCorrection,),
 }

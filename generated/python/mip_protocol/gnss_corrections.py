@@ -1,281 +1,541 @@
 """GNSS corrections data (0x93).
 
 What the device receives of RTK corrections. Data are sent as they are received.
+
+- 3dm-cv7-gnss-ins: GNSS Corrections (0x93)
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from enum import IntFlag
-
-from . import codec, types
-from .field import Data, Field
+from . import gnss_1
+from .field import Field
 
 
-@codec.open_flag(16)
-class BaseStationIndicators(IntFlag):
-    """Properties of a base station, as its RTCM message gives them."""
+class LlhPosition(gnss_1.LlhPosition):
+    """GNSS LLH position (0x93,0x03).
 
-    GPS = 1 << 0
-    """GPS is supported."""
-    GLONASS = 1 << 1
-    """GLONASS is supported."""
-    GALILEO = 1 << 2
-    """Galileo is supported."""
-    BEIDOU = 1 << 3
-    """BeiDou is supported."""
-    REF_STATION = 1 << 4
-    """Reference station indicator."""
-    SINGLE_RECEIVER = 1 << 5
-    """Single receiver oscillator indicator."""
-    QUARTER_CYCLE_BIT1 = 1 << 6
-    """First bit of the quarter cycle indicator."""
-    QUARTER_CYCLE_BIT2 = 1 << 7
-    """Second bit of the quarter cycle indicator."""
-    QUARTER_CYCLE_BITS = 0xC0
-    """Quarter cycle indicator."""
+    GNSS position as latitude, longitude and height.
+
+    Has the layout of `gnss_1.LlhPosition`. Also called `pos_llh`.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.llh_position"
 
 
-@codec.open_flag(16)
-class BaseStationInfoFlags(IntFlag):
-    """Which values are valid."""
+class EcefPosition(gnss_1.EcefPosition):
+    """GNSS ECEF position (0x93,0x04).
 
-    TOW = 1 << 0
-    """Time of week."""
-    WEEK_NUMBER = 1 << 1
-    """Week number."""
-    ECEF_POSITION = 1 << 2
-    """Position."""
-    HEIGHT = 1 << 3
-    """Antenna height."""
-    STATION_ID = 1 << 4
-    """Station."""
-    INDICATORS = 1 << 5
-    """Indicators."""
-    FLAGS = 0x3F
-    """All of them."""
+    GNSS position in Earth-fixed coordinates.
+
+    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.ecef_position"
 
 
-@codec.open_flag(16)
-class RtkEpochStatus(IntFlag):
-    """Corrections that came during an epoch."""
+class NedVelocity(gnss_1.NedVelocity):
+    """NED velocity (0x93,0x05).
 
-    ANTENNA_LOCATION_RECEIVED = 1 << 0
-    """Antenna location."""
-    ANTENNA_DESCRIPTION_RECEIVED = 1 << 1
-    """Antenna description."""
-    GPS_RECEIVED = 1 << 2
-    """GPS corrections."""
-    GLONASS_RECEIVED = 1 << 3
-    """GLONASS corrections."""
-    GALILEO_RECEIVED = 1 << 4
-    """Galileo corrections."""
-    BEIDOU_RECEIVED = 1 << 5
-    """BeiDou corrections."""
-    USING_GPS_MSM_MESSAGES = 1 << 6
-    """GPS corrections come in MSM messages, not in the RTCM messages 1001-1004."""
-    USING_GLONASS_MSM_MESSAGES = 1 << 7
-    """GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012."""
-    DONGLE_STATUS_READ_FAILED = 1 << 8
-    """The status of the dongle could not be read."""
+    GNSS velocity in the local level frame.
+
+    Has the layout of `gnss_1.NedVelocity`. Also called `vel_ned`.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.ned_velocity"
 
 
-@codec.open_flag(16)
-class RtkCorrectionsStatusFlags(IntFlag):
-    """Which values are valid."""
+class EcefVelocity(gnss_1.EcefVelocity):
+    """GNSS ECEF velocity (0x93,0x06).
 
-    TOW = 1 << 0
-    """Time of week."""
-    WEEK_NUMBER = 1 << 1
-    """Week number."""
-    EPOCH_STATUS = 1 << 2
-    """Epoch status."""
-    DONGLE_STATUS = 1 << 3
-    """Status of the dongle."""
-    GPS_LATENCY = 1 << 4
-    """Latency of GPS corrections."""
-    GLONASS_LATENCY = 1 << 5
-    """Latency of GLONASS corrections."""
-    GALILEO_LATENCY = 1 << 6
-    """Latency of Galileo corrections."""
-    BEIDOU_LATENCY = 1 << 7
-    """Latency of BeiDou corrections."""
-    FLAGS = 0xFF
-    """All of them."""
+    GNSS velocity in Earth-fixed coordinates.
+
+    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.ecef_velocity"
 
 
-_BASE_STATION_INFO_0 = codec.Block(
-    "dHdddfHHH",
-    "time_of_week",
-    "week_number",
-    "ecef_pos",
-    "ecef_pos",
-    "ecef_pos",
-    "height",
-    "station_id",
-    "indicators",
-    "valid_flags",
-)
+class Dop(gnss_1.Dop):
+    """DOP (0x93,0x07).
+
+    Dilution of precision of the satellite geometry.
+
+    Has the layout of `gnss_1.Dop`.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.dop"
 
 
-@dataclass(slots=True)
-class BaseStationInfo(Data):
+class UtcTime(gnss_1.UtcTime):
+    """UTC time (0x93,0x08).
+
+    Coordinated universal time as the receiver knows it.
+
+    Has the layout of `gnss_1.UtcTime`.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.utc_time"
+
+
+class GpsTime(gnss_1.GpsTime):
+    """GPS time (0x93,0x09).
+
+    GPS time as the receiver knows it.
+
+    Has the layout of `gnss_1.GpsTime`.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.gps_time"
+
+
+class ClockInfo(gnss_1.ClockInfo):
+    """Clock info (0x93,0x0A).
+
+    Bias and drift of the receiver clock.
+
+    Has the layout of `gnss_1.ClockInfo`.
+
+    Clock info 2 replaces it and tells more.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.clock_info"
+
+
+class FixInfo(gnss_1.FixInfo):
+    """Fix info (0x93,0x0B).
+
+    Type of the position fix and what it is made of.
+
+    Has the layout of `gnss_1.FixInfo`.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.fix_info"
+
+
+class SvInfo(gnss_1.SvInfo):
+    """Satellite info (0x93,0x0C).
+
+    One satellite that is tracked.
+
+    Has the layout of `gnss_1.SvInfo`. Uncertain: Whether a packet holds one of these fields or
+    several.
+
+    The satellites come as one field each, in packets apart from other GNSS data.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.sv_info"
+
+
+class HardwareStatus(gnss_1.HardwareStatus):
+    """GNSS hardware status (0x93,0x0D).
+
+    State of the receiver and of its antenna.
+
+    Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.hardware_status"
+
+
+class DgpsInfo(gnss_1.DgpsInfo):
+    """DGPS info (0x93,0x0E).
+
+    State of the differential corrections.
+
+    Has the layout of `gnss_1.DgpsInfo`. Uncertain: The layout is that of a manual of the 3DM-GX5-35
+    and of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK
+    has another one, u8, three floats and u16, which is that of dgps_channel and does not agree with
+    its own valid flags (age, base station id, base station status, number of channels).
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.dgps_info"
+
+
+class DgpsChannel(gnss_1.DgpsChannel):
+    """DGPS channel (0x93,0x0F).
+
+    Differential correction for one satellite.
+
+    Has the layout of `gnss_1.DgpsChannel`.
+
+    The active satellites come as one field each, all in one packet.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.dgps_channel"
+
+
+class ClockInfo2(gnss_1.ClockInfo2):
+    """Clock info 2 (0x93,0x10).
+
+    Bias and drift of the receiver clock.
+
+    Has the layout of `gnss_1.ClockInfo2`.
+
+    It supersedes clock info.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.clock_info_2"
+
+
+class GpsLeapSeconds(gnss_1.GpsLeapSeconds):
+    """GPS leap seconds (0x93,0x11).
+
+    Difference between GPS time and UTC.
+
+    Has the layout of `gnss_1.GpsLeapSeconds`.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.gps_leap_seconds"
+
+
+class SbasInfo(gnss_1.SbasInfo):
+    """SBAS info (0x93,0x12).
+
+    Status of the satellite based augmentation.
+
+    Has the layout of `gnss_1.SbasInfo`.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.sbas_info"
+
+
+class SbasCorrection(gnss_1.SbasCorrection):
+    """SBAS correction (0x93,0x13).
+
+    SBAS correction for one satellite.
+
+    Has the layout of `gnss_1.SbasCorrection`.
+
+    An epoch is sent as one field for each satellite; index and count number the fields. udrei 0 to
+    13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709,
+    2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.sbas_correction"
+
+
+class RfErrorDetection(gnss_1.RfErrorDetection):
+    """RF error detection (0x93,0x14).
+
+    Jamming and spoofing as the receiver detects them in one band.
+
+    Has the layout of `gnss_1.RfErrorDetection`.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.rf_error_detection"
+
+
+class SatelliteStatus(gnss_1.SatelliteStatus):
+    """Satellite status (0x93,0x20).
+
+    Where one satellite stands, and its health.
+
+    Has the layout of `gnss_1.SatelliteStatus`.
+
+    An epoch is sent as one field for each satellite; index and count number the fields.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.satellite_status"
+
+
+class Raw(gnss_1.Raw):
+    """Raw (0x93,0x22).
+
+    Raw observation of one signal of one satellite.
+
+    Has the layout of `gnss_1.Raw`.
+
+    An epoch is sent as one field for each signal; index and count number the fields. The greatest
+    lock time depends on the receiver.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.raw"
+
+
+class BaseStationInfo(gnss_1.BaseStationInfo):
     """Base station info (0x93,0x30).
 
     The base station of the corrections, from an RTCM message 1005 or 1006.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Has the layout of `gnss_1.BaseStationInfo`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Base Station Info (0x93,0x30)
     """
 
+    __slots__ = ()
+
     SET = 0x93
-    DESCRIPTOR = 0x30
     NAME = "gnss_corrections.base_station_info"
-    ROLE = "data"
-
-    time_of_week: float
-    """GPS time of week at which the message was received. [s] Valid if valid_flags.tow."""
-    week_number: int
-    """GPS week number. [week] Valid if valid_flags.week_number."""
-    ecef_pos: types.Vector3d
-    """Position of the station. [m] Frame: ecef. Valid if valid_flags.ecef_position."""
-    height: float
-    """Height of the antenna above the marker that was surveyed. [m] Valid if valid_flags.height."""
-    station_id: int
-    """Number of the station. Range: 0 to 4095. Valid if valid_flags.station_id."""
-    indicators: BaseStationIndicators
-    """Properties of the station. Valid if valid_flags.indicators."""
-    valid_flags: BaseStationInfoFlags
-    """Which values are valid."""
-
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[BaseStationInfo, int]:
-        v = _BASE_STATION_INFO_0.read(raw, at)
-        at += 44
-        time_of_week = v[0]
-        week_number = v[1]
-        ecef_pos = v[2:5]
-        height = v[5]
-        station_id = v[6]
-        indicators = BaseStationIndicators(v[7])
-        valid_flags = BaseStationInfoFlags(v[8])
-        return cls(
-            time_of_week, week_number, ecef_pos, height, station_id, indicators, valid_flags
-        ), at
-
-    def _write(self) -> bytes:
-        out = _BASE_STATION_INFO_0.write(
-            self.time_of_week,
-            self.week_number,
-            *codec.exactly("ecef_pos", self.ecef_pos, 3),
-            self.height,
-            self.station_id,
-            self.indicators,
-            self.valid_flags,
-        )
-        return codec.finished(out)
 
 
-_RTK_CORRECTIONS_STATUS_0 = codec.Block(
-    "dHHIffffIIIIH",
-    "time_of_week",
-    "week_number",
-    "epoch_status",
-    "dongle_status",
-    "gps_correction_latency",
-    "glonass_correction_latency",
-    "galileo_correction_latency",
-    "beidou_correction_latency",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "valid_flags",
-)
-
-
-@dataclass(slots=True)
-class RtkCorrectionsStatus(Data):
+class RtkCorrectionsStatus(gnss_1.RtkCorrectionsStatus):
     """RTK corrections status (0x93,0x31).
 
     Which corrections come, and how old they are.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Has the layout of `gnss_1.RtkCorrectionsStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
     """
 
+    __slots__ = ()
+
     SET = 0x93
-    DESCRIPTOR = 0x31
     NAME = "gnss_corrections.rtk_corrections_status"
-    ROLE = "data"
 
-    time_of_week: float
-    """GPS time of week. [s] Valid if valid_flags.tow."""
-    week_number: int
-    """GPS week number. [week] Valid if valid_flags.week_number."""
-    epoch_status: RtkEpochStatus
-    """Corrections that came during this epoch. Valid if valid_flags.epoch_status."""
-    dongle_status: int
-    """Status flags of the RTK dongle; of use only with a dongle. Valid if
-    valid_flags.dongle_status. The manual does not define the flags.
+
+class GpsEphemeris(gnss_1.GpsEphemeris):
+    """GPS ephemeris (0x93,0x61).
+
+    Broadcast orbit and clock of one GPS satellite.
+
+    Has the layout of `gnss_1.GpsEphemeris`.
+
+    iodc changes with the clock data; the manual has it roll over at 4.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
     """
-    gps_correction_latency: float
-    """Latency of the last GPS correction. [s] Valid if valid_flags.gps_latency."""
-    glonass_correction_latency: float
-    """Latency of the last GLONASS correction. [s] Valid if valid_flags.glonass_latency."""
-    galileo_correction_latency: float
-    """Latency of the last Galileo correction. [s] Valid if valid_flags.galileo_latency."""
-    beidou_correction_latency: float
-    """Latency of the last BeiDou correction. [s] Valid if valid_flags.beidou_latency."""
-    reserved: tuple[int, int, int, int] = field(default=(0,) * 4, kw_only=True)
-    valid_flags: RtkCorrectionsStatusFlags
-    """Which values are valid."""
 
-    @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RtkCorrectionsStatus, int]:
-        v = _RTK_CORRECTIONS_STATUS_0.read(raw, at)
-        at += 50
-        time_of_week = v[0]
-        week_number = v[1]
-        epoch_status = RtkEpochStatus(v[2])
-        dongle_status = v[3]
-        gps_correction_latency = v[4]
-        glonass_correction_latency = v[5]
-        galileo_correction_latency = v[6]
-        beidou_correction_latency = v[7]
-        reserved = v[8:12]
-        valid_flags = RtkCorrectionsStatusFlags(v[12])
-        return cls(
-            time_of_week,
-            week_number,
-            epoch_status,
-            dongle_status,
-            gps_correction_latency,
-            glonass_correction_latency,
-            galileo_correction_latency,
-            beidou_correction_latency,
-            valid_flags,
-            reserved=reserved,
-        ), at
+    __slots__ = ()
 
-    def _write(self) -> bytes:
-        out = _RTK_CORRECTIONS_STATUS_0.write(
-            self.time_of_week,
-            self.week_number,
-            self.epoch_status,
-            self.dongle_status,
-            self.gps_correction_latency,
-            self.glonass_correction_latency,
-            self.galileo_correction_latency,
-            self.beidou_correction_latency,
-            *codec.exactly("reserved", self.reserved, 4),
-            self.valid_flags,
-        )
-        return codec.finished(out)
+    SET = 0x93
+    NAME = "gnss_corrections.gps_ephemeris"
+
+
+class GlonassEphemeris(gnss_1.GlonassEphemeris):
+    """GLONASS ephemeris (0x93,0x62).
+
+    Broadcast orbit and clock of one GLONASS satellite.
+
+    Has the layout of `gnss_1.GlonassEphemeris`. Also called `glo_ephemeris`.
+
+    The interface control document of GLONASS explains p and ft. A period of four years has 1461
+    days; the manual does not say how nt, a u8, counts them.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.glonass_ephemeris"
+
+
+class GalileoEphemeris(gnss_1.GalileoEphemeris):
+    """Galileo ephemeris (0x93,0x63).
+
+    Broadcast orbit and clock of one Galileo satellite.
+
+    Has the layout of `gnss_1.GalileoEphemeris`.
+
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.galileo_ephemeris"
+
+
+class BeidouEphemeris(gnss_1.BeidouEphemeris):
+    """BeiDou ephemeris (0x93,0x64).
+
+    Broadcast orbit and clock of one BeiDou satellite.
+
+    Has the layout of `gnss_1.BeidouEphemeris`.
+
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.beidou_ephemeris"
+
+
+class GpsIonoCorrection(gnss_1.GpsIonoCorrection):
+    """GPS ionospheric correction (0x93,0x71).
+
+    Model of the ionosphere that GPS broadcasts.
+
+    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.gps_iono_correction"
+
+
+class GalileoIonoCorrection(gnss_1.GalileoIonoCorrection):
+    """Galileo ionospheric correction (0x93,0x73).
+
+    Model of the ionosphere that Galileo broadcasts.
+
+    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.galileo_iono_correction"
+
+
+class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
+    """BeiDou ionospheric correction (0x93,0x74).
+
+    Model of the ionosphere that BeiDou broadcasts.
+
+    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`.
+
+    - mip-sdk-4: Gnss3 Data (0x93)
+    """
+
+    __slots__ = ()
+
+    SET = 0x93
+    NAME = "gnss_corrections.beidou_iono_correction"
 
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x03: (LlhPosition,),
+    0x04: (EcefPosition,),
+    0x05: (NedVelocity,),
+    0x06: (EcefVelocity,),
+    0x07: (Dop,),
+    0x08: (UtcTime,),
+    0x09: (GpsTime,),
+    0x0A: (ClockInfo,),
+    0x0B: (FixInfo,),
+    0x0C: (SvInfo,),
+    0x0D: (HardwareStatus,),
+    0x0E: (DgpsInfo,),
+    0x0F: (DgpsChannel,),
+    0x10: (ClockInfo2,),
+    0x11: (GpsLeapSeconds,),
+    0x12: (SbasInfo,),
+    0x13: (SbasCorrection,),
+    0x14: (RfErrorDetection,),
+    0x20: (SatelliteStatus,),
+    0x22: (Raw,),
     0x30: (BaseStationInfo,),
     0x31: (RtkCorrectionsStatus,),
+    0x61: (GpsEphemeris,),
+    0x62: (GlonassEphemeris,),
+    0x63: (GalileoEphemeris,),
+    0x64: (BeidouEphemeris,),
+    0x71: (GpsIonoCorrection,),
+    0x73: (GalileoIonoCorrection,),
+    0x74: (BeidouIonoCorrection,),
 }

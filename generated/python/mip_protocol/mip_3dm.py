@@ -1,6 +1,9 @@
 """3DM (0x0C).
 
 Commands that set up the sensors, the outputs, the pins and the events of a device.
+
+- 3dm-gx5-15: 4.2 3DM Commands
+- 3dm-cv7-gnss-ins: 3DM (0x0C)
 """
 
 from __future__ import annotations
@@ -10,7 +13,7 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, Structure
+from .field import Command, Field, Response, ResponseClass, Structure
 from .protocol import FunctionSelector
 
 _POLL_ENTRY_0 = codec.Block("BH", "descriptor", "reserved")
@@ -18,12 +21,15 @@ _POLL_ENTRY_0 = codec.Block("BH", "descriptor", "reserved")
 
 @dataclass(slots=True)
 class PollEntry(Structure):
-    """A field that a poll asks for."""
+    """A field that a poll asks for.
+
+    - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
+    """
 
     descriptor: int
     """Field descriptor."""
     reserved: int = 0
-    """In place of a decimation."""
+    """In place of a decimation. Reserved: send 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollEntry, int]:
@@ -39,7 +45,10 @@ class PollEntry(Structure):
 
 
 class FactoryStreamingAction(codec.OpenEnum):
-    """What happens to the message formats that are set."""
+    """What happens to the message formats that are set.
+
+    - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
+    """
 
     OVERWRITE = 0
     """The formats are replaced."""
@@ -49,33 +58,115 @@ class FactoryStreamingAction(codec.OpenEnum):
     """The support fields are added behind the formats; fields may occur twice."""
 
 
-class LegacyDataStream(codec.OpenEnum):
-    """A data stream of a 5-series device."""
+class ConstellationId(codec.OpenEnum):
+    """Constellation in the settings of a receiver. The values are not those of gnss_constellation,
+    which GNSS data use.
 
-    ALL_STREAMS = 0
-    """All streams; for save, load and default only."""
-    IMU = 1
-    """Sensor data (0x80)."""
-    GNSS = 2
-    """GNSS data."""
-    FILTER = 3
-    """Estimation filter data (0x82)."""
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    """
+
+    GPS = 0
+    """GPS, satellites G1 to G32."""
+    SBAS = 1
+    """SBAS, satellites S120 to S158."""
+    GALILEO = 2
+    """Galileo, satellites E1 to E36."""
+    BEIDOU = 3
+    """BeiDou, satellites B1 to B37."""
+    QZSS = 5
+    """QZSS, satellites Q1 to Q5."""
+    GLONASS = 6
+    """GLONASS, satellites R1 to R32."""
+
+
+@codec.open_flag(16)
+class ConstellationOptions(IntFlag):
+    """Options of a constellation.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    """
+
+    L1SAIF = 1 << 0
+    """The L1-SAIF signal; QZSS only. Bit 0."""
+
+
+_CONSTELLATION_SETTINGS_ENTRY_0 = codec.Block(
+    "BBBBH", "constellation_id", "enable", "reserved_channels", "max_channels", "option_flags"
+)
+
+
+@dataclass(slots=True)
+class ConstellationSettingsEntry(Structure):
+    """How a receiver tracks one constellation.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    """
+
+    constellation_id: ConstellationId
+    """Constellation."""
+    enable: int
+    """1 switches it on, 0 off. Range: 0 to 1."""
+    reserved_channels: int
+    """Channels that are kept for it. Unit: 1. Range: 0 to 32."""
+    max_channels: int
+    """Channels that it takes at most. Unit: 1. Range: 0 to 32."""
+    option_flags: ConstellationOptions
+    """Options."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettingsEntry, int]:
+        v = _CONSTELLATION_SETTINGS_ENTRY_0.read(raw, at)
+        at += 6
+        constellation_id = ConstellationId(v[0])
+        enable = v[1]
+        reserved_channels = v[2]
+        max_channels = v[3]
+        option_flags = ConstellationOptions(v[4])
+        return cls(constellation_id, enable, reserved_channels, max_channels, option_flags), at
+
+    def _write(self) -> bytes:
+        out = _CONSTELLATION_SETTINGS_ENTRY_0.write(
+            self.constellation_id,
+            self.enable,
+            self.reserved_channels,
+            self.max_channels,
+            self.option_flags,
+        )
+        return out
 
 
 @codec.open_flag(16)
 class SbasOptions(IntFlag):
-    """How SBAS is used."""
+    """How SBAS is used.
+
+    - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
+    """
 
     ENABLE_RANGING = 1 << 0
-    """SBAS pseudoranges take part in the position solution."""
+    """SBAS pseudoranges take part in the position solution. Bit 0."""
     ENABLE_CORRECTIONS = 1 << 1
-    """SBAS differential corrections are applied."""
+    """SBAS differential corrections are applied. Bit 1."""
     APPLY_INTEGRITY = 1 << 2
-    """Only GPS satellites with SBAS integrity information are used."""
+    """Only GPS satellites with SBAS integrity information are used. Bit 2."""
+
+
+class AssistedFixOption(codec.OpenEnum):
+    """Whether a receiver keeps its last fix.
+
+    - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+    """
+
+    NONE = 0
+    """The receiver starts without it."""
+    ENABLED = 1
+    """The receiver starts from its last fix."""
 
 
 class PpsSource(codec.OpenEnum):
-    """Where the pulse per second comes from."""
+    """Where the pulse per second comes from.
+
+    - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
+    """
 
     DISABLED = 0
     """No pulse."""
@@ -89,8 +180,11 @@ class PpsSource(codec.OpenEnum):
     """From the oscillator of the device."""
 
 
-class SupportedEventsQuery(codec.OpenEnum):
-    """Which part of the event system is asked about."""
+class EventSupportQuery(codec.OpenEnum):
+    """Which part of the event system is asked about.
+
+    - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
+    """
 
     TRIGGER_TYPES = 1
     """Triggers."""
@@ -98,28 +192,31 @@ class SupportedEventsQuery(codec.OpenEnum):
     """Actions."""
 
 
-_SUPPORTED_EVENT_INFO_0 = codec.Block("BB", "type", "count")
+_EVENT_SUPPORT_INFO_0 = codec.Block("BB", "type", "count")
 
 
 @dataclass(slots=True)
-class SupportedEventInfo(Structure):
-    """How many instances of one trigger or action type a device can have."""
+class EventSupportInfo(Structure):
+    """How many instances of one trigger or action type a device can have.
+
+    - 3dm-cv7-gnss-ins: Info
+    """
 
     type: int
     """A value of event_trigger_type if triggers were asked about, else of event_action_type."""
     count: int
-    """Instances of this type at most. [1]"""
+    """Instances of this type at most. Unit: 1."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SupportedEventInfo, int]:
-        v = _SUPPORTED_EVENT_INFO_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[EventSupportInfo, int]:
+        v = _EVENT_SUPPORT_INFO_0.read(raw, at)
         at += 2
         type = v[0]
         count = v[1]
         return cls(type, count), at
 
     def _write(self) -> bytes:
-        out = _SUPPORTED_EVENT_INFO_0.write(self.type, self.count)
+        out = _EVENT_SUPPORT_INFO_0.write(self.type, self.count)
         return out
 
 
@@ -128,7 +225,10 @@ _EVENT_TRIGGER_STATUS_ENTRY_0 = codec.Block("BB", "type", "status")
 
 @dataclass(slots=True)
 class EventTriggerStatusEntry(Structure):
-    """Type and state of one trigger."""
+    """Type and state of one trigger.
+
+    - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
+    """
 
     type: types.EventTriggerType
     """Configured type."""
@@ -153,7 +253,10 @@ _EVENT_ACTION_STATUS_ENTRY_0 = codec.Block("BB", "action_type", "trigger_id")
 
 @dataclass(slots=True)
 class EventActionStatusEntry(Structure):
-    """Type and trigger of one action."""
+    """Type and trigger of one action.
+
+    - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
+    """
 
     action_type: types.EventActionType
     """Configured type."""
@@ -174,7 +277,10 @@ class EventActionStatusEntry(Structure):
 
 
 class OdometerMode(codec.OpenEnum):
-    """How the odometer input works."""
+    """How the odometer input works.
+
+    - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
+    """
 
     DISABLED = 0
     """Not used."""
@@ -183,7 +289,10 @@ class OdometerMode(codec.OpenEnum):
 
 
 class SensorRangeType(codec.OpenEnum):
-    """A sensor whose range can be set, which also decides the unit of the range."""
+    """A sensor whose range can be set, which also decides the unit of the range.
+
+    - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
+    """
 
     ALL = 0
     """All sensors; for save, load and default only."""
@@ -193,7 +302,7 @@ class SensorRangeType(codec.OpenEnum):
     """Gyroscope; degrees per second."""
     MAG = 3
     """Magnetometer; gauss."""
-    PRESS = 4
+    PRESSURE = 4
     """Pressure sensor; hectopascals, that is millibars."""
 
 
@@ -202,7 +311,10 @@ _SENSOR_RANGE_ENTRY_0 = codec.Block("Bf", "setting", "range")
 
 @dataclass(slots=True)
 class SensorRangeEntry(Structure):
-    """A range that a sensor supports."""
+    """A range that a sensor supports.
+
+    - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
+    """
 
     setting: int
     """Value for the sensor range command."""
@@ -223,12 +335,31 @@ class SensorRangeEntry(Structure):
 
 
 class DeviceStatusSelector(codec.OpenEnum):
-    """How much a device status tells."""
+    """How much a device status tells.
+
+    - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+    """
 
     BASIC = 1
     """State and timer."""
     DIAGNOSTIC = 2
     """State and timer with the counters of streams and port."""
+
+
+class LegacyDataStream(codec.OpenEnum):
+    """A data stream of a 5-series device.
+
+    - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
+    """
+
+    ALL_STREAMS = 0
+    """All streams; for save, load and default only."""
+    IMU = 1
+    """Sensor data (0x80)."""
+    GNSS = 2
+    """GNSS data."""
+    FILTER = 3
+    """Estimation filter data (0x82)."""
 
 
 _IMU_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
@@ -238,8 +369,7 @@ _IMU_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 class ImuMessageFormatResponse(Response):
     """IMU Message Format response (0x0C,0x80).
 
-    Answers IMU Message Format (0x0C,0x08).
-    Supported by 3DM-GX5-15.
+    Answers `ImuMessageFormat`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -249,6 +379,7 @@ class ImuMessageFormatResponse(Response):
     NAME = "3dm.imu_message_format_response"
     ROLE = "response"
 
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -269,30 +400,32 @@ class ImuMessageFormatResponse(Response):
         return codec.finished(out)
 
 
-_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
+_GNSS_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 
 
 @dataclass(slots=True)
-class EstimationFilterMessageFormatResponse(Response):
-    """Estimation Filter Message Format response (0x0C,0x82).
+class GnssMessageFormatResponse(Response):
+    """GNSS Message Format response (0x0C,0x81).
 
-    Answers Estimation Filter Message Format (0x0C,0x0A).
-    Supported by 3DM-GX5-15.
+    Answers `GnssMessageFormat`.
 
-    - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
+    - mip-sdk-4: Gnss Message Format (0x0C,0x09)
+    - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
     """
 
     SET = 0x0C
-    DESCRIPTOR = 0x82
-    NAME = "3dm.estimation_filter_message_format_response"
+    DESCRIPTOR = 0x81
+    NAME = "3dm.gnss_message_format_response"
     ROLE = "response"
 
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Range: 0 to 82.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EstimationFilterMessageFormatResponse, int]:
-        v = _ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormatResponse, int]:
+        v = _GNSS_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         num_descriptors = v[0]
         n = codec.counted(raw, at, num_descriptors, 3, 84)
@@ -300,7 +433,7 @@ class EstimationFilterMessageFormatResponse(Response):
         return cls(descriptors), at
 
     def _write(self) -> bytes:
-        out = _ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0.write(
+        out = _GNSS_MESSAGE_FORMAT_RESPONSE_0.write(
             codec.count("descriptors", self.descriptors, 84)
         )
         out += codec.write_structures(
@@ -309,48 +442,119 @@ class EstimationFilterMessageFormatResponse(Response):
         return codec.finished(out)
 
 
-_GET_IMU_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
+_FILTER_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 
 
 @dataclass(slots=True)
-class GetImuDataBaseRateResponse(Response):
+class FilterMessageFormatResponse(Response):
+    """Estimation Filter Message Format response (0x0C,0x82).
+
+    Answers `FilterMessageFormat`. Supported by 3DM-GX5-15.
+
+    - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x82
+    NAME = "3dm.filter_message_format_response"
+    ROLE = "response"
+
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    descriptors: tuple[types.DescriptorRate, ...]
+    """Fields and decimations."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[FilterMessageFormatResponse, int]:
+        v = _FILTER_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
+        at += 1
+        num_descriptors = v[0]
+        n = codec.counted(raw, at, num_descriptors, 3, 84)
+        descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
+        return cls(descriptors), at
+
+    def _write(self) -> bytes:
+        out = _FILTER_MESSAGE_FORMAT_RESPONSE_0.write(
+            codec.count("descriptors", self.descriptors, 84)
+        )
+        out += codec.write_structures(
+            "descriptors", codec.at_most("descriptors", self.descriptors, 84), types.DescriptorRate
+        )
+        return codec.finished(out)
+
+
+_GET_IMU_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
+
+
+@dataclass(slots=True)
+class GetImuBaseRateResponse(Response):
     """Get IMU Data Base Rate response (0x0C,0x83).
 
-    Answers Get IMU Data Base Rate (0x0C,0x06).
-    Supported by 3DM-GX5-15.
+    Also called `imu_get_base_rate_response`. Answers `GetImuBaseRate`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x83
-    NAME = "3dm.get_imu_data_base_rate_response"
+    NAME = "3dm.get_imu_base_rate_response"
     ROLE = "response"
 
     rate: int
-    """Base rate of the sensor data. [Hz]"""
+    """Base rate of the sensor data. Unit: Hz."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetImuDataBaseRateResponse, int]:
-        v = _GET_IMU_DATA_BASE_RATE_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GetImuBaseRateResponse, int]:
+        v = _GET_IMU_BASE_RATE_RESPONSE_0.read(raw, at)
         at += 2
         rate = v[0]
         return cls(rate), at
 
     def _write(self) -> bytes:
-        out = _GET_IMU_DATA_BASE_RATE_RESPONSE_0.write(self.rate)
+        out = _GET_IMU_BASE_RATE_RESPONSE_0.write(self.rate)
         return codec.finished(out)
 
 
-_DATA_STREAM_CONTROL_RESPONSE_0 = codec.Block("BB", "desc_set", "enabled")
+_GET_GNSS_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
+
+
+@dataclass(slots=True)
+class GetGnssBaseRateResponse(Response):
+    """Get GNSS Data Base Rate response (0x0C,0x84).
+
+    Also called `gnss_get_base_rate_response`. Answers `GetGnssBaseRate`.
+
+    - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x84
+    NAME = "3dm.get_gnss_base_rate_response"
+    ROLE = "response"
+
+    rate: int
+    """Base rate of the GNSS data. Unit: Hz."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetGnssBaseRateResponse, int]:
+        v = _GET_GNSS_BASE_RATE_RESPONSE_0.read(raw, at)
+        at += 2
+        rate = v[0]
+        return cls(rate), at
+
+    def _write(self) -> bytes:
+        out = _GET_GNSS_BASE_RATE_RESPONSE_0.write(self.rate)
+        return codec.finished(out)
+
+
+_DATA_STREAM_CONTROL_RESPONSE_0 = codec.Block("BB", "descriptor_set", "enabled")
 
 
 @dataclass(slots=True)
 class DataStreamControlResponse(Response):
     """Data Stream Control response (0x0C,0x85).
 
-    Answers Data Stream Control (0x0C,0x11).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `datastream_control_response`. Answers `DataStreamControl`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -360,15 +564,13 @@ class DataStreamControlResponse(Response):
     DESCRIPTOR = 0x85
     NAME = "3dm.data_stream_control_response"
     ROLE = "response"
-    READINGS = {
-        "desc_set": (
-            "device",
-            {"3dm-gx5-15": LegacyDataStream},
-        ),
-    }
+    READINGS = {"descriptor_set": ("device", {"3dm-gx5-15": LegacyDataStream})}
 
-    desc_set: int
-    """Stream of the command."""
+    descriptor_set: int
+    """Stream of the command.
+
+    - On the 3DM-GX5-15: values of `LegacyDataStream`.
+    """
     enabled: bool
     """Whether the stream is sent."""
 
@@ -376,12 +578,12 @@ class DataStreamControlResponse(Response):
     def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControlResponse, int]:
         v = _DATA_STREAM_CONTROL_RESPONSE_0.read(raw, at)
         at += 2
-        desc_set = v[0]
+        descriptor_set = v[0]
         enabled = codec.truth(v[1])
-        return cls(desc_set, enabled), at
+        return cls(descriptor_set, enabled), at
 
     def _write(self) -> bytes:
-        out = _DATA_STREAM_CONTROL_RESPONSE_0.write(self.desc_set, self.enabled)
+        out = _DATA_STREAM_CONTROL_RESPONSE_0.write(self.descriptor_set, self.enabled)
         return codec.finished(out)
 
 
@@ -392,8 +594,8 @@ _UART_BAUD_RATE_RESPONSE_0 = codec.Block("I", "baud")
 class UartBaudRateResponse(Response):
     """UART Baud Rate response (0x0C,0x87).
 
-    Answers UART Baud Rate (0x0C,0x40).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `uart_baudrate_response`. Answers `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -405,7 +607,7 @@ class UartBaudRateResponse(Response):
     ROLE = "response"
 
     baud: int
-    """Baud rate. [Bd] On 3dm-gx5-15: factory default 115200."""
+    """Baud rate. Unit: Bd."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRateResponse, int]:
@@ -419,50 +621,50 @@ class UartBaudRateResponse(Response):
         return codec.finished(out)
 
 
-_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
+_GET_FILTER_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 
 
 @dataclass(slots=True)
-class GetEstimationFilterDataBaseRateResponse(Response):
+class GetFilterBaseRateResponse(Response):
     """Get Estimation Filter Data Base Rate response (0x0C,0x8A).
 
-    Answers Get Estimation Filter Data Base Rate (0x0C,0x0B).
-    Supported by 3DM-GX5-15.
+    Also called `filter_get_base_rate_response`. Answers `GetFilterBaseRate`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x8A
-    NAME = "3dm.get_estimation_filter_data_base_rate_response"
+    NAME = "3dm.get_filter_base_rate_response"
     ROLE = "response"
 
     rate: int
-    """Base rate of the filter data. [Hz]"""
+    """Base rate of the filter data. Unit: Hz."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetEstimationFilterDataBaseRateResponse, int]:
-        v = _GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GetFilterBaseRateResponse, int]:
+        v = _GET_FILTER_BASE_RATE_RESPONSE_0.read(raw, at)
         at += 2
         rate = v[0]
         return cls(rate), at
 
     def _write(self) -> bytes:
-        out = _GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_0.write(self.rate)
+        out = _GET_FILTER_BASE_RATE_RESPONSE_0.write(self.rate)
         return codec.finished(out)
 
 
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_0 = codec.Block(
+_IMU_LOW_PASS_FILTER_RESPONSE_0 = codec.Block(
     "BBBHB", "target_descriptor", "enable", "manual", "frequency", "reserved"
 )
 
 
 @dataclass(slots=True)
-class AdvancedLowPassFilterSettingsResponse(Response):
+class ImuLowPassFilterResponse(Response):
     """Advanced Low-Pass Filter Settings response (0x0C,0x8B).
 
-    Answers Advanced Low-Pass Filter Settings (0x0C,0x50).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `imu_lowpass_filter_response`. Answers `ImuLowPassFilter`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -470,28 +672,26 @@ class AdvancedLowPassFilterSettingsResponse(Response):
 
     SET = 0x0C
     DESCRIPTOR = 0x8B
-    NAME = "3dm.advanced_low_pass_filter_settings_response"
+    NAME = "3dm.imu_low_pass_filter_response"
     ROLE = "response"
 
     target_descriptor: int
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-    magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
-    data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
-    0 means all of them, except for read.
+    magnetic field 0x06 or pressure 0x17.
     """
     enable: bool
-    """Whether the quantity is filtered. Factory default: True."""
+    """Whether the quantity is filtered. Default: true."""
     manual: bool
-    """True uses the frequency; false follows half the rate of the message format. Factory
-    default: False.
+    """True uses the frequency; false follows half the rate of the message format. Default: false.
     """
     frequency: int
-    """Cutoff (-3 dB). It has no meaning if manual is false. [Hz] On 3dm-gx5-15: at most 250."""
+    """Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz."""
     reserved: int = 0
+    """Reserved."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AdvancedLowPassFilterSettingsResponse, int]:
-        v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuLowPassFilterResponse, int]:
+        v = _IMU_LOW_PASS_FILTER_RESPONSE_0.read(raw, at)
         at += 6
         target_descriptor = v[0]
         enable = codec.truth(v[1])
@@ -501,7 +701,7 @@ class AdvancedLowPassFilterSettingsResponse(Response):
         return cls(target_descriptor, enable, manual, frequency, reserved), at
 
     def _write(self) -> bytes:
-        out = _ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_0.write(
+        out = _IMU_LOW_PASS_FILTER_RESPONSE_0.write(
             self.target_descriptor, self.enable, self.manual, self.frequency, self.reserved
         )
         return codec.finished(out)
@@ -514,8 +714,7 @@ _NMEA_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "count")
 class NmeaMessageFormatResponse(Response):
     """NMEA Message Format response (0x0C,0x8C).
 
-    Answers NMEA Message Format (0x0C,0x0C).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -525,6 +724,7 @@ class NmeaMessageFormatResponse(Response):
     NAME = "3dm.nmea_message_format_response"
     ROLE = "response"
 
+    # On the wire: count. Number of sentences. The number of elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to stream."""
 
@@ -549,51 +749,49 @@ class NmeaMessageFormatResponse(Response):
         return codec.finished(out)
 
 
-_GET_DATA_BASE_RATE_RESPONSE_0 = codec.Block("BH", "desc_set", "rate")
+_GET_BASE_RATE_RESPONSE_0 = codec.Block("BH", "descriptor_set", "rate")
 
 
 @dataclass(slots=True)
-class GetDataBaseRateResponse(Response):
+class GetBaseRateResponse(Response):
     """Get Data Base Rate response (0x0C,0x8E).
 
-    Answers Get Data Base Rate (0x0C,0x0E).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetBaseRate`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x8E
-    NAME = "3dm.get_data_base_rate_response"
+    NAME = "3dm.get_base_rate_response"
     ROLE = "response"
 
-    desc_set: int
+    descriptor_set: int
     """Data descriptor set of the command."""
     rate: int
-    """Base rate; 0 if the rate is variable or unknown and data is sent as it comes. [Hz]"""
+    """Base rate; 0 if the rate is variable or unknown and data is sent as it comes. Unit: Hz."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDataBaseRateResponse, int]:
-        v = _GET_DATA_BASE_RATE_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GetBaseRateResponse, int]:
+        v = _GET_BASE_RATE_RESPONSE_0.read(raw, at)
         at += 3
-        desc_set = v[0]
+        descriptor_set = v[0]
         rate = v[1]
-        return cls(desc_set, rate), at
+        return cls(descriptor_set, rate), at
 
     def _write(self) -> bytes:
-        out = _GET_DATA_BASE_RATE_RESPONSE_0.write(self.desc_set, self.rate)
+        out = _GET_BASE_RATE_RESPONSE_0.write(self.descriptor_set, self.rate)
         return codec.finished(out)
 
 
-_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("BB", "desc_set", "num_descriptors")
+_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("BB", "descriptor_set", "num_descriptors")
 
 
 @dataclass(slots=True)
 class MessageFormatResponse(Response):
     """Message Format response (0x0C,0x8F).
 
-    Answers Message Format (0x0C,0x0F).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MessageFormat`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -603,8 +801,9 @@ class MessageFormatResponse(Response):
     NAME = "3dm.message_format_response"
     ROLE = "response"
 
-    desc_set: int
+    descriptor_set: int
     """Data descriptor set; 0 means all of them (save, load, default)."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -612,15 +811,15 @@ class MessageFormatResponse(Response):
     def _read(cls, raw: bytes, at: int) -> tuple[MessageFormatResponse, int]:
         v = _MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 2
-        desc_set = v[0]
+        descriptor_set = v[0]
         num_descriptors = v[1]
         n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
-        return cls(desc_set, descriptors), at
+        return cls(descriptor_set, descriptors), at
 
     def _write(self) -> bytes:
         out = _MESSAGE_FORMAT_RESPONSE_0.write(
-            self.desc_set, codec.count("descriptors", self.descriptors, 83)
+            self.descriptor_set, codec.count("descriptors", self.descriptors, 83)
         )
         out += codec.write_structures(
             "descriptors", codec.at_most("descriptors", self.descriptors, 83), types.DescriptorRate
@@ -638,7 +837,9 @@ class DeviceStatusBasicResponse(Response):
     """Basic Device Status (0x0C,0x90).
 
     State and timer.
-    Supported by 3DM-GX5-15.
+
+    Answers `DeviceStatus`. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     """
@@ -648,16 +849,18 @@ class DeviceStatusBasicResponse(Response):
     NAME = "3dm.device_status_basic_response"
     ROLE = "response"
 
+    # On the wire: model_number. Model number of the 3DM-GX5-15. Always 6254.
+    # On the wire: status_selector. Basic status. Always 1.
     status_flags: int
     """Reserved."""
     system_state: int
     """State of the system; its values are not documented."""
     system_timer: int
-    """Time since start-up. [ms]"""
+    """Time since start-up. Unit: ms."""
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x18\x6e" and data[2:3] == b"\x01"
+        return data[0:2] == b"\x18n" and data[2:3] == b"\x01"
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusBasicResponse, int]:
@@ -694,10 +897,10 @@ _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_2 = codec.Block(
     "filter_stream_enabled",
     "imu_dropped_packets",
     "filter_dropped_packets",
-    "com_port_bytes_written",
-    "com_port_bytes_read",
-    "com_port_write_overruns",
-    "com_port_read_overruns",
+    "comm_port_bytes_written",
+    "comm_port_bytes_read",
+    "comm_port_write_overruns",
+    "comm_port_read_overruns",
     "imu_parser_errors",
     "imu_message_count",
     "imu_last_message_time",
@@ -709,6 +912,8 @@ class DeviceStatusDiagnosticResponse(Response):
     """Diagnostic Device Status (0x0C,0x90).
 
     State and timer with the counters of streams and port.
+
+    Answers `DeviceStatus`. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`.
     Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -719,38 +924,40 @@ class DeviceStatusDiagnosticResponse(Response):
     NAME = "3dm.device_status_diagnostic_response"
     ROLE = "response"
 
+    # On the wire: model_number. Model number of the 3DM-GX5-15. Always 6254.
+    # On the wire: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_state: int
     """State of the system; its values are not documented."""
     system_timer: int
-    """Time since start-up. [ms]"""
+    """Time since start-up. Unit: ms."""
     imu_stream_enabled: bool
     """Whether sensor data is streamed."""
     filter_stream_enabled: bool
     """Whether filter data is streamed."""
     imu_dropped_packets: int
-    """Sensor data packets that were not sent. [1]"""
+    """Sensor data packets that were not sent. Unit: 1."""
     filter_dropped_packets: int
-    """Filter data packets that were not sent. [1]"""
-    com_port_bytes_written: int
-    """Bytes written to the port. [byte]"""
-    com_port_bytes_read: int
-    """Bytes read from the port. [byte]"""
-    com_port_write_overruns: int
-    """Overruns while writing to the port. [1]"""
-    com_port_read_overruns: int
-    """Overruns while reading from the port. [1]"""
+    """Filter data packets that were not sent. Unit: 1."""
+    comm_port_bytes_written: int
+    """Bytes written to the port. Unit: byte."""
+    comm_port_bytes_read: int
+    """Bytes read from the port. Unit: byte."""
+    comm_port_write_overruns: int
+    """Overruns while writing to the port. Unit: 1."""
+    comm_port_read_overruns: int
+    """Overruns while reading from the port. Unit: 1."""
     imu_parser_errors: int
-    """Messages of the IMU that could not be parsed. [1]"""
+    """Messages of the IMU that could not be parsed. Unit: 1."""
     imu_message_count: int
-    """Messages of the IMU that were read. [1]"""
+    """Messages of the IMU that were read. Unit: 1."""
     imu_last_message_time: int
-    """System timer at the last message of the IMU. [ms]"""
+    """System timer at the last message of the IMU. Unit: ms."""
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x18\x6e" and data[2:3] == b"\x02"
+        return data[0:2] == b"\x18n" and data[2:3] == b"\x02"
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticResponse, int]:
@@ -769,10 +976,10 @@ class DeviceStatusDiagnosticResponse(Response):
         filter_stream_enabled = codec.truth(v[4])
         imu_dropped_packets = v[5]
         filter_dropped_packets = v[6]
-        com_port_bytes_written = v[7]
-        com_port_bytes_read = v[8]
-        com_port_write_overruns = v[9]
-        com_port_read_overruns = v[10]
+        comm_port_bytes_written = v[7]
+        comm_port_bytes_read = v[8]
+        comm_port_write_overruns = v[9]
+        comm_port_read_overruns = v[10]
         imu_parser_errors = v[11]
         imu_message_count = v[12]
         imu_last_message_time = v[13]
@@ -784,10 +991,10 @@ class DeviceStatusDiagnosticResponse(Response):
             filter_stream_enabled,
             imu_dropped_packets,
             filter_dropped_packets,
-            com_port_bytes_written,
-            com_port_bytes_read,
-            com_port_write_overruns,
-            com_port_read_overruns,
+            comm_port_bytes_written,
+            comm_port_bytes_read,
+            comm_port_write_overruns,
+            comm_port_read_overruns,
             imu_parser_errors,
             imu_message_count,
             imu_last_message_time,
@@ -804,10 +1011,10 @@ class DeviceStatusDiagnosticResponse(Response):
             self.filter_stream_enabled,
             self.imu_dropped_packets,
             self.filter_dropped_packets,
-            self.com_port_bytes_written,
-            self.com_port_bytes_read,
-            self.com_port_write_overruns,
-            self.com_port_read_overruns,
+            self.comm_port_bytes_written,
+            self.comm_port_bytes_read,
+            self.comm_port_write_overruns,
+            self.comm_port_read_overruns,
             self.imu_parser_errors,
             self.imu_message_count,
             self.imu_last_message_time,
@@ -815,7 +1022,7 @@ class DeviceStatusDiagnosticResponse(Response):
         return codec.finished(out)
 
 
-_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_0 = codec.Block(
+_COMPLEMENTARY_FILTER_RESPONSE_0 = codec.Block(
     "BBff",
     "pitch_roll_enable",
     "heading_enable",
@@ -825,11 +1032,10 @@ _COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class ComplementaryFilterConfigurationResponse(Response):
+class ComplementaryFilterResponse(Response):
     """Complementary Filter Configuration response (0x0C,0x97).
 
-    Answers Complementary Filter Configuration (0x0C,0x51).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -837,27 +1043,21 @@ class ComplementaryFilterConfigurationResponse(Response):
 
     SET = 0x0C
     DESCRIPTOR = 0x97
-    NAME = "3dm.complementary_filter_configuration_response"
+    NAME = "3dm.complementary_filter_response"
     ROLE = "response"
 
     pitch_roll_enable: bool
-    """Corrects pitch and roll (up, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
-    """
+    """Corrects pitch and roll (up, in terms of the 5-series)."""
     heading_enable: bool
-    """Corrects the heading (north, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
-    """
+    """Corrects the heading (north, in terms of the 5-series)."""
     pitch_roll_time_constant: float
-    """Time constant of the correction of pitch and roll. [s] Range: 1 to 1000. Factory default:
-    10.
-    """
+    """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."""
     heading_time_constant: float
-    """Time constant of the correction of the heading. [s] Range: 1 to 1000. Factory default: 10."""
+    """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterConfigurationResponse, int]:
-        v = _COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterResponse, int]:
+        v = _COMPLEMENTARY_FILTER_RESPONSE_0.read(raw, at)
         at += 10
         pitch_roll_enable = codec.truth(v[0])
         heading_enable = codec.truth(v[1])
@@ -868,7 +1068,7 @@ class ComplementaryFilterConfigurationResponse(Response):
         ), at
 
     def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_0.write(
+        out = _COMPLEMENTARY_FILTER_RESPONSE_0.write(
             self.pitch_roll_enable,
             self.heading_enable,
             self.pitch_roll_time_constant,
@@ -877,15 +1077,14 @@ class ComplementaryFilterConfigurationResponse(Response):
         return codec.finished(out)
 
 
-_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_0 = codec.Block("fff", "bias", "bias", "bias")
+_ACCEL_BIAS_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
 
 
 @dataclass(slots=True)
-class AccelerometerBiasConfigurationResponse(Response):
+class AccelBiasResponse(Response):
     """Accelerometer Bias Configuration response (0x0C,0x9A).
 
-    Answers Accelerometer Bias Configuration (0x0C,0x37).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AccelBias`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -893,35 +1092,35 @@ class AccelerometerBiasConfigurationResponse(Response):
 
     SET = 0x0C
     DESCRIPTOR = 0x9A
-    NAME = "3dm.accelerometer_bias_configuration_response"
+    NAME = "3dm.accel_bias_response"
     ROLE = "response"
 
     bias: types.Vector3f
-    """Accelerometer bias. [g] Frame: sensor."""
+    """Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasConfigurationResponse, int]:
-        v = _ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasResponse, int]:
+        v = _ACCEL_BIAS_RESPONSE_0.read(raw, at)
         at += 12
         bias = v[0:3]
         return cls(bias), at
 
     def _write(self) -> bytes:
-        out = _ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_0.write(
-            *codec.exactly("bias", self.bias, 3)
-        )
+        out = _ACCEL_BIAS_RESPONSE_0.write(*codec.exactly("bias", self.bias, 3))
         return codec.finished(out)
 
 
-_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_0 = codec.Block("fff", "bias", "bias", "bias")
+_GYRO_BIAS_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
 
 
 @dataclass(slots=True)
-class GyroscopeBiasConfigurationResponse(Response):
+class GyroBiasResponse(Response):
     """Gyroscope Bias Configuration response (0x0C,0x9B).
 
-    The bias in use. The capture gyroscope bias command answers with it too.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    The bias in use.
+
+    Also called `capture_gyro_bias_response`. Answers `GyroBias` and `CaptureGyroBias`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -929,135 +1128,173 @@ class GyroscopeBiasConfigurationResponse(Response):
 
     SET = 0x0C
     DESCRIPTOR = 0x9B
-    NAME = "3dm.gyroscope_bias_configuration_response"
+    NAME = "3dm.gyro_bias_response"
     ROLE = "response"
 
     bias: types.Vector3f
-    """Gyroscope bias. [rad/s] Frame: sensor."""
+    """Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasConfigurationResponse, int]:
-        v = _GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasResponse, int]:
+        v = _GYRO_BIAS_RESPONSE_0.read(raw, at)
         at += 12
         bias = v[0:3]
         return cls(bias), at
 
     def _write(self) -> bytes:
-        out = _GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_0.write(*codec.exactly("bias", self.bias, 3))
+        out = _GYRO_BIAS_RESPONSE_0.write(*codec.exactly("bias", self.bias, 3))
         return codec.finished(out)
 
 
-_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_0 = codec.Block("fff", "offset", "offset", "offset")
+_MAG_HARD_IRON_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
 @dataclass(slots=True)
-class MagnetometerHardIronOffsetResponse(Response):
+class MagHardIronOffsetResponse(Response):
     """Magnetometer Hard Iron Offset response (0x0C,0x9C).
 
-    Answers Magnetometer Hard Iron Offset (0x0C,0x3A).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MagHardIronOffset`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x9C
-    NAME = "3dm.magnetometer_hard_iron_offset_response"
+    NAME = "3dm.mag_hard_iron_offset_response"
     ROLE = "response"
 
     offset: types.Vector3f
-    """Hard iron offset. [gauss] Frame: sensor."""
+    """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerHardIronOffsetResponse, int]:
-        v = _MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MagHardIronOffsetResponse, int]:
+        v = _MAG_HARD_IRON_OFFSET_RESPONSE_0.read(raw, at)
         at += 12
         offset = v[0:3]
         return cls(offset), at
 
     def _write(self) -> bytes:
-        out = _MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_0.write(
-            *codec.exactly("offset", self.offset, 3)
-        )
+        out = _MAG_HARD_IRON_OFFSET_RESPONSE_0.write(*codec.exactly("offset", self.offset, 3))
         return codec.finished(out)
 
 
-_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block(
-    "fffffffff",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-)
+_MAG_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block("fffffffff", *["matrix"] * 9)
 
 
 @dataclass(slots=True)
-class MagnetometerSoftIronMatrixResponse(Response):
+class MagSoftIronMatrixResponse(Response):
     """Magnetometer Soft Iron Matrix response (0x0C,0x9D).
 
-    Answers Magnetometer Soft Iron Matrix (0x0C,0x3B).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MagSoftIronMatrix`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x9D
-    NAME = "3dm.magnetometer_soft_iron_matrix_response"
+    NAME = "3dm.mag_soft_iron_matrix_response"
     ROLE = "response"
 
-    offset: types.Matrix3f
-    """Soft iron matrix in row-major order. [1] Frame: sensor."""
+    matrix: types.Matrix3f
+    """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Frame: sensor.
+    """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerSoftIronMatrixResponse, int]:
-        v = _MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MagSoftIronMatrixResponse, int]:
+        v = _MAG_SOFT_IRON_MATRIX_RESPONSE_0.read(raw, at)
         at += 36
-        offset = v[0:9]
-        return cls(offset), at
+        matrix = v[0:9]
+        return cls(matrix), at
 
     def _write(self) -> bytes:
-        out = _MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0.write(
-            *codec.exactly("offset", self.offset, 9)
-        )
+        out = _MAG_SOFT_IRON_MATRIX_RESPONSE_0.write(*codec.exactly("matrix", self.matrix, 9))
         return codec.finished(out)
 
 
-_CONING_AND_SCULLING_ENABLE_RESPONSE_0 = codec.Block("B", "enable")
+_CONING_SCULLING_ENABLE_RESPONSE_0 = codec.Block("B", "enable")
 
 
 @dataclass(slots=True)
-class ConingAndScullingEnableResponse(Response):
+class ConingScullingEnableResponse(Response):
     """Coning and Sculling Enable response (0x0C,0x9E).
 
-    Answers Coning and Sculling Enable (0x0C,0x3E).
-    Supported by 3DM-GX5-15.
+    Answers `ConingScullingEnable`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x9E
-    NAME = "3dm.coning_and_sculling_enable_response"
+    NAME = "3dm.coning_sculling_enable_response"
     ROLE = "response"
 
     enable: bool
-    """Whether the compensation is on. Factory default: True."""
+    """Whether the compensation is on. Default: true."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConingAndScullingEnableResponse, int]:
-        v = _CONING_AND_SCULLING_ENABLE_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[ConingScullingEnableResponse, int]:
+        v = _CONING_SCULLING_ENABLE_RESPONSE_0.read(raw, at)
         at += 1
         enable = codec.truth(v[0])
         return cls(enable), at
 
     def _write(self) -> bytes:
-        out = _CONING_AND_SCULLING_ENABLE_RESPONSE_0.write(self.enable)
+        out = _CONING_SCULLING_ENABLE_RESPONSE_0.write(self.enable)
+        return codec.finished(out)
+
+
+_CONSTELLATION_SETTINGS_RESPONSE_0 = codec.Block(
+    "HHB", "max_channels_available", "max_channels_use", "config_count"
+)
+
+
+@dataclass(slots=True)
+class ConstellationSettingsResponse(Response):
+    """Constellation Settings response (0x0C,0xA0).
+
+    Tracking channels of the receiver and the setting of each constellation.
+
+    Answers `ConstellationSettings`.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xA0
+    NAME = "3dm.constellation_settings_response"
+    ROLE = "response"
+
+    max_channels_available: int
+    """Channels that the receiver has. Unit: 1."""
+    max_channels_use: int
+    """Channels in use at most. Unit: 1."""
+    # On the wire: config_count. Number of entries. The number of elements of `settings`. Range: 0
+    # to 41.
+    settings: tuple[ConstellationSettingsEntry, ...]
+    """One entry for each constellation."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettingsResponse, int]:
+        v = _CONSTELLATION_SETTINGS_RESPONSE_0.read(raw, at)
+        at += 5
+        max_channels_available = v[0]
+        max_channels_use = v[1]
+        config_count = v[2]
+        n = codec.counted(raw, at, config_count, 6, 41)
+        settings, at = codec.read_structures(ConstellationSettingsEntry, raw, at, n)
+        return cls(max_channels_available, max_channels_use, settings), at
+
+    def _write(self) -> bytes:
+        out = _CONSTELLATION_SETTINGS_RESPONSE_0.write(
+            self.max_channels_available,
+            self.max_channels_use,
+            codec.count("settings", self.settings, 41),
+        )
+        out += codec.write_structures(
+            "settings", codec.at_most("settings", self.settings, 41), ConstellationSettingsEntry
+        )
         return codec.finished(out)
 
 
@@ -1070,8 +1307,7 @@ _GNSS_SBAS_SETTINGS_RESPONSE_0 = codec.Block(
 class GnssSbasSettingsResponse(Response):
     """GNSS SBAS Settings response (0x0C,0xA1).
 
-    Answers GNSS SBAS Settings (0x0C,0x22).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -1085,6 +1321,8 @@ class GnssSbasSettingsResponse(Response):
     """1 switches SBAS on, 0 off. Range: 0 to 1."""
     sbas_options: SbasOptions
     """What SBAS is used for."""
+    # On the wire: num_included_prns. Number of satellites listed; 0 searches for all. The number of
+    # elements of `included_prns`.
     included_prns: tuple[int, ...]
     """PRN numbers of the SBAS satellites to search for."""
 
@@ -1112,6 +1350,79 @@ class GnssSbasSettingsResponse(Response):
         return codec.finished(out)
 
 
+_GNSS_ASSISTED_FIX_RESPONSE_0 = codec.Block("BB", "option", "flags")
+
+
+@dataclass(slots=True)
+class GnssAssistedFixResponse(Response):
+    """GNSS Assisted Fix response (0x0C,0xA2).
+
+    Answers `GnssAssistedFix`.
+
+    - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xA2
+    NAME = "3dm.gnss_assisted_fix_response"
+    ROLE = "response"
+
+    option: AssistedFixOption
+    """Assisted fix. Default: `AssistedFixOption.NONE`."""
+    flags: int = 255
+    """Reserved."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFixResponse, int]:
+        v = _GNSS_ASSISTED_FIX_RESPONSE_0.read(raw, at)
+        at += 2
+        option = AssistedFixOption(v[0])
+        flags = v[1]
+        return cls(option, flags), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_ASSISTED_FIX_RESPONSE_0.write(self.option, self.flags)
+        return codec.finished(out)
+
+
+_GNSS_TIME_ASSISTANCE_RESPONSE_0 = codec.Block("dHf", "tow", "week_number", "accuracy")
+
+
+@dataclass(slots=True)
+class GnssTimeAssistanceResponse(Response):
+    """GNSS Time Assistance response (0x0C,0xA3).
+
+    Answers `GnssTimeAssistance`.
+
+    - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xA3
+    NAME = "3dm.gnss_time_assistance_response"
+    ROLE = "response"
+
+    tow: float
+    """GPS time of week. Unit: s."""
+    week_number: int
+    """GPS week number since 1980. Unit: week."""
+    accuracy: float
+    """Accuracy of the time. Unit: s."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistanceResponse, int]:
+        v = _GNSS_TIME_ASSISTANCE_RESPONSE_0.read(raw, at)
+        at += 14
+        tow = v[0]
+        week_number = v[1]
+        accuracy = v[2]
+        return cls(tow, week_number, accuracy), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_TIME_ASSISTANCE_RESPONSE_0.write(self.tow, self.week_number, self.accuracy)
+        return codec.finished(out)
+
+
 _PPS_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
 
 
@@ -1119,8 +1430,7 @@ _PPS_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
 class PpsSourceControlResponse(Response):
     """PPS Source Control response (0x0C,0xA8).
 
-    Answers PPS Source Control (0x0C,0x28).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `pps_source_response`. Answers `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -1131,7 +1441,7 @@ class PpsSourceControlResponse(Response):
     ROLE = "response"
 
     source: PpsSource
-    """Source of the pulse. Factory default: receiver_1."""
+    """Source of the pulse. Default: `PpsSource.RECEIVER_1`."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControlResponse, int]:
@@ -1145,38 +1455,34 @@ class PpsSourceControlResponse(Response):
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_0 = codec.Block(
-    "fff", "roll", "pitch", "yaw"
-)
+_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_0 = codec.Block("fff", "roll", "pitch", "yaw")
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformationEulerResponse(Response):
+class SensorToVehicleTransformEulerResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
 
-    Answers Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `sensor_2_vehicle_transform_euler_response`. Answers
+    `SensorToVehicleTransformEuler`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xB1
-    NAME = "3dm.sensor_to_vehicle_frame_transformation_euler_response"
+    NAME = "3dm.sensor_to_vehicle_transform_euler_response"
     ROLE = "response"
 
     roll: float
-    """Rotation about the x axis. [rad]"""
+    """Rotation about the x axis. Unit: rad."""
     pitch: float
-    """Rotation about the y axis. [rad]"""
+    """Rotation about the y axis. Unit: rad."""
     yaw: float
-    """Rotation about the z axis. [rad]"""
+    """Rotation about the z axis. Unit: rad."""
 
     @classmethod
-    def _read(
-        cls, raw: bytes, at: int
-    ) -> tuple[SensorToVehicleFrameTransformationEulerResponse, int]:
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformEulerResponse, int]:
+        v = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_0.read(raw, at)
         at += 12
         roll = v[0]
         pitch = v[1]
@@ -1184,61 +1490,55 @@ class SensorToVehicleFrameTransformationEulerResponse(Response):
         return cls(roll, pitch, yaw), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_0.write(
-            self.roll, self.pitch, self.yaw
-        )
+        out = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_0.write(self.roll, self.pitch, self.yaw)
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_0 = codec.Block(
-    "ffff", "q", "q", "q", "q"
-)
+_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] * 4)
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformationQuaternionResponse(Response):
+class SensorToVehicleTransformQuaternionResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
 
-    Answers Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
+    `SensorToVehicleTransformQuaternion`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xB2
-    NAME = "3dm.sensor_to_vehicle_frame_transformation_quaternion_response"
+    NAME = "3dm.sensor_to_vehicle_transform_quaternion_response"
     ROLE = "response"
 
     q: types.Quatf
-    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. [1]"""
+    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
+    w, x, y, z. Unit: 1.
+    """
 
     @classmethod
-    def _read(
-        cls, raw: bytes, at: int
-    ) -> tuple[SensorToVehicleFrameTransformationQuaternionResponse, int]:
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformQuaternionResponse, int]:
+        v = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_0.read(raw, at)
         at += 16
         q = v[0:4]
         return cls(q), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_0.write(
+        out = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_0.write(
             *codec.exactly("q", self.q, 4)
         )
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_0 = codec.Block(
-    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
-)
+_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] * 9)
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformationDirectionCosineMatrixResponse(Response):
+class SensorToVehicleTransformDcmResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
 
-    Answers Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
+    Also called `sensor_2_vehicle_transform_dcm_response`. Answers `SensorToVehicleTransformDcm`.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
@@ -1246,70 +1546,68 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrixResponse(Response):
 
     SET = 0x0C
     DESCRIPTOR = 0xB3
-    NAME = "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response"
+    NAME = "3dm.sensor_to_vehicle_transform_dcm_response"
     ROLE = "response"
 
     dcm: types.Matrix3f
-    """The matrix in row-major order. [1]"""
+    """The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1.
+    """
 
     @classmethod
-    def _read(
-        cls, raw: bytes, at: int
-    ) -> tuple[SensorToVehicleFrameTransformationDirectionCosineMatrixResponse, int]:
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformDcmResponse, int]:
+        v = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_0.read(raw, at)
         at += 36
         dcm = v[0:9]
         return cls(dcm), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_0.write(
-            *codec.exactly("dcm", self.dcm, 9)
-        )
+        out = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_0.write(*codec.exactly("dcm", self.dcm, 9))
         return codec.finished(out)
 
 
-_GET_SUPPORTED_EVENTS_RESPONSE_0 = codec.Block("BBB", "query", "max_instances", "num_entries")
+_GET_EVENT_SUPPORT_RESPONSE_0 = codec.Block("BBB", "query", "max_instances", "num_entries")
 
 
 @dataclass(slots=True)
-class GetSupportedEventsResponse(Response):
+class GetEventSupportResponse(Response):
     """Get Supported Events response (0x0C,0xB4).
 
-    Answers Get Supported Events (0x0C,0x2A).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xB4
-    NAME = "3dm.get_supported_events_response"
+    NAME = "3dm.get_event_support_response"
     ROLE = "response"
 
-    query: SupportedEventsQuery
+    query: EventSupportQuery
     """Query of the command."""
     max_instances: int
-    """Number of slots; instances go from 1 to this. [1]"""
-    entries: tuple[SupportedEventInfo, ...]
+    """Number of slots; instances go from 1 to this. Unit: 1."""
+    # On the wire: num_entries. Number of types. The number of elements of `entries`.
+    entries: tuple[EventSupportInfo, ...]
     """The types."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetSupportedEventsResponse, int]:
-        v = _GET_SUPPORTED_EVENTS_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GetEventSupportResponse, int]:
+        v = _GET_EVENT_SUPPORT_RESPONSE_0.read(raw, at)
         at += 3
-        query = SupportedEventsQuery(v[0])
+        query = EventSupportQuery(v[0])
         max_instances = v[1]
         num_entries = v[2]
         n = codec.counted(raw, at, num_entries, 2, 125)
-        entries, at = codec.read_structures(SupportedEventInfo, raw, at, n)
+        entries, at = codec.read_structures(EventSupportInfo, raw, at, n)
         return cls(query, max_instances, entries), at
 
     def _write(self) -> bytes:
-        out = _GET_SUPPORTED_EVENTS_RESPONSE_0.write(
+        out = _GET_EVENT_SUPPORT_RESPONSE_0.write(
             self.query, self.max_instances, codec.count("entries", self.entries, 125)
         )
         out += codec.write_structures(
-            "entries", codec.at_most("entries", self.entries, 125), SupportedEventInfo
+            "entries", codec.at_most("entries", self.entries, 125), EventSupportInfo
         )
         return codec.finished(out)
 
@@ -1321,8 +1619,7 @@ _EVENT_CONTROL_RESPONSE_0 = codec.Block("BB", "instance", "mode")
 class EventControlResponse(Response):
     """Event Control response (0x0C,0xB5).
 
-    Answers Event Control (0x0C,0x2B).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `EventControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
@@ -1335,7 +1632,7 @@ class EventControlResponse(Response):
     instance: int
     """Trigger instance; 0 means all configured triggers, except for read."""
     mode: types.EventTriggerMode
-    """New mode. Factory default: disabled."""
+    """New mode. Default: `types.EventTriggerMode.DISABLED`."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventControlResponse, int]:
@@ -1357,8 +1654,7 @@ _GET_EVENT_TRIGGER_STATUS_RESPONSE_0 = codec.Block("B", "count")
 class GetEventTriggerStatusResponse(Response):
     """Get Event Trigger Status response (0x0C,0xB6).
 
-    Answers Get Event Trigger Status (0x0C,0x2C).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -1368,6 +1664,7 @@ class GetEventTriggerStatusResponse(Response):
     NAME = "3dm.get_event_trigger_status_response"
     ROLE = "response"
 
+    # On the wire: count. Number of entries. The number of elements of `triggers`.
     triggers: tuple[EventTriggerStatusEntry, ...]
     """One entry per trigger, in the order asked for, or by instance if all were asked for."""
 
@@ -1397,8 +1694,7 @@ _GET_EVENT_ACTION_STATUS_RESPONSE_0 = codec.Block("B", "count")
 class GetEventActionStatusResponse(Response):
     """Get Event Action Status response (0x0C,0xB7).
 
-    Answers Get Event Action Status (0x0C,0x2D).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -1408,6 +1704,7 @@ class GetEventActionStatusResponse(Response):
     NAME = "3dm.get_event_action_status_response"
     ROLE = "response"
 
+    # On the wire: count. Number of entries. The number of elements of `actions`.
     actions: tuple[EventActionStatusEntry, ...]
     """One entry per action, in the order asked for, or by instance if all were asked for."""
 
@@ -1428,42 +1725,48 @@ class GetEventActionStatusResponse(Response):
         return codec.finished(out)
 
 
-_EVENT_TRIGGER_CONFIGURATION_RESPONSE_0 = codec.Block("BB", "instance", "type")
+_EVENT_TRIGGER_CONFIG_RESPONSE_0 = codec.Block("BB", "instance", "type")
 
 
 @dataclass(slots=True)
-class EventTriggerConfigurationResponse(Response):
+class EventTriggerConfigResponse(Response):
     """Event Trigger Configuration response (0x0C,0xB8).
 
-    Answers Event Trigger Configuration (0x0C,0x2E).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `event_trigger_response`. Answers `EventTriggerConfig`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xB8
-    NAME = "3dm.event_trigger_configuration_response"
+    NAME = "3dm.event_trigger_config_response"
     ROLE = "response"
 
     instance: int
     """Trigger instance; 0 means all (save, load, default)."""
     type: types.EventTriggerType
-    """Kind of trigger. Factory default: none."""
+    """Kind of trigger. Default: `types.EventTriggerType.NONE`."""
     parameters: (
         types.EventTriggerGpio | types.EventTriggerThreshold | types.EventTriggerCombination | None
     ) = None
-    """The condition."""
+    """The condition. Selected by `type`.
+
+    - If `type` is `types.EventTriggerType.NONE`: `None`.
+    - If `type` is `types.EventTriggerType.GPIO`: `types.EventTriggerGpio`.
+    - If `type` is `types.EventTriggerType.THRESHOLD`: `types.EventTriggerThreshold`.
+    - If `type` is `types.EventTriggerType.COMBINATION`: `types.EventTriggerCombination`.
+    """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfigurationResponse, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfigResponse, int]:
         parameters: (
             types.EventTriggerGpio
             | types.EventTriggerThreshold
             | types.EventTriggerCombination
             | None
         ) = None
-        v = _EVENT_TRIGGER_CONFIGURATION_RESPONSE_0.read(raw, at)
+        v = _EVENT_TRIGGER_CONFIG_RESPONSE_0.read(raw, at)
         at += 2
         instance = v[0]
         type = types.EventTriggerType(v[1])
@@ -1476,7 +1779,7 @@ class EventTriggerConfigurationResponse(Response):
         return cls(instance, type, parameters), at
 
     def _write(self) -> bytes:
-        out = _EVENT_TRIGGER_CONFIGURATION_RESPONSE_0.write(self.instance, self.type)
+        out = _EVENT_TRIGGER_CONFIG_RESPONSE_0.write(self.instance, self.type)
         if self.type == 1:
             if not isinstance(self.parameters, types.EventTriggerGpio):
                 raise codec.mismatch("parameters", self.type)
@@ -1494,22 +1797,21 @@ class EventTriggerConfigurationResponse(Response):
         return codec.finished(out)
 
 
-_EVENT_ACTION_CONFIGURATION_RESPONSE_0 = codec.Block("BBB", "instance", "trigger", "type")
+_EVENT_ACTION_CONFIG_RESPONSE_0 = codec.Block("BBB", "instance", "trigger", "type")
 
 
 @dataclass(slots=True)
-class EventActionConfigurationResponse(Response):
+class EventActionConfigResponse(Response):
     """Event Action Configuration response (0x0C,0xB9).
 
-    Answers Event Action Configuration (0x0C,0x2F).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `event_action_response`. Answers `EventActionConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xB9
-    NAME = "3dm.event_action_configuration_response"
+    NAME = "3dm.event_action_config_response"
     ROLE = "response"
 
     instance: int
@@ -1517,14 +1819,19 @@ class EventActionConfigurationResponse(Response):
     trigger: int
     """Trigger instance that the action follows."""
     type: types.EventActionType
-    """Kind of action. Factory default: none."""
+    """Kind of action. Default: `types.EventActionType.NONE`."""
     parameters: types.EventActionGpio | types.EventActionMessage | None = None
-    """The effect."""
+    """The effect. Selected by `type`.
+
+    - If `type` is `types.EventActionType.NONE`: `None`.
+    - If `type` is `types.EventActionType.GPIO`: `types.EventActionGpio`.
+    - If `type` is `types.EventActionType.MESSAGE`: `types.EventActionMessage`.
+    """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfigurationResponse, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfigResponse, int]:
         parameters: types.EventActionGpio | types.EventActionMessage | None = None
-        v = _EVENT_ACTION_CONFIGURATION_RESPONSE_0.read(raw, at)
+        v = _EVENT_ACTION_CONFIG_RESPONSE_0.read(raw, at)
         at += 3
         instance = v[0]
         trigger = v[1]
@@ -1536,7 +1843,7 @@ class EventActionConfigurationResponse(Response):
         return cls(instance, trigger, type, parameters), at
 
     def _write(self) -> bytes:
-        out = _EVENT_ACTION_CONFIGURATION_RESPONSE_0.write(self.instance, self.trigger, self.type)
+        out = _EVENT_ACTION_CONFIG_RESPONSE_0.write(self.instance, self.trigger, self.type)
         if self.type == 1:
             if not isinstance(self.parameters, types.EventActionGpio):
                 raise codec.mismatch("parameters", self.type)
@@ -1550,22 +1857,21 @@ class EventActionConfigurationResponse(Response):
         return codec.finished(out)
 
 
-_GPIO_CONFIGURATION_RESPONSE_0 = codec.Block("BBBB", "pin", "feature", "behavior", "pin_mode")
+_GPIO_CONFIG_RESPONSE_0 = codec.Block("BBBB", "pin", "feature", "behavior", "pin_mode")
 
 
 @dataclass(slots=True)
-class GpioConfigurationResponse(Response):
+class GpioConfigResponse(Response):
     """GPIO Configuration response (0x0C,0xC1).
 
-    Answers GPIO Configuration (0x0C,0x41).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GpioConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xC1
-    NAME = "3dm.gpio_configuration_response"
+    NAME = "3dm.gpio_config_response"
     ROLE = "response"
     READINGS = {
         "behavior": (
@@ -1578,21 +1884,29 @@ class GpioConfigurationResponse(Response):
                 4: types.GpioTimestampBehavior,
                 5: types.GpioUartBehavior,
             },
-        ),
+        )
     }
 
     pin: int
     """GPIO pin, counted from 1; 0 means all pins (save, load, default)."""
     feature: types.GpioFeature
-    """Use of the pin. Factory default: unused."""
+    """Use of the pin. Default: `types.GpioFeature.UNUSED`."""
     behavior: int
-    """Role of the pin within the feature; 0 where the feature names none."""
+    """Role of the pin within the feature; 0 where the feature names none.
+
+    - If `feature` is `types.GpioFeature.UNUSED`: values of `types.GpioUnusedBehavior`.
+    - If `feature` is `types.GpioFeature.GPIO`: values of `types.GpioBehavior`.
+    - If `feature` is `types.GpioFeature.PPS`: values of `types.GpioPpsBehavior`.
+    - If `feature` is `types.GpioFeature.ENCODER`: values of `types.GpioEncoderBehavior`.
+    - If `feature` is `types.GpioFeature.TIMESTAMP`: values of `types.GpioTimestampBehavior`.
+    - If `feature` is `types.GpioFeature.UART`: values of `types.GpioUartBehavior`.
+    """
     pin_mode: types.GpioPinMode
     """Electrical options."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfigurationResponse, int]:
-        v = _GPIO_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfigResponse, int]:
+        v = _GPIO_CONFIG_RESPONSE_0.read(raw, at)
         at += 4
         pin = v[0]
         feature = types.GpioFeature(v[1])
@@ -1601,9 +1915,7 @@ class GpioConfigurationResponse(Response):
         return cls(pin, feature, behavior, pin_mode), at
 
     def _write(self) -> bytes:
-        out = _GPIO_CONFIGURATION_RESPONSE_0.write(
-            self.pin, self.feature, self.behavior, self.pin_mode
-        )
+        out = _GPIO_CONFIG_RESPONSE_0.write(self.pin, self.feature, self.behavior, self.pin_mode)
         return codec.finished(out)
 
 
@@ -1614,8 +1926,7 @@ _GPIO_STATE_RESPONSE_0 = codec.Block("BB", "pin", "state")
 class GpioStateResponse(Response):
     """GPIO State response (0x0C,0xC2).
 
-    Answers GPIO State (0x0C,0x42).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GpioState`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -1626,7 +1937,7 @@ class GpioStateResponse(Response):
     ROLE = "response"
 
     pin: int
-    """GPIO pin, counted from 1. Range: 1 to …."""
+    """GPIO pin, counted from 1. Range: at least 1."""
     state: bool
     """True is high."""
 
@@ -1643,36 +1954,35 @@ class GpioStateResponse(Response):
         return codec.finished(out)
 
 
-_ODOMETER_CONFIGURATION_RESPONSE_0 = codec.Block("Bff", "mode", "scaling", "uncertainty")
+_ODOMETER_CONFIG_RESPONSE_0 = codec.Block("Bff", "mode", "scaling", "uncertainty")
 
 
 @dataclass(slots=True)
-class OdometerConfigurationResponse(Response):
+class OdometerConfigResponse(Response):
     """Odometer Configuration response (0x0C,0xC3).
 
-    Answers Odometer Configuration (0x0C,0x43).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `odometer_response`. Answers `OdometerConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xC3
-    NAME = "3dm.odometer_configuration_response"
+    NAME = "3dm.odometer_config_response"
     ROLE = "response"
 
     mode: OdometerMode
     """How the input works."""
     scaling: float
-    """Pulses over the distance travelled; negative if the encoder turns backwards. [pulse/m]
+    """Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
     Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
     """
     uncertainty: float
-    """Relative uncertainty of the scaling, 1 sigma. [1]"""
+    """Relative uncertainty of the scaling, 1 sigma. Unit: 1."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfigurationResponse, int]:
-        v = _ODOMETER_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfigResponse, int]:
+        v = _ODOMETER_CONFIG_RESPONSE_0.read(raw, at)
         at += 9
         mode = OdometerMode(v[0])
         scaling = v[1]
@@ -1680,7 +1990,7 @@ class OdometerConfigurationResponse(Response):
         return cls(mode, scaling, uncertainty), at
 
     def _write(self) -> bytes:
-        out = _ODOMETER_CONFIGURATION_RESPONSE_0.write(self.mode, self.scaling, self.uncertainty)
+        out = _ODOMETER_CONFIG_RESPONSE_0.write(self.mode, self.scaling, self.uncertainty)
         return codec.finished(out)
 
 
@@ -1691,8 +2001,7 @@ _SENSOR_RANGE_RESPONSE_0 = codec.Block("BB", "sensor", "setting")
 class SensorRangeResponse(Response):
     """Sensor Range response (0x0C,0xD2).
 
-    Answers Sensor Range (0x0C,0x52).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `SensorRange`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -1727,8 +2036,8 @@ _GET_CALIBRATED_SENSOR_RANGES_RESPONSE_0 = codec.Block("BB", "sensor", "num_rang
 class GetCalibratedSensorRangesResponse(Response):
     """Get Calibrated Sensor Ranges response (0x0C,0xD3).
 
-    Answers Get Calibrated Sensor Ranges (0x0C,0x53).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `calibrated_sensor_ranges_response`. Answers `GetCalibratedSensorRanges`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -1740,6 +2049,7 @@ class GetCalibratedSensorRangesResponse(Response):
 
     sensor: SensorRangeType
     """Sensor of the command."""
+    # On the wire: num_ranges. Number of ranges. The number of elements of `ranges`.
     ranges: tuple[SensorRangeEntry, ...]
     """The ranges."""
 
@@ -1763,51 +2073,50 @@ class GetCalibratedSensorRangesResponse(Response):
         return codec.finished(out)
 
 
-_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_0 = codec.Block(
-    "BBBBf", "desc_set", "field_desc", "enable", "manual", "frequency"
+_LOW_PASS_FILTER_RESPONSE_0 = codec.Block(
+    "BBBBf", "descriptor_set", "field_descriptor", "enable", "manual", "frequency"
 )
 
 
 @dataclass(slots=True)
-class LowPassAntiAliasingFilterResponse(Response):
+class LowPassFilterResponse(Response):
     """Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
 
-    Answers Low-Pass Anti-Aliasing Filter (0x0C,0x54).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `lowpass_filter_response`. Answers `LowPassFilter`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xD4
-    NAME = "3dm.low_pass_anti_aliasing_filter_response"
+    NAME = "3dm.low_pass_filter_response"
     ROLE = "response"
 
-    desc_set: int
+    descriptor_set: int
     """Descriptor set of the field."""
-    field_desc: int
+    field_descriptor: int
     """Field descriptor; 0 if the set is 0."""
     enable: bool
     """Whether the field is filtered."""
     manual: bool
     """True uses the frequency; false follows half the rate of the field in the message format."""
     frequency: float
-    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. [Hz]"""
+    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LowPassAntiAliasingFilterResponse, int]:
-        v = _LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[LowPassFilterResponse, int]:
+        v = _LOW_PASS_FILTER_RESPONSE_0.read(raw, at)
         at += 8
-        desc_set = v[0]
-        field_desc = v[1]
+        descriptor_set = v[0]
+        field_descriptor = v[1]
         enable = codec.truth(v[2])
         manual = codec.truth(v[3])
         frequency = v[4]
-        return cls(desc_set, field_desc, enable, manual, frequency), at
+        return cls(descriptor_set, field_descriptor, enable, manual, frequency), at
 
     def _write(self) -> bytes:
-        out = _LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_0.write(
-            self.desc_set, self.field_desc, self.enable, self.manual, self.frequency
+        out = _LOW_PASS_FILTER_RESPONSE_0.write(
+            self.descriptor_set, self.field_descriptor, self.enable, self.manual, self.frequency
         )
         return codec.finished(out)
 
@@ -1820,10 +2129,12 @@ class PollImuData(Command):
     """Poll IMU Data (0x0C,0x01).
 
     Asks for one sensor data packet (0x80) with the fields listed, in their order.
-    An empty list polls the stored message format; without one the device refuses.
-    Descriptors that the device does not know are ignored.
-    The data comes in a packet of its own behind the reply.
-    Supported by 3DM-GX5-15.
+
+    Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Supported by
+    3DM-GX5-15.
+
+    An empty list polls the stored message format; without one the device refuses. Descriptors that
+    the device does not know are ignored. The data comes in a packet of its own behind the reply.
 
     - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
     """
@@ -1835,12 +2146,13 @@ class PollImuData(Command):
 
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
     """Fields to send."""
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollImuData, int]:
@@ -1862,39 +2174,45 @@ class PollImuData(Command):
         return codec.finished(out)
 
 
-_POLL_ESTIMATION_FILTER_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
+_POLL_GNSS_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 
 
 @dataclass(slots=True)
-class PollEstimationFilterData(Command):
-    """Poll Estimation Filter Data (0x0C,0x03).
+class PollGnssData(Command):
+    """Poll GNSS Data (0x0C,0x02).
 
-    Asks for one filter data packet (0x82) with the fields listed, in their order.
-    An empty list polls the stored message format; without one the device refuses.
-    Descriptors that the device does not know are ignored.
-    The data comes in a packet of its own behind the reply.
-    Supported by 3DM-GX5-15.
+    Asks for one GNSS data packet with the fields listed, in their order.
 
-    - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
+    Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true.
+
+    An empty list polls the stored GNSS message format `GnssMessageFormat` (0x0C,0x09); without one
+    the device refuses. Descriptors that the device does not know are left out. The data comes in a
+    packet of its own behind the reply.
+
+    - mip-sdk-4: Poll Gnss Message (0x0C,0x02)
     """
 
     SET = 0x0C
-    DESCRIPTOR = 0x03
-    NAME = "3dm.poll_estimation_filter_data"
+    DESCRIPTOR = 0x02
+    NAME = "3dm.poll_gnss_data"
     ROLE = "command"
 
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Range: 0 to 83.
     descriptors: tuple[PollEntry, ...]
-    """Fields to send."""
+    """Fields to send. Uncertain: The SDK has a decimation in place of the reserved number and does
+    not say what a poll does with it.
+    """
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PollEstimationFilterData, int]:
-        v = _POLL_ESTIMATION_FILTER_DATA_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[PollGnssData, int]:
+        v = _POLL_GNSS_DATA_0.read(raw, at)
         at += 2
         suppress_ack = codec.truth(v[0])
         num_descriptors = v[1]
@@ -1903,7 +2221,60 @@ class PollEstimationFilterData(Command):
         return cls(suppress_ack, descriptors), at
 
     def _write(self) -> bytes:
-        out = _POLL_ESTIMATION_FILTER_DATA_0.write(
+        out = _POLL_GNSS_DATA_0.write(
+            self.suppress_ack, codec.count("descriptors", self.descriptors, 83)
+        )
+        out += codec.write_structures(
+            "descriptors", codec.at_most("descriptors", self.descriptors, 83), PollEntry
+        )
+        return codec.finished(out)
+
+
+_POLL_FILTER_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
+
+
+@dataclass(slots=True)
+class PollFilterData(Command):
+    """Poll Estimation Filter Data (0x0C,0x03).
+
+    Asks for one filter data packet (0x82) with the fields listed, in their order.
+
+    Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Supported by
+    3DM-GX5-15.
+
+    An empty list polls the stored message format; without one the device refuses. Descriptors that
+    the device does not know are ignored. The data comes in a packet of its own behind the reply.
+
+    - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x03
+    NAME = "3dm.poll_filter_data"
+    ROLE = "command"
+
+    suppress_ack: bool
+    """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    descriptors: tuple[PollEntry, ...]
+    """Fields to send."""
+
+    @property
+    def answered(self) -> bool:
+        return self.suppress_ack != 1
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PollFilterData, int]:
+        v = _POLL_FILTER_DATA_0.read(raw, at)
+        at += 2
+        suppress_ack = codec.truth(v[0])
+        num_descriptors = v[1]
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
+        descriptors, at = codec.read_structures(PollEntry, raw, at, n)
+        return cls(suppress_ack, descriptors), at
+
+    def _write(self) -> bytes:
+        out = _POLL_FILTER_DATA_0.write(
             self.suppress_ack, codec.count("descriptors", self.descriptors, 83)
         )
         out += codec.write_structures(
@@ -1920,11 +2291,13 @@ class PollNmeaData(Command):
     """Poll NMEA Data (0x0C,0x04).
 
     Asks for the NMEA sentences listed, once.
-    An empty list polls the stored NMEA format; without one the device refuses.
-    The sentences follow the reply as ordinary NMEA text, on the port of the command even if NMEA is
-    off there.
-    A sentence is sent only if its data is valid.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `nmea_poll_data`. Not acknowledged if `suppress_ack` is true. Supported by
+    3DM-CV7-GNSS/INS.
+
+    An empty list polls the stored NMEA format; without one the device refuses. The sentences follow
+    the reply as ordinary NMEA text, on the port of the command even if NMEA is off there. A
+    sentence is sent only if its data is valid.
 
     - 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04)
     """
@@ -1936,12 +2309,13 @@ class PollNmeaData(Command):
 
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: count. Number of sentences. The number of elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to send."""
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollNmeaData, int]:
@@ -1966,23 +2340,49 @@ class PollNmeaData(Command):
 
 
 @dataclass(slots=True)
-class GetImuDataBaseRate(Command):
+class GetImuBaseRate(Command):
     """Get IMU Data Base Rate (0x0C,0x06).
 
     Asks for the rate that the decimations of the IMU message format divide.
-    Supported by 3DM-GX5-15.
+
+    Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x06
-    NAME = "3dm.get_imu_data_base_rate"
+    NAME = "3dm.get_imu_base_rate"
     ROLE = "command"
-    RESPONSES = (GetImuDataBaseRateResponse,)
+    RESPONSES = (GetImuBaseRateResponse,)
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetImuDataBaseRate, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetImuBaseRate, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+@dataclass(slots=True)
+class GetGnssBaseRate(Command):
+    """Get GNSS Data Base Rate (0x0C,0x07).
+
+    Asks for the rate that the decimations of the GNSS message format divide.
+
+    Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`.
+
+    - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x07
+    NAME = "3dm.get_gnss_base_rate"
+    ROLE = "command"
+    RESPONSES = (GetGnssBaseRateResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetGnssBaseRate, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -1999,11 +2399,13 @@ class ImuMessageFormat(Command):
     """IMU Message Format (0x0C,0x08).
 
     Fields of the sensor data packets (0x80), in order, with their decimations.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ImuMessageFormatResponse`. Supported by 3DM-GX5-15.
+
     The decimation is the base rate, as the get IMU data base rate command reports it, divided by
-    the wanted rate.
-    The list replaces the one before. If any descriptor is unknown the device refuses and changes
-    nothing.
-    Supported by 3DM-GX5-15.
+    the wanted rate. The list replaces the one before. If any descriptor is unknown the device
+    refuses and changes nothing.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -2017,8 +2419,10 @@ class ImuMessageFormat(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None = None
-    """Fields and decimations."""
+    """Fields and decimations. Required for `write`."""
 
     @classmethod
     def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> ImuMessageFormat:
@@ -2046,8 +2450,8 @@ class ImuMessageFormat(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return ImuMessageFormatResponse
         return None
 
@@ -2088,72 +2492,76 @@ class ImuMessageFormat(Command):
         return codec.finished(out)
 
 
-_ESTIMATION_FILTER_MESSAGE_FORMAT_0 = codec.Block("B", "function")
-_ESTIMATION_FILTER_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
-_ESTIMATION_FILTER_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
+_GNSS_MESSAGE_FORMAT_0 = codec.Block("B", "function")
+_GNSS_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
+_GNSS_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 
 
 @dataclass(slots=True)
-class EstimationFilterMessageFormat(Command):
-    """Estimation Filter Message Format (0x0C,0x0A).
+class GnssMessageFormat(Command):
+    """GNSS Message Format (0x0C,0x09).
 
-    Fields of the filter data packets (0x82), in order, with their decimations.
-    The decimation is the base rate, as the get estimation filter data base rate command reports it,
-    divided by the wanted rate.
-    The list replaces the one before. If any descriptor is unknown the device refuses and changes
-    nothing.
-    Supported by 3DM-GX5-15.
+    Fields of the GNSS data packets, in order, with their decimations.
 
-    - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssMessageFormatResponse`.
+
+    The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
+    the wanted rate.
+
+    - mip-sdk-4: Gnss Message Format (0x0C,0x09)
+    - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
     """
 
     SET = 0x0C
-    DESCRIPTOR = 0x0A
-    NAME = "3dm.estimation_filter_message_format"
+    DESCRIPTOR = 0x09
+    NAME = "3dm.gnss_message_format"
     ROLE = "command"
-    RESPONSES = (EstimationFilterMessageFormatResponse,)
+    RESPONSES = (GnssMessageFormatResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Range: 0 to 82. Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None = None
-    """Fields and decimations."""
+    """Fields and decimations. Required for `write`."""
 
     @classmethod
-    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> EstimationFilterMessageFormat:
+    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> GnssMessageFormat:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptors=descriptors)
 
     @classmethod
-    def read(cls) -> EstimationFilterMessageFormat:
+    def read(cls) -> GnssMessageFormat:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> EstimationFilterMessageFormat:
+    def save(cls) -> GnssMessageFormat:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> EstimationFilterMessageFormat:
+    def load(cls) -> GnssMessageFormat:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> EstimationFilterMessageFormat:
+    def default(cls) -> GnssMessageFormat:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return EstimationFilterMessageFormatResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssMessageFormatResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EstimationFilterMessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormat, int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
-        v = _ESTIMATION_FILTER_MESSAGE_FORMAT_0.read(raw, at)
+        v = _GNSS_MESSAGE_FORMAT_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -2161,7 +2569,7 @@ class EstimationFilterMessageFormat(Command):
         try:
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _ESTIMATION_FILTER_MESSAGE_FORMAT_1.read(raw, at)
+            v = _GNSS_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             num_descriptors = v[0]
             n = codec.counted(raw, at, num_descriptors, 3, 83)
@@ -2174,13 +2582,114 @@ class EstimationFilterMessageFormat(Command):
         return cls(function, descriptors), at
 
     def _write(self) -> bytes:
-        out = _ESTIMATION_FILTER_MESSAGE_FORMAT_0.write(self.function)
+        out = _GNSS_MESSAGE_FORMAT_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ESTIMATION_FILTER_MESSAGE_FORMAT_GROUPS)
+        there = codec.present(self, required, _GNSS_MESSAGE_FORMAT_GROUPS)
         if there >= 2:
-            out += _ESTIMATION_FILTER_MESSAGE_FORMAT_1.write(
-                codec.count("descriptors", self.descriptors, 83)
+            out += _GNSS_MESSAGE_FORMAT_1.write(codec.count("descriptors", self.descriptors, 83))
+            out += codec.write_structures(
+                "descriptors",
+                codec.at_most("descriptors", self.descriptors, 83),
+                types.DescriptorRate,
             )
+        return codec.finished(out)
+
+
+_FILTER_MESSAGE_FORMAT_0 = codec.Block("B", "function")
+_FILTER_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
+_FILTER_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
+
+
+@dataclass(slots=True)
+class FilterMessageFormat(Command):
+    """Estimation Filter Message Format (0x0C,0x0A).
+
+    Fields of the filter data packets (0x82), in order, with their decimations.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `FilterMessageFormatResponse`. Supported by 3DM-GX5-15.
+
+    The decimation is the base rate, as the get estimation filter data base rate command reports it,
+    divided by the wanted rate. The list replaces the one before. If any descriptor is unknown the
+    device refuses and changes nothing.
+
+    - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x0A
+    NAME = "3dm.filter_message_format"
+    ROLE = "command"
+    RESPONSES = (FilterMessageFormatResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Required for `write`.
+    descriptors: tuple[types.DescriptorRate, ...] | None = None
+    """Fields and decimations. Required for `write`."""
+
+    @classmethod
+    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> FilterMessageFormat:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, descriptors=descriptors)
+
+    @classmethod
+    def read(cls) -> FilterMessageFormat:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> FilterMessageFormat:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> FilterMessageFormat:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> FilterMessageFormat:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return FilterMessageFormatResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[FilterMessageFormat, int]:
+        descriptors: tuple[types.DescriptorRate, ...] | None = None
+        v = _FILTER_MESSAGE_FORMAT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _FILTER_MESSAGE_FORMAT_1.read(raw, at)
+            at += 1
+            num_descriptors = v[0]
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
+            descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, descriptors), at
+
+    def _write(self) -> bytes:
+        out = _FILTER_MESSAGE_FORMAT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _FILTER_MESSAGE_FORMAT_GROUPS)
+        if there >= 2:
+            out += _FILTER_MESSAGE_FORMAT_1.write(codec.count("descriptors", self.descriptors, 83))
             out += codec.write_structures(
                 "descriptors",
                 codec.at_most("descriptors", self.descriptors, 83),
@@ -2190,23 +2699,25 @@ class EstimationFilterMessageFormat(Command):
 
 
 @dataclass(slots=True)
-class GetEstimationFilterDataBaseRate(Command):
+class GetFilterBaseRate(Command):
     """Get Estimation Filter Data Base Rate (0x0C,0x0B).
 
     Asks for the rate that the decimations of the estimation filter message format divide.
-    Supported by 3DM-GX5-15.
+
+    Also called `filter_get_base_rate`. Answered by `GetFilterBaseRateResponse`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x0B
-    NAME = "3dm.get_estimation_filter_data_base_rate"
+    NAME = "3dm.get_filter_base_rate"
     ROLE = "command"
-    RESPONSES = (GetEstimationFilterDataBaseRateResponse,)
+    RESPONSES = (GetFilterBaseRateResponse,)
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetEstimationFilterDataBaseRate, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetFilterBaseRate, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -2223,9 +2734,12 @@ class NmeaMessageFormat(Command):
     """NMEA Message Format (0x0C,0x0C).
 
     NMEA sentences that the device streams.
-    A sentence may be listed several times with different talkers or sources.
-    A sentence is sent only while the device is not idle and the data of the source is valid.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `NmeaMessageFormatResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    A sentence may be listed several times with different talkers or sources. A sentence is sent
+    only while the device is not idle and the data of the source is valid.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -2239,8 +2753,10 @@ class NmeaMessageFormat(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
+    # On the wire: count. Number of sentences. The number of elements of `format_entries`. Required
+    # for `write`.
     format_entries: tuple[types.NmeaMessage, ...] | None = None
-    """Sentences to stream."""
+    """Sentences to stream. Required for `write`."""
 
     @classmethod
     def write(cls, format_entries: tuple[types.NmeaMessage, ...]) -> NmeaMessageFormat:
@@ -2268,8 +2784,8 @@ class NmeaMessageFormat(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return NmeaMessageFormatResponse
         return None
 
@@ -2312,7 +2828,7 @@ class NmeaMessageFormat(Command):
         return codec.finished(out)
 
 
-_POLL_DATA_0 = codec.Block("BBB", "desc_set", "suppress_ack", "num_descriptors")
+_POLL_DATA_0 = codec.Block("BBB", "descriptor_set", "suppress_ack", "num_descriptors")
 
 
 @dataclass(slots=True)
@@ -2320,11 +2836,12 @@ class PollData(Command):
     """Poll Data (0x0C,0x0D).
 
     Asks for one data packet of the descriptor set with the fields listed, in their order.
-    An empty list polls the stored message format; without one the device refuses.
-    Descriptors that the device does not know are ignored.
-    The data comes in a packet of its own behind the reply, on the port of the command.
-    Shared descriptors (0xD0 and up) belong in front of the others.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
+
+    An empty list polls the stored message format; without one the device refuses. Descriptors that
+    the device does not know are ignored. The data comes in a packet of its own behind the reply, on
+    the port of the command. Shared descriptors (0xD0 and up) belong in front of the others.
 
     - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
     """
@@ -2334,32 +2851,35 @@ class PollData(Command):
     NAME = "3dm.poll_data"
     ROLE = "command"
 
-    desc_set: int
+    descriptor_set: int
     """Data descriptor set. Range: 128 to 254."""
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[int, ...]
     """Field descriptors."""
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollData, int]:
         v = _POLL_DATA_0.read(raw, at)
         at += 3
-        desc_set = v[0]
+        descriptor_set = v[0]
         suppress_ack = codec.truth(v[1])
         num_descriptors = v[2]
         n = codec.counted(raw, at, num_descriptors, 1, 250)
         descriptors = codec.read_numbers("B", raw, at, n)
         at += n
-        return cls(desc_set, suppress_ack, descriptors), at
+        return cls(descriptor_set, suppress_ack, descriptors), at
 
     def _write(self) -> bytes:
         out = _POLL_DATA_0.write(
-            self.desc_set, self.suppress_ack, codec.count("descriptors", self.descriptors, 250)
+            self.descriptor_set,
+            self.suppress_ack,
+            codec.count("descriptors", self.descriptors, 250),
         )
         out += codec.write_numbers(
             "descriptors", "B", codec.at_most("descriptors", self.descriptors, 250)
@@ -2367,44 +2887,45 @@ class PollData(Command):
         return codec.finished(out)
 
 
-_GET_DATA_BASE_RATE_0 = codec.Block("B", "desc_set")
+_GET_BASE_RATE_0 = codec.Block("B", "descriptor_set")
 
 
 @dataclass(slots=True)
-class GetDataBaseRate(Command):
+class GetBaseRate(Command):
     """Get Data Base Rate (0x0C,0x0E).
 
     Asks for the rate that the decimations of a descriptor set divide.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `GetBaseRateResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x0E
-    NAME = "3dm.get_data_base_rate"
+    NAME = "3dm.get_base_rate"
     ROLE = "command"
-    RESPONSES = (GetDataBaseRateResponse,)
+    RESPONSES = (GetBaseRateResponse,)
 
-    desc_set: int
+    descriptor_set: int
     """Data descriptor set. Range: 128 to 254."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDataBaseRate, int]:
-        v = _GET_DATA_BASE_RATE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GetBaseRate, int]:
+        v = _GET_BASE_RATE_0.read(raw, at)
         at += 1
-        desc_set = v[0]
-        return cls(desc_set), at
+        descriptor_set = v[0]
+        return cls(descriptor_set), at
 
     def _write(self) -> bytes:
-        out = _GET_DATA_BASE_RATE_0.write(self.desc_set)
+        out = _GET_BASE_RATE_0.write(self.descriptor_set)
         return codec.finished(out)
 
 
 _MESSAGE_FORMAT_0 = codec.Block("B", "function")
-_MESSAGE_FORMAT_1 = codec.Block("B", "desc_set")
+_MESSAGE_FORMAT_1 = codec.Block("B", "descriptor_set")
 _MESSAGE_FORMAT_2 = codec.Block("B", "num_descriptors")
-_MESSAGE_FORMAT_GROUPS = ((1, ("desc_set",), False), (3, ("descriptors",), False))
+_MESSAGE_FORMAT_GROUPS = ((1, ("descriptor_set",), False), (3, ("descriptors",), False))
 
 
 @dataclass(slots=True)
@@ -2412,11 +2933,13 @@ class MessageFormat(Command):
     """Message Format (0x0C,0x0F).
 
     Fields of the data packets of a descriptor set, in order, with their decimations.
-    The decimation is the base rate, as the get data base rate command reports it, divided by the
-    wanted rate.
-    Shared descriptors (0xD0 and up) are listed under the set that they shall be sent with, in front
-    of the others.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MessageFormatResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    The decimation is the base rate, as the get data base rate command reports it, divided by the
+    wanted rate. Shared descriptors (0xD0 and up) are listed under the set that they shall be sent
+    with, in front of the others.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -2430,45 +2953,49 @@ class MessageFormat(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    desc_set: int | None = None
+    descriptor_set: int | None = None
     """Data descriptor set; 0 means all of them (save, load, default)."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None = None
-    """Fields and decimations."""
+    """Fields and decimations. Required for `write`."""
 
     @classmethod
-    def write(cls, desc_set: int, descriptors: tuple[types.DescriptorRate, ...]) -> MessageFormat:
+    def write(
+        cls, descriptor_set: int, descriptors: tuple[types.DescriptorRate, ...]
+    ) -> MessageFormat:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, desc_set=desc_set, descriptors=descriptors)
+        return cls(FunctionSelector.WRITE, descriptor_set=descriptor_set, descriptors=descriptors)
 
     @classmethod
-    def read(cls, desc_set: int) -> MessageFormat:
+    def read(cls, descriptor_set: int) -> MessageFormat:
         """Send the current setting back in a response."""
-        return cls(FunctionSelector.READ, desc_set=desc_set)
+        return cls(FunctionSelector.READ, descriptor_set=descriptor_set)
 
     @classmethod
-    def save(cls, desc_set: int) -> MessageFormat:
+    def save(cls, descriptor_set: int) -> MessageFormat:
         """Save the current setting to non-volatile memory."""
-        return cls(FunctionSelector.SAVE, desc_set=desc_set)
+        return cls(FunctionSelector.SAVE, descriptor_set=descriptor_set)
 
     @classmethod
-    def load(cls, desc_set: int) -> MessageFormat:
+    def load(cls, descriptor_set: int) -> MessageFormat:
         """Load the saved setting."""
-        return cls(FunctionSelector.LOAD, desc_set=desc_set)
+        return cls(FunctionSelector.LOAD, descriptor_set=descriptor_set)
 
     @classmethod
-    def default(cls, desc_set: int) -> MessageFormat:
+    def default(cls, descriptor_set: int) -> MessageFormat:
         """Load the factory default setting."""
-        return cls(FunctionSelector.DEFAULT, desc_set=desc_set)
+        return cls(FunctionSelector.DEFAULT, descriptor_set=descriptor_set)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return MessageFormatResponse
         return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MessageFormat, int]:
-        desc_set: int | None = None
+        descriptor_set: int | None = None
         descriptors: tuple[types.DescriptorRate, ...] | None = None
         v = _MESSAGE_FORMAT_0.read(raw, at)
         at += 1
@@ -2480,7 +3007,7 @@ class MessageFormat(Command):
                 raise Truncated(1, 0)
             v = _MESSAGE_FORMAT_1.read(raw, at)
             at += 1
-            desc_set = v[0]
+            descriptor_set = v[0]
             done, end = 1, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
@@ -2494,14 +3021,14 @@ class MessageFormat(Command):
             if done < required:
                 raise
         at = end
-        return cls(function, desc_set, descriptors), at
+        return cls(function, descriptor_set, descriptors), at
 
     def _write(self) -> bytes:
         out = _MESSAGE_FORMAT_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _MESSAGE_FORMAT_GROUPS)
         if there >= 1:
-            out += _MESSAGE_FORMAT_1.write(self.desc_set)
+            out += _MESSAGE_FORMAT_1.write(self.descriptor_set)
         if there >= 3:
             out += _MESSAGE_FORMAT_2.write(codec.count("descriptors", self.descriptors, 83))
             out += codec.write_structures(
@@ -2520,6 +3047,7 @@ class FactoryStreaming(Command):
     """Factory Streaming (0x0C,0x10).
 
     Sets all message formats to those that technical support wants to have recorded.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
@@ -2533,6 +3061,7 @@ class FactoryStreaming(Command):
     action: FactoryStreamingAction
     """What happens to the present formats."""
     reserved: int = 0
+    """Reserved: send 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[FactoryStreaming, int]:
@@ -2548,9 +3077,9 @@ class FactoryStreaming(Command):
 
 
 _DATA_STREAM_CONTROL_0 = codec.Block("B", "function")
-_DATA_STREAM_CONTROL_1 = codec.Block("B", "desc_set")
+_DATA_STREAM_CONTROL_1 = codec.Block("B", "descriptor_set")
 _DATA_STREAM_CONTROL_2 = codec.Block("B", "enable")
-_DATA_STREAM_CONTROL_GROUPS = ((1, ("desc_set",), False), (2, ("enable",), False))
+_DATA_STREAM_CONTROL_GROUPS = ((1, ("descriptor_set",), False), (2, ("enable",), False))
 
 
 @dataclass(slots=True)
@@ -2558,9 +3087,12 @@ class DataStreamControl(Command):
     """Data Stream Control (0x0C,0x11).
 
     Switches a data stream on or off.
+
+    Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `DataStreamControlResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     5-series devices name the stream by a number of their own (legacy_data_stream), others by its
     descriptor set.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -2572,54 +3104,52 @@ class DataStreamControl(Command):
     ROLE = "command"
     RESPONSES = (DataStreamControlResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
-    READINGS = {
-        "desc_set": (
-            "device",
-            {"3dm-gx5-15": LegacyDataStream},
-        ),
-    }
+    READINGS = {"descriptor_set": ("device", {"3dm-gx5-15": LegacyDataStream})}
 
     function: FunctionSelector
     """What to do with the setting."""
-    desc_set: int | None = None
-    """Data descriptor set; 0 means all streams (save, load, default)."""
+    descriptor_set: int | None = None
+    """Data descriptor set; 0 means all streams (save, load, default).
+
+    - On the 3DM-GX5-15: values of `LegacyDataStream`.
+    """
     enable: bool | None = None
-    """Whether the stream is sent. Factory default: True."""
+    """Whether the stream is sent. Default: true. Required for `write`."""
 
     @classmethod
-    def write(cls, desc_set: int, enable: bool) -> DataStreamControl:
+    def write(cls, descriptor_set: int, enable: bool) -> DataStreamControl:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, desc_set=desc_set, enable=enable)
+        return cls(FunctionSelector.WRITE, descriptor_set=descriptor_set, enable=enable)
 
     @classmethod
-    def read(cls, desc_set: int) -> DataStreamControl:
+    def read(cls, descriptor_set: int) -> DataStreamControl:
         """Send the current setting back in a response."""
-        return cls(FunctionSelector.READ, desc_set=desc_set)
+        return cls(FunctionSelector.READ, descriptor_set=descriptor_set)
 
     @classmethod
-    def save(cls, desc_set: int) -> DataStreamControl:
+    def save(cls, descriptor_set: int) -> DataStreamControl:
         """Save the current setting to non-volatile memory."""
-        return cls(FunctionSelector.SAVE, desc_set=desc_set)
+        return cls(FunctionSelector.SAVE, descriptor_set=descriptor_set)
 
     @classmethod
-    def load(cls, desc_set: int) -> DataStreamControl:
+    def load(cls, descriptor_set: int) -> DataStreamControl:
         """Load the saved setting."""
-        return cls(FunctionSelector.LOAD, desc_set=desc_set)
+        return cls(FunctionSelector.LOAD, descriptor_set=descriptor_set)
 
     @classmethod
-    def default(cls, desc_set: int) -> DataStreamControl:
+    def default(cls, descriptor_set: int) -> DataStreamControl:
         """Load the factory default setting."""
-        return cls(FunctionSelector.DEFAULT, desc_set=desc_set)
+        return cls(FunctionSelector.DEFAULT, descriptor_set=descriptor_set)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return DataStreamControlResponse
         return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControl, int]:
-        desc_set: int | None = None
+        descriptor_set: int | None = None
         enable: bool | None = None
         v = _DATA_STREAM_CONTROL_0.read(raw, at)
         at += 1
@@ -2631,7 +3161,7 @@ class DataStreamControl(Command):
                 raise Truncated(1, 0)
             v = _DATA_STREAM_CONTROL_1.read(raw, at)
             at += 1
-            desc_set = v[0]
+            descriptor_set = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
@@ -2643,16 +3173,138 @@ class DataStreamControl(Command):
             if done < required:
                 raise
         at = end
-        return cls(function, desc_set, enable), at
+        return cls(function, descriptor_set, enable), at
 
     def _write(self) -> bytes:
         out = _DATA_STREAM_CONTROL_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _DATA_STREAM_CONTROL_GROUPS)
         if there >= 1:
-            out += _DATA_STREAM_CONTROL_1.write(self.desc_set)
+            out += _DATA_STREAM_CONTROL_1.write(self.descriptor_set)
         if there >= 2:
             out += _DATA_STREAM_CONTROL_2.write(self.enable)
+        return codec.finished(out)
+
+
+_CONSTELLATION_SETTINGS_0 = codec.Block("B", "function")
+_CONSTELLATION_SETTINGS_1 = codec.Block("H", "max_channels")
+_CONSTELLATION_SETTINGS_2 = codec.Block("B", "config_count")
+_CONSTELLATION_SETTINGS_GROUPS = ((1, ("max_channels",), False), (3, ("settings",), False))
+
+
+@dataclass(slots=True)
+class ConstellationSettings(Command):
+    """Constellation Settings (0x0C,0x21).
+
+    Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ConstellationSettingsResponse`. Uncertain: The factory default, as the SDK gives it, names GPS
+    and GLONASS alone as enabled but has channels for SBAS and QZSS too.
+
+    The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
+    channels at most than it reserves. GLONASS and BeiDou exclude each other. If the antenna or its
+    filter is made for GPS alone, leave GLONASS and BeiDou off. SBAS and QZSS improve the accuracy
+    of GPS. SBAS does not make the device fit for safety-of-life use. Factory default: GPS and
+    GLONASS are enabled. Channels reserved and at most: GPS 8 and 16, GLONASS 8 and 14, SBAS 1 and
+    3, QZSS 0 and 3.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x21
+    NAME = "3dm.constellation_settings"
+    ROLE = "command"
+    RESPONSES = (ConstellationSettingsResponse,)
+    REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    max_channels: int | None = None
+    """Tracking channels in use at most; no more than the response reports as available. Unit: 1.
+    Required for `write`.
+    """
+    # On the wire: config_count. Number of entries. The number of elements of `settings`. Range: 0
+    # to 41. Required for `write`.
+    settings: tuple[ConstellationSettingsEntry, ...] | None = None
+    """One entry for each constellation. Required for `write`."""
+
+    @classmethod
+    def write(
+        cls, max_channels: int, settings: tuple[ConstellationSettingsEntry, ...]
+    ) -> ConstellationSettings:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, max_channels=max_channels, settings=settings)
+
+    @classmethod
+    def read(cls) -> ConstellationSettings:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> ConstellationSettings:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> ConstellationSettings:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> ConstellationSettings:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ConstellationSettingsResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettings, int]:
+        max_channels: int | None = None
+        settings: tuple[ConstellationSettingsEntry, ...] | None = None
+        v = _CONSTELLATION_SETTINGS_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _CONSTELLATION_SETTINGS_1.read(raw, at)
+            at += 2
+            max_channels = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _CONSTELLATION_SETTINGS_2.read(raw, at)
+            at += 1
+            config_count = v[0]
+            n = codec.counted(raw, at, config_count, 6, 41)
+            settings, at = codec.read_structures(ConstellationSettingsEntry, raw, at, n)
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, max_channels, settings), at
+
+    def _write(self) -> bytes:
+        out = _CONSTELLATION_SETTINGS_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _CONSTELLATION_SETTINGS_GROUPS)
+        if there >= 1:
+            out += _CONSTELLATION_SETTINGS_1.write(self.max_channels)
+        if there >= 3:
+            out += _CONSTELLATION_SETTINGS_2.write(codec.count("settings", self.settings, 41))
+            out += codec.write_structures(
+                "settings", codec.at_most("settings", self.settings, 41), ConstellationSettingsEntry
+            )
         return codec.finished(out)
 
 
@@ -2672,7 +3324,9 @@ class GnssSbasSettings(Command):
     """GNSS SBAS Settings (0x0C,0x22).
 
     How the GNSS receivers use satellite based augmentation.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssSbasSettingsResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -2687,11 +3341,13 @@ class GnssSbasSettings(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable_sbas: int | None = None
-    """1 switches SBAS on, 0 off. Range: 0 to 1."""
+    """1 switches SBAS on, 0 off. Range: 0 to 1. Required for `write`."""
     sbas_options: SbasOptions | None = None
-    """What SBAS is used for."""
+    """What SBAS is used for. Required for `write`."""
+    # On the wire: num_included_prns. Number of satellites listed; 0 searches for all. The number of
+    # elements of `included_prns`. Required for `write`.
     included_prns: tuple[int, ...] | None = None
-    """PRN numbers of the SBAS satellites to search for."""
+    """PRN numbers of the SBAS satellites to search for. Required for `write`."""
 
     @classmethod
     def write(
@@ -2726,8 +3382,8 @@ class GnssSbasSettings(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return GnssSbasSettingsResponse
         return None
 
@@ -2787,6 +3443,217 @@ class GnssSbasSettings(Command):
         return codec.finished(out)
 
 
+_GNSS_ASSISTED_FIX_0 = codec.Block("B", "function")
+_GNSS_ASSISTED_FIX_1 = codec.Block("B", "option")
+_GNSS_ASSISTED_FIX_2 = codec.Block("B", "flags")
+_GNSS_ASSISTED_FIX_GROUPS = ((1, ("option",), False), (2, ("flags",), False))
+
+
+@dataclass(slots=True)
+class GnssAssistedFix(Command):
+    """GNSS Assisted Fix (0x0C,0x23).
+
+    Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`.
+
+    The last fix is kept in the flash memory and the FRAM of the receiver. With the time of GNSS
+    time assistance `GnssTimeAssistance` (0x0C,0x24) right after power-up, the first fix takes 1 s
+    at best. A change from enabled to none erases the flash memory of the receiver, which stands 100
+    000 erasures. It takes slightly more power.
+
+    - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x23
+    NAME = "3dm.gnss_assisted_fix"
+    ROLE = "command"
+    RESPONSES = (GnssAssistedFixResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    option: AssistedFixOption | None = None
+    """Assisted fix. Default: `AssistedFixOption.NONE`. Required for `write`."""
+    flags: int | None = None
+    """Reserved: send 255. Required for `write`."""
+
+    @classmethod
+    def write(cls, option: AssistedFixOption) -> GnssAssistedFix:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, option=option, flags=255)
+
+    @classmethod
+    def read(cls) -> GnssAssistedFix:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> GnssAssistedFix:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> GnssAssistedFix:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> GnssAssistedFix:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssAssistedFixResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFix, int]:
+        option: AssistedFixOption | None = None
+        flags: int | None = None
+        v = _GNSS_ASSISTED_FIX_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _GNSS_ASSISTED_FIX_1.read(raw, at)
+            at += 1
+            option = AssistedFixOption(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _GNSS_ASSISTED_FIX_2.read(raw, at)
+            at += 1
+            flags = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, option, flags), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_ASSISTED_FIX_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _GNSS_ASSISTED_FIX_GROUPS)
+        if there >= 1:
+            out += _GNSS_ASSISTED_FIX_1.write(self.option)
+        if there >= 2:
+            out += _GNSS_ASSISTED_FIX_2.write(self.flags)
+        return codec.finished(out)
+
+
+_GNSS_TIME_ASSISTANCE_0 = codec.Block("B", "function")
+_GNSS_TIME_ASSISTANCE_1 = codec.Block("d", "tow")
+_GNSS_TIME_ASSISTANCE_2 = codec.Block("H", "week_number")
+_GNSS_TIME_ASSISTANCE_3 = codec.Block("f", "accuracy")
+_GNSS_TIME_ASSISTANCE_GROUPS = (
+    (1, ("tow",), False),
+    (2, ("week_number",), False),
+    (3, ("accuracy",), False),
+)
+
+
+@dataclass(slots=True)
+class GnssTimeAssistance(Command):
+    """GNSS Time Assistance (0x0C,0x24).
+
+    Tells the GNSS receiver the present GPS time.
+
+    Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`.
+
+    It is needed right after power-up if the assisted fix `GnssAssistedFix` (0x0C,0x23) was on at
+    power-off.
+
+    - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x24
+    NAME = "3dm.gnss_time_assistance"
+    ROLE = "command"
+    RESPONSES = (GnssTimeAssistanceResponse,)
+    REQUIRED = {1: 3, 2: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    tow: float | None = None
+    """GPS time of week. Unit: s. Required for `write`."""
+    week_number: int | None = None
+    """GPS week number since 1980. Unit: week. Required for `write`."""
+    accuracy: float | None = None
+    """Accuracy of the time. Unit: s. Required for `write`."""
+
+    @classmethod
+    def write(cls, tow: float, week_number: int, accuracy: float) -> GnssTimeAssistance:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, tow=tow, week_number=week_number, accuracy=accuracy)
+
+    @classmethod
+    def read(cls) -> GnssTimeAssistance:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssTimeAssistanceResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistance, int]:
+        tow: float | None = None
+        week_number: int | None = None
+        accuracy: float | None = None
+        v = _GNSS_TIME_ASSISTANCE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _GNSS_TIME_ASSISTANCE_1.read(raw, at)
+            at += 8
+            tow = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _GNSS_TIME_ASSISTANCE_2.read(raw, at)
+            at += 2
+            week_number = v[0]
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _GNSS_TIME_ASSISTANCE_3.read(raw, at)
+            at += 4
+            accuracy = v[0]
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, tow, week_number, accuracy), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_TIME_ASSISTANCE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _GNSS_TIME_ASSISTANCE_GROUPS)
+        if there >= 1:
+            out += _GNSS_TIME_ASSISTANCE_1.write(self.tow)
+        if there >= 2:
+            out += _GNSS_TIME_ASSISTANCE_2.write(self.week_number)
+        if there >= 3:
+            out += _GNSS_TIME_ASSISTANCE_3.write(self.accuracy)
+        return codec.finished(out)
+
+
 _PPS_SOURCE_CONTROL_0 = codec.Block("B", "function")
 _PPS_SOURCE_CONTROL_1 = codec.Block("B", "source")
 _PPS_SOURCE_CONTROL_GROUPS = ((1, ("source",), False),)
@@ -2797,9 +3664,12 @@ class PpsSourceControl(Command):
     """PPS Source Control (0x0C,0x28).
 
     Where the device takes its pulse per second from.
-    The pins are configured apart from this by the GPIO configuration command.
-    The filter needs a valid pulse. disabled and generated are seldom what is wanted.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `PpsSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    The pins are configured apart from this by the GPIO configuration command. The filter needs a
+    valid pulse. disabled and generated are seldom what is wanted.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -2814,7 +3684,7 @@ class PpsSourceControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: PpsSource | None = None
-    """Source of the pulse. Factory default: receiver_1."""
+    """Source of the pulse. Default: `PpsSource.RECEIVER_1`. Required for `write`."""
 
     @classmethod
     def write(cls, source: PpsSource) -> PpsSourceControl:
@@ -2842,8 +3712,8 @@ class PpsSourceControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return PpsSourceControlResponse
         return None
 
@@ -2877,37 +3747,38 @@ class PpsSourceControl(Command):
         return codec.finished(out)
 
 
-_GET_SUPPORTED_EVENTS_0 = codec.Block("B", "query")
+_GET_EVENT_SUPPORT_0 = codec.Block("B", "query")
 
 
 @dataclass(slots=True)
-class GetSupportedEvents(Command):
+class GetEventSupport(Command):
     """Get Supported Events (0x0C,0x2A).
 
     Asks which types of event triggers or actions there are and how many of each.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x2A
-    NAME = "3dm.get_supported_events"
+    NAME = "3dm.get_event_support"
     ROLE = "command"
-    RESPONSES = (GetSupportedEventsResponse,)
+    RESPONSES = (GetEventSupportResponse,)
 
-    query: SupportedEventsQuery
+    query: EventSupportQuery
     """Triggers or actions."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetSupportedEvents, int]:
-        v = _GET_SUPPORTED_EVENTS_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GetEventSupport, int]:
+        v = _GET_EVENT_SUPPORT_0.read(raw, at)
         at += 1
-        query = SupportedEventsQuery(v[0])
+        query = EventSupportQuery(v[0])
         return cls(query), at
 
     def _write(self) -> bytes:
-        out = _GET_SUPPORTED_EVENTS_0.write(self.query)
+        out = _GET_EVENT_SUPPORT_0.write(self.query)
         return codec.finished(out)
 
 
@@ -2922,9 +3793,12 @@ class EventControl(Command):
     """Event Control (0x0C,0x2B).
 
     Enables, disables or tests an event trigger.
-    Triggers are disabled by default and after configuration.
-    A trigger of type none cannot be enabled.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EventControlResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    Triggers are disabled by default and after configuration. A trigger of type none cannot be
+    enabled.
 
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
@@ -2941,7 +3815,7 @@ class EventControl(Command):
     instance: int | None = None
     """Trigger instance; 0 means all configured triggers, except for read."""
     mode: types.EventTriggerMode | None = None
-    """New mode. Factory default: disabled."""
+    """New mode. Default: `types.EventTriggerMode.DISABLED`. Required for `write`."""
 
     @classmethod
     def write(cls, instance: int, mode: types.EventTriggerMode) -> EventControl:
@@ -2969,8 +3843,8 @@ class EventControl(Command):
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return EventControlResponse
         return None
 
@@ -3021,7 +3895,8 @@ class GetEventTriggerStatus(Command):
     """Get Event Trigger Status (0x0C,0x2C).
 
     Asks for the type and the state of event triggers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -3032,6 +3907,8 @@ class GetEventTriggerStatus(Command):
     ROLE = "command"
     RESPONSES = (GetEventTriggerStatusResponse,)
 
+    # On the wire: requested_count. Number of triggers asked for; 0 asks for all slots. The number
+    # of elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Trigger instances."""
 
@@ -3065,7 +3942,8 @@ class GetEventActionStatus(Command):
     """Get Event Action Status (0x0C,0x2D).
 
     Asks for the type and the trigger of event actions.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -3076,6 +3954,8 @@ class GetEventActionStatus(Command):
     ROLE = "command"
     RESPONSES = (GetEventActionStatusResponse,)
 
+    # On the wire: requested_count. Number of actions asked for; 0 asks for all slots. The number of
+    # elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Action instances."""
 
@@ -3101,10 +3981,10 @@ class GetEventActionStatus(Command):
         return codec.finished(out)
 
 
-_EVENT_TRIGGER_CONFIGURATION_0 = codec.Block("B", "function")
-_EVENT_TRIGGER_CONFIGURATION_1 = codec.Block("B", "instance")
-_EVENT_TRIGGER_CONFIGURATION_2 = codec.Block("B", "type")
-_EVENT_TRIGGER_CONFIGURATION_GROUPS = (
+_EVENT_TRIGGER_CONFIG_0 = codec.Block("B", "function")
+_EVENT_TRIGGER_CONFIG_1 = codec.Block("B", "instance")
+_EVENT_TRIGGER_CONFIG_2 = codec.Block("B", "type")
+_EVENT_TRIGGER_CONFIG_GROUPS = (
     (1, ("instance",), False),
     (2, ("type",), False),
     (3, ("parameters",), True),
@@ -3112,22 +3992,25 @@ _EVENT_TRIGGER_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class EventTriggerConfiguration(Command):
+class EventTriggerConfig(Command):
     """Event Trigger Configuration (0x0C,0x2E).
 
     Kind and condition of an event trigger.
-    The trigger is disabled afterwards; the event control command enables it.
-    A GPIO trigger needs its pin configured by the GPIO configuration command.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `EventTriggerConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    The trigger is disabled afterwards; the event control command enables it. A GPIO trigger needs
+    its pin configured by the GPIO configuration command.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x2E
-    NAME = "3dm.event_trigger_configuration"
+    NAME = "3dm.event_trigger_config"
     ROLE = "command"
-    RESPONSES = (EventTriggerConfigurationResponse,)
+    RESPONSES = (EventTriggerConfigResponse,)
     REQUIRED = {1: 3, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
@@ -3135,11 +4018,17 @@ class EventTriggerConfiguration(Command):
     instance: int | None = None
     """Trigger instance; 0 means all (save, load, default)."""
     type: types.EventTriggerType | None = None
-    """Kind of trigger. Factory default: none."""
+    """Kind of trigger. Default: `types.EventTriggerType.NONE`. Required for `write`."""
     parameters: (
         types.EventTriggerGpio | types.EventTriggerThreshold | types.EventTriggerCombination | None
     ) = None
-    """The condition."""
+    """The condition. Selected by `type`. Required for `write`.
+
+    - If `type` is `types.EventTriggerType.NONE`: `None`.
+    - If `type` is `types.EventTriggerType.GPIO`: `types.EventTriggerGpio`.
+    - If `type` is `types.EventTriggerType.THRESHOLD`: `types.EventTriggerThreshold`.
+    - If `type` is `types.EventTriggerType.COMBINATION`: `types.EventTriggerCombination`.
+    """
 
     @classmethod
     def write(
@@ -3150,38 +4039,38 @@ class EventTriggerConfiguration(Command):
         | types.EventTriggerThreshold
         | types.EventTriggerCombination
         | None,
-    ) -> EventTriggerConfiguration:
+    ) -> EventTriggerConfig:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, instance=instance, type=type, parameters=parameters)
 
     @classmethod
-    def read(cls, instance: int) -> EventTriggerConfiguration:
+    def read(cls, instance: int) -> EventTriggerConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
-    def save(cls, instance: int) -> EventTriggerConfiguration:
+    def save(cls, instance: int) -> EventTriggerConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, instance=instance)
 
     @classmethod
-    def load(cls, instance: int) -> EventTriggerConfiguration:
+    def load(cls, instance: int) -> EventTriggerConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, instance=instance)
 
     @classmethod
-    def default(cls, instance: int) -> EventTriggerConfiguration:
+    def default(cls, instance: int) -> EventTriggerConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return EventTriggerConfigurationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EventTriggerConfigResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfig, int]:
         instance: int | None = None
         type: types.EventTriggerType | None = None
         parameters: (
@@ -3190,7 +4079,7 @@ class EventTriggerConfiguration(Command):
             | types.EventTriggerCombination
             | None
         ) = None
-        v = _EVENT_TRIGGER_CONFIGURATION_0.read(raw, at)
+        v = _EVENT_TRIGGER_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3198,13 +4087,13 @@ class EventTriggerConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _EVENT_TRIGGER_CONFIGURATION_1.read(raw, at)
+            v = _EVENT_TRIGGER_CONFIG_1.read(raw, at)
             at += 1
             instance = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _EVENT_TRIGGER_CONFIGURATION_2.read(raw, at)
+            v = _EVENT_TRIGGER_CONFIG_2.read(raw, at)
             at += 1
             type = types.EventTriggerType(v[0])
             done, end = 2, at
@@ -3224,13 +4113,13 @@ class EventTriggerConfiguration(Command):
         return cls(function, instance, type, parameters), at
 
     def _write(self) -> bytes:
-        out = _EVENT_TRIGGER_CONFIGURATION_0.write(self.function)
+        out = _EVENT_TRIGGER_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _EVENT_TRIGGER_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _EVENT_TRIGGER_CONFIG_GROUPS)
         if there >= 1:
-            out += _EVENT_TRIGGER_CONFIGURATION_1.write(self.instance)
+            out += _EVENT_TRIGGER_CONFIG_1.write(self.instance)
         if there >= 2:
-            out += _EVENT_TRIGGER_CONFIGURATION_2.write(self.type)
+            out += _EVENT_TRIGGER_CONFIG_2.write(self.type)
         if there >= 3:
             if self.type == 1:
                 if not isinstance(self.parameters, types.EventTriggerGpio):
@@ -3249,11 +4138,11 @@ class EventTriggerConfiguration(Command):
         return codec.finished(out)
 
 
-_EVENT_ACTION_CONFIGURATION_0 = codec.Block("B", "function")
-_EVENT_ACTION_CONFIGURATION_1 = codec.Block("B", "instance")
-_EVENT_ACTION_CONFIGURATION_2 = codec.Block("B", "trigger")
-_EVENT_ACTION_CONFIGURATION_3 = codec.Block("B", "type")
-_EVENT_ACTION_CONFIGURATION_GROUPS = (
+_EVENT_ACTION_CONFIG_0 = codec.Block("B", "function")
+_EVENT_ACTION_CONFIG_1 = codec.Block("B", "instance")
+_EVENT_ACTION_CONFIG_2 = codec.Block("B", "trigger")
+_EVENT_ACTION_CONFIG_3 = codec.Block("B", "type")
+_EVENT_ACTION_CONFIG_GROUPS = (
     (1, ("instance",), False),
     (2, ("trigger",), False),
     (3, ("type",), False),
@@ -3262,22 +4151,25 @@ _EVENT_ACTION_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class EventActionConfiguration(Command):
+class EventActionConfig(Command):
     """Event Action Configuration (0x0C,0x2F).
 
     Trigger and effect of an event action.
-    A packet holds one descriptor set; for several sets use several actions with the same trigger.
-    A GPIO action needs its pin configured as an output with the gpio feature.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `EventActionConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    A packet holds one descriptor set; for several sets use several actions with the same trigger. A
+    GPIO action needs its pin configured as an output with the gpio feature.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x2F
-    NAME = "3dm.event_action_configuration"
+    NAME = "3dm.event_action_config"
     ROLE = "command"
-    RESPONSES = (EventActionConfigurationResponse,)
+    RESPONSES = (EventActionConfigResponse,)
     REQUIRED = {1: 4, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
@@ -3285,11 +4177,16 @@ class EventActionConfiguration(Command):
     instance: int | None = None
     """Action instance; 0 means all (save, load, default)."""
     trigger: int | None = None
-    """Trigger instance that the action follows."""
+    """Trigger instance that the action follows. Required for `write`."""
     type: types.EventActionType | None = None
-    """Kind of action. Factory default: none."""
+    """Kind of action. Default: `types.EventActionType.NONE`. Required for `write`."""
     parameters: types.EventActionGpio | types.EventActionMessage | None = None
-    """The effect."""
+    """The effect. Selected by `type`. Required for `write`.
+
+    - If `type` is `types.EventActionType.NONE`: `None`.
+    - If `type` is `types.EventActionType.GPIO`: `types.EventActionGpio`.
+    - If `type` is `types.EventActionType.MESSAGE`: `types.EventActionMessage`.
+    """
 
     @classmethod
     def write(
@@ -3298,7 +4195,7 @@ class EventActionConfiguration(Command):
         trigger: int,
         type: types.EventActionType,
         parameters: types.EventActionGpio | types.EventActionMessage | None,
-    ) -> EventActionConfiguration:
+    ) -> EventActionConfig:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -3309,38 +4206,38 @@ class EventActionConfiguration(Command):
         )
 
     @classmethod
-    def read(cls, instance: int) -> EventActionConfiguration:
+    def read(cls, instance: int) -> EventActionConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
-    def save(cls, instance: int) -> EventActionConfiguration:
+    def save(cls, instance: int) -> EventActionConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, instance=instance)
 
     @classmethod
-    def load(cls, instance: int) -> EventActionConfiguration:
+    def load(cls, instance: int) -> EventActionConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, instance=instance)
 
     @classmethod
-    def default(cls, instance: int) -> EventActionConfiguration:
+    def default(cls, instance: int) -> EventActionConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return EventActionConfigurationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EventActionConfigResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfig, int]:
         instance: int | None = None
         trigger: int | None = None
         type: types.EventActionType | None = None
         parameters: types.EventActionGpio | types.EventActionMessage | None = None
-        v = _EVENT_ACTION_CONFIGURATION_0.read(raw, at)
+        v = _EVENT_ACTION_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3348,19 +4245,19 @@ class EventActionConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _EVENT_ACTION_CONFIGURATION_1.read(raw, at)
+            v = _EVENT_ACTION_CONFIG_1.read(raw, at)
             at += 1
             instance = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _EVENT_ACTION_CONFIGURATION_2.read(raw, at)
+            v = _EVENT_ACTION_CONFIG_2.read(raw, at)
             at += 1
             trigger = v[0]
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _EVENT_ACTION_CONFIGURATION_3.read(raw, at)
+            v = _EVENT_ACTION_CONFIG_3.read(raw, at)
             at += 1
             type = types.EventActionType(v[0])
             done, end = 3, at
@@ -3378,15 +4275,15 @@ class EventActionConfiguration(Command):
         return cls(function, instance, trigger, type, parameters), at
 
     def _write(self) -> bytes:
-        out = _EVENT_ACTION_CONFIGURATION_0.write(self.function)
+        out = _EVENT_ACTION_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _EVENT_ACTION_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _EVENT_ACTION_CONFIG_GROUPS)
         if there >= 1:
-            out += _EVENT_ACTION_CONFIGURATION_1.write(self.instance)
+            out += _EVENT_ACTION_CONFIG_1.write(self.instance)
         if there >= 2:
-            out += _EVENT_ACTION_CONFIGURATION_2.write(self.trigger)
+            out += _EVENT_ACTION_CONFIG_2.write(self.trigger)
         if there >= 3:
-            out += _EVENT_ACTION_CONFIGURATION_3.write(self.type)
+            out += _EVENT_ACTION_CONFIG_3.write(self.type)
         if there >= 4:
             if self.type == 1:
                 if not isinstance(self.parameters, types.EventActionGpio):
@@ -3401,16 +4298,19 @@ class EventActionConfiguration(Command):
         return codec.finished(out)
 
 
-_DEVICE_START_UP_SETTINGS_0 = codec.Block("B", "function")
+_DEVICE_SETTINGS_0 = codec.Block("B", "function")
 
 
 @dataclass(slots=True)
-class DeviceStartUpSettings(Command):
+class DeviceSettings(Command):
     """Device Start Up Settings (0x0C,0x30).
 
     Saves, loads or resets all settings of the device at once.
+
+    Functions: `save`, `load` and `default`. The device may take 1 s to answer. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     A save may disturb the data output for a short time.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
     - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
@@ -3418,7 +4318,7 @@ class DeviceStartUpSettings(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x30
-    NAME = "3dm.device_start_up_settings"
+    NAME = "3dm.device_settings"
     ROLE = "command"
     REQUIRED = {3: 0, 4: 0, 5: 0}
     TIMEOUT = 1.0
@@ -3427,37 +4327,37 @@ class DeviceStartUpSettings(Command):
     """What to do with the setting."""
 
     @classmethod
-    def save(cls) -> DeviceStartUpSettings:
+    def save(cls) -> DeviceSettings:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> DeviceStartUpSettings:
+    def load(cls) -> DeviceSettings:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> DeviceStartUpSettings:
+    def default(cls) -> DeviceSettings:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStartUpSettings, int]:
-        v = _DEVICE_START_UP_SETTINGS_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[DeviceSettings, int]:
+        v = _DEVICE_SETTINGS_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         return cls(function), at
 
     def _write(self) -> bytes:
-        out = _DEVICE_START_UP_SETTINGS_0.write(self.function)
+        out = _DEVICE_SETTINGS_0.write(self.function)
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_1 = codec.Block("f", "roll")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_2 = codec.Block("f", "pitch")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_3 = codec.Block("f", "yaw")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_GROUPS = (
+_SENSOR_TO_VEHICLE_TRANSFORM_EULER_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_TRANSFORM_EULER_1 = codec.Block("f", "roll")
+_SENSOR_TO_VEHICLE_TRANSFORM_EULER_2 = codec.Block("f", "pitch")
+_SENSOR_TO_VEHICLE_TRANSFORM_EULER_3 = codec.Block("f", "yaw")
+_SENSOR_TO_VEHICLE_TRANSFORM_EULER_GROUPS = (
     (1, ("roll",), False),
     (2, ("pitch",), False),
     (3, ("yaw",), False),
@@ -3465,80 +4365,78 @@ _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_GROUPS = (
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformationEuler(Command):
+class SensorToVehicleTransformEuler(Command):
     """Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
 
     Mounting of the sensor in the vehicle as Euler angles.
+
+    Also called `sensor_2_vehicle_transform_euler`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `SensorToVehicleTransformEulerResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it.
-    The mounting is reached from the vehicle frame by turning about the sensor's own z, y and x axes
-    by yaw, pitch and roll.
-    A vector in the vehicle frame is Rz(yaw) Ry(pitch) Rx(roll) times the vector in the sensor
-    frame.
-    It applies to the sensor data, the complementary filter and the attitude, acceleration, rate and
-    gravity of the filter.
-    A change resets the low-pass filters, the complementary filter and the estimation filter.
-    On some older products the setting means the inverse rotation.
-    Supported by 3DM-CV7-GNSS/INS.
+    be another form of it. The mounting is reached from the vehicle frame by turning about the
+    sensor's own z, y and x axes by yaw, pitch and roll. A vector in the vehicle frame is Rz(yaw)
+    Ry(pitch) Rx(roll) times the vector in the sensor frame. It applies to the sensor data, the
+    complementary filter and the attitude, acceleration, rate and gravity of the filter. A change
+    resets the low-pass filters, the complementary filter and the estimation filter. On some older
+    products the setting means the inverse rotation.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x31
-    NAME = "3dm.sensor_to_vehicle_frame_transformation_euler"
+    NAME = "3dm.sensor_to_vehicle_transform_euler"
     ROLE = "command"
-    RESPONSES = (SensorToVehicleFrameTransformationEulerResponse,)
+    RESPONSES = (SensorToVehicleTransformEulerResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     roll: float | None = None
-    """Rotation about the x axis. [rad]"""
+    """Rotation about the x axis. Unit: rad. Required for `write`."""
     pitch: float | None = None
-    """Rotation about the y axis. [rad]"""
+    """Rotation about the y axis. Unit: rad. Required for `write`."""
     yaw: float | None = None
-    """Rotation about the z axis. [rad]"""
+    """Rotation about the z axis. Unit: rad. Required for `write`."""
 
     @classmethod
-    def write(
-        cls, roll: float, pitch: float, yaw: float
-    ) -> SensorToVehicleFrameTransformationEuler:
+    def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleTransformEuler:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, roll=roll, pitch=pitch, yaw=yaw)
 
     @classmethod
-    def read(cls) -> SensorToVehicleFrameTransformationEuler:
+    def read(cls) -> SensorToVehicleTransformEuler:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleFrameTransformationEuler:
+    def save(cls) -> SensorToVehicleTransformEuler:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleFrameTransformationEuler:
+    def load(cls) -> SensorToVehicleTransformEuler:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleFrameTransformationEuler:
+    def default(cls) -> SensorToVehicleTransformEuler:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return SensorToVehicleFrameTransformationEulerResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleTransformEulerResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationEuler, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformEuler, int]:
         roll: float | None = None
         pitch: float | None = None
         yaw: float | None = None
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_0.read(raw, at)
+        v = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3546,19 +4444,19 @@ class SensorToVehicleFrameTransformationEuler(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_1.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_1.read(raw, at)
             at += 4
             roll = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_2.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_2.read(raw, at)
             at += 4
             pitch = v[0]
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_3.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_3.read(raw, at)
             at += 4
             yaw = v[0]
             done, end = 3, at
@@ -3569,83 +4467,89 @@ class SensorToVehicleFrameTransformationEuler(Command):
         return cls(function, roll, pitch, yaw), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_0.write(self.function)
+        out = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_GROUPS)
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_TRANSFORM_EULER_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_1.write(self.roll)
+            out += _SENSOR_TO_VEHICLE_TRANSFORM_EULER_1.write(self.roll)
         if there >= 2:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_2.write(self.pitch)
+            out += _SENSOR_TO_VEHICLE_TRANSFORM_EULER_2.write(self.pitch)
         if there >= 3:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_3.write(self.yaw)
+            out += _SENSOR_TO_VEHICLE_TRANSFORM_EULER_3.write(self.yaw)
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_1 = codec.Block("ffff", "q", "q", "q", "q")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_GROUPS = ((1, ("q",), False),)
+_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
+_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_GROUPS = ((1, ("q",), False),)
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformationQuaternion(Command):
+class SensorToVehicleTransformQuaternion(Command):
     """Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
 
     Mounting of the sensor in the vehicle as a quaternion.
+
+    Also called `sensor_2_vehicle_transform_quaternion`. Functions: `write`, `read`, `save`, `load`
+    and `default`. Answered by `SensorToVehicleTransformQuaternionResponse`. Supported by
+    3DM-CV7-GNSS/INS.
+
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it.
-    A change resets the low-pass filters, the complementary filter and the estimation filter.
-    Supported by 3DM-CV7-GNSS/INS.
+    be another form of it. A change resets the low-pass filters, the complementary filter and the
+    estimation filter.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x32
-    NAME = "3dm.sensor_to_vehicle_frame_transformation_quaternion"
+    NAME = "3dm.sensor_to_vehicle_transform_quaternion"
     ROLE = "command"
-    RESPONSES = (SensorToVehicleFrameTransformationQuaternionResponse,)
+    RESPONSES = (SensorToVehicleTransformQuaternionResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     q: types.Quatf | None = None
-    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. [1]"""
+    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
+    w, x, y, z. Unit: 1. Required for `write`.
+    """
 
     @classmethod
-    def write(cls, q: types.Quatf) -> SensorToVehicleFrameTransformationQuaternion:
+    def write(cls, q: types.Quatf) -> SensorToVehicleTransformQuaternion:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, q=q)
 
     @classmethod
-    def read(cls) -> SensorToVehicleFrameTransformationQuaternion:
+    def read(cls) -> SensorToVehicleTransformQuaternion:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleFrameTransformationQuaternion:
+    def save(cls) -> SensorToVehicleTransformQuaternion:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleFrameTransformationQuaternion:
+    def load(cls) -> SensorToVehicleTransformQuaternion:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleFrameTransformationQuaternion:
+    def default(cls) -> SensorToVehicleTransformQuaternion:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return SensorToVehicleFrameTransformationQuaternionResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleTransformQuaternionResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationQuaternion, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformQuaternion, int]:
         q: types.Quatf | None = None
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_0.read(raw, at)
+        v = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3653,7 +4557,7 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_1.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1.read(raw, at)
             at += 16
             q = v[0:4]
             done, end = 1, at
@@ -3664,88 +4568,85 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
         return cls(function, q), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_0.write(self.function)
+        out = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(
-            self, required, _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_GROUPS
-        )
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_1.write(
-                *codec.exactly("q", self.q, 4)
-            )
+            out += _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1.write(*codec.exactly("q", self.q, 4))
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_1 = codec.Block(
-    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
-)
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_GROUPS = ((1, ("dcm",), False),)
+_SENSOR_TO_VEHICLE_TRANSFORM_DCM_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_TRANSFORM_DCM_1 = codec.Block("fffffffff", *["dcm"] * 9)
+_SENSOR_TO_VEHICLE_TRANSFORM_DCM_GROUPS = ((1, ("dcm",), False),)
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
+class SensorToVehicleTransformDcm(Command):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
 
     Mounting of the sensor in the vehicle as a direction cosine matrix.
+
+    Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `SensorToVehicleTransformDcmResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it.
-    A vector in the vehicle frame is this matrix times the vector in the sensor frame.
-    A change resets the low-pass filters, the complementary filter and the estimation filter.
-    Supported by 3DM-CV7-GNSS/INS.
+    be another form of it. A vector in the vehicle frame is this matrix times the vector in the
+    sensor frame. A change resets the low-pass filters, the complementary filter and the estimation
+    filter.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x33
-    NAME = "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix"
+    NAME = "3dm.sensor_to_vehicle_transform_dcm"
     ROLE = "command"
-    RESPONSES = (SensorToVehicleFrameTransformationDirectionCosineMatrixResponse,)
+    RESPONSES = (SensorToVehicleTransformDcmResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     dcm: types.Matrix3f | None = None
-    """The matrix in row-major order. [1]"""
+    """The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1. Required for `write`.
+    """
 
     @classmethod
-    def write(cls, dcm: types.Matrix3f) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
+    def write(cls, dcm: types.Matrix3f) -> SensorToVehicleTransformDcm:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, dcm=dcm)
 
     @classmethod
-    def read(cls) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
+    def read(cls) -> SensorToVehicleTransformDcm:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
+    def save(cls) -> SensorToVehicleTransformDcm:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
+    def load(cls) -> SensorToVehicleTransformDcm:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
+    def default(cls) -> SensorToVehicleTransformDcm:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return SensorToVehicleFrameTransformationDirectionCosineMatrixResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleTransformDcmResponse
         return None
 
     @classmethod
-    def _read(
-        cls, raw: bytes, at: int
-    ) -> tuple[SensorToVehicleFrameTransformationDirectionCosineMatrix, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformDcm, int]:
         dcm: types.Matrix3f | None = None
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_0.read(raw, at)
+        v = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3753,7 +4654,7 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_1.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_1.read(raw, at)
             at += 36
             dcm = v[0:9]
             done, end = 1, at
@@ -3764,30 +4665,28 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
         return cls(function, dcm), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_0.write(self.function)
+        out = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(
-            self, required, _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_GROUPS
-        )
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_TRANSFORM_DCM_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_1.write(
-                *codec.exactly("dcm", self.dcm, 9)
-            )
+            out += _SENSOR_TO_VEHICLE_TRANSFORM_DCM_1.write(*codec.exactly("dcm", self.dcm, 9))
         return codec.finished(out)
 
 
-_ACCELEROMETER_BIAS_CONFIGURATION_0 = codec.Block("B", "function")
-_ACCELEROMETER_BIAS_CONFIGURATION_1 = codec.Block("fff", "bias", "bias", "bias")
-_ACCELEROMETER_BIAS_CONFIGURATION_GROUPS = ((1, ("bias",), False),)
+_ACCEL_BIAS_0 = codec.Block("B", "function")
+_ACCEL_BIAS_1 = codec.Block("fff", *["bias"] * 3)
+_ACCEL_BIAS_GROUPS = ((1, ("bias",), False),)
 
 
 @dataclass(slots=True)
-class AccelerometerBiasConfiguration(Command):
+class AccelBias(Command):
     """Accelerometer Bias Configuration (0x0C,0x37).
 
     Bias that is subtracted from the scaled acceleration.
-    For advanced use.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
+    `AccelBiasResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS:
+    `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -3795,60 +4694,62 @@ class AccelerometerBiasConfiguration(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x37
-    NAME = "3dm.accelerometer_bias_configuration"
+    NAME = "3dm.accel_bias"
     ROLE = "command"
-    RESPONSES = (AccelerometerBiasConfigurationResponse,)
+    RESPONSES = (AccelBiasResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
 
     function: FunctionSelector
     """What to do with the setting."""
     bias: types.Vector3f | None = None
-    """Accelerometer bias. [g] Frame: sensor."""
+    """Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for `write` and
+    `apply`.
+    """
 
     @classmethod
-    def write(cls, bias: types.Vector3f) -> AccelerometerBiasConfiguration:
+    def write(cls, bias: types.Vector3f) -> AccelBias:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, bias=bias)
 
     @classmethod
-    def read(cls) -> AccelerometerBiasConfiguration:
+    def read(cls) -> AccelBias:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AccelerometerBiasConfiguration:
+    def save(cls) -> AccelBias:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AccelerometerBiasConfiguration:
+    def load(cls) -> AccelBias:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AccelerometerBiasConfiguration:
+    def default(cls) -> AccelBias:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, bias: types.Vector3f) -> AccelerometerBiasConfiguration:
+    def apply(cls, bias: types.Vector3f) -> AccelBias:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, bias=bias)
 
     @property
     def answered(self) -> bool:
-        return not (self.function == 6)
+        return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return AccelerometerBiasConfigurationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AccelBiasResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelBias, int]:
         bias: types.Vector3f | None = None
-        v = _ACCELEROMETER_BIAS_CONFIGURATION_0.read(raw, at)
+        v = _ACCEL_BIAS_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3856,7 +4757,7 @@ class AccelerometerBiasConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ACCELEROMETER_BIAS_CONFIGURATION_1.read(raw, at)
+            v = _ACCEL_BIAS_1.read(raw, at)
             at += 12
             bias = v[0:3]
             done, end = 1, at
@@ -3867,26 +4768,28 @@ class AccelerometerBiasConfiguration(Command):
         return cls(function, bias), at
 
     def _write(self) -> bytes:
-        out = _ACCELEROMETER_BIAS_CONFIGURATION_0.write(self.function)
+        out = _ACCEL_BIAS_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ACCELEROMETER_BIAS_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _ACCEL_BIAS_GROUPS)
         if there >= 1:
-            out += _ACCELEROMETER_BIAS_CONFIGURATION_1.write(*codec.exactly("bias", self.bias, 3))
+            out += _ACCEL_BIAS_1.write(*codec.exactly("bias", self.bias, 3))
         return codec.finished(out)
 
 
-_GYROSCOPE_BIAS_CONFIGURATION_0 = codec.Block("B", "function")
-_GYROSCOPE_BIAS_CONFIGURATION_1 = codec.Block("fff", "bias", "bias", "bias")
-_GYROSCOPE_BIAS_CONFIGURATION_GROUPS = ((1, ("bias",), False),)
+_GYRO_BIAS_0 = codec.Block("B", "function")
+_GYRO_BIAS_1 = codec.Block("fff", *["bias"] * 3)
+_GYRO_BIAS_GROUPS = ((1, ("bias",), False),)
 
 
 @dataclass(slots=True)
-class GyroscopeBiasConfiguration(Command):
+class GyroBias(Command):
     """Gyroscope Bias Configuration (0x0C,0x38).
 
     Bias that is subtracted from the scaled angular rate.
-    For advanced use.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
+    `GyroBiasResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS:
+    `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -3894,60 +4797,62 @@ class GyroscopeBiasConfiguration(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x38
-    NAME = "3dm.gyroscope_bias_configuration"
+    NAME = "3dm.gyro_bias"
     ROLE = "command"
-    RESPONSES = (GyroscopeBiasConfigurationResponse,)
+    RESPONSES = (GyroBiasResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
 
     function: FunctionSelector
     """What to do with the setting."""
     bias: types.Vector3f | None = None
-    """Gyroscope bias. [rad/s] Frame: sensor."""
+    """Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for `write` and
+    `apply`.
+    """
 
     @classmethod
-    def write(cls, bias: types.Vector3f) -> GyroscopeBiasConfiguration:
+    def write(cls, bias: types.Vector3f) -> GyroBias:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, bias=bias)
 
     @classmethod
-    def read(cls) -> GyroscopeBiasConfiguration:
+    def read(cls) -> GyroBias:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GyroscopeBiasConfiguration:
+    def save(cls) -> GyroBias:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GyroscopeBiasConfiguration:
+    def load(cls) -> GyroBias:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GyroscopeBiasConfiguration:
+    def default(cls) -> GyroBias:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, bias: types.Vector3f) -> GyroscopeBiasConfiguration:
+    def apply(cls, bias: types.Vector3f) -> GyroBias:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, bias=bias)
 
     @property
     def answered(self) -> bool:
-        return not (self.function == 6)
+        return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return GyroscopeBiasConfigurationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GyroBiasResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroBias, int]:
         bias: types.Vector3f | None = None
-        v = _GYROSCOPE_BIAS_CONFIGURATION_0.read(raw, at)
+        v = _GYRO_BIAS_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3955,7 +4860,7 @@ class GyroscopeBiasConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GYROSCOPE_BIAS_CONFIGURATION_1.read(raw, at)
+            v = _GYRO_BIAS_1.read(raw, at)
             at += 12
             bias = v[0:3]
             done, end = 1, at
@@ -3966,27 +4871,29 @@ class GyroscopeBiasConfiguration(Command):
         return cls(function, bias), at
 
     def _write(self) -> bytes:
-        out = _GYROSCOPE_BIAS_CONFIGURATION_0.write(self.function)
+        out = _GYRO_BIAS_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GYROSCOPE_BIAS_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _GYRO_BIAS_GROUPS)
         if there >= 1:
-            out += _GYROSCOPE_BIAS_CONFIGURATION_1.write(*codec.exactly("bias", self.bias, 3))
+            out += _GYRO_BIAS_1.write(*codec.exactly("bias", self.bias, 3))
         return codec.finished(out)
 
 
-_CAPTURE_GYROSCOPE_BIAS_0 = codec.Block("H", "averaging_time_ms")
+_CAPTURE_GYRO_BIAS_0 = codec.Block("H", "averaging_time_ms")
 
 
 @dataclass(slots=True)
-class CaptureGyroscopeBias(Command):
+class CaptureGyroBias(Command):
     """Capture Gyroscope Bias (0x0C,0x39).
 
     Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
-    The device must stand still, with as little vibration as possible, for the whole time.
-    The reply comes after the averaging time.
-    The bias is not saved; the gyroscope bias configuration command with save does it.
-    The 3DM-GX5-15 also initializes its orientation from the samples.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Answered by `GyroBiasResponse`. The device may take 31 s to answer. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The device must stand still, with as little vibration as possible, for the whole time. The reply
+    comes after the averaging time. The bias is not saved; the gyroscope bias configuration command
+    with save does it. The 3DM-GX5-15 also initializes its orientation from the samples.
 
     - 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
     - 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
@@ -3994,89 +4901,92 @@ class CaptureGyroscopeBias(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x39
-    NAME = "3dm.capture_gyroscope_bias"
+    NAME = "3dm.capture_gyro_bias"
     ROLE = "command"
-    RESPONSES = (GyroscopeBiasConfigurationResponse,)
+    RESPONSES = (GyroBiasResponse,)
     TIMEOUT = 31.0
 
     averaging_time_ms: int
-    """Time to average over. [ms] Range: 1000 to 30000."""
+    """Time to average over. Unit: ms. Range: 1000 to 30000."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CaptureGyroscopeBias, int]:
-        v = _CAPTURE_GYROSCOPE_BIAS_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[CaptureGyroBias, int]:
+        v = _CAPTURE_GYRO_BIAS_0.read(raw, at)
         at += 2
         averaging_time_ms = v[0]
         return cls(averaging_time_ms), at
 
     def _write(self) -> bytes:
-        out = _CAPTURE_GYROSCOPE_BIAS_0.write(self.averaging_time_ms)
+        out = _CAPTURE_GYRO_BIAS_0.write(self.averaging_time_ms)
         return codec.finished(out)
 
 
-_MAGNETOMETER_HARD_IRON_OFFSET_0 = codec.Block("B", "function")
-_MAGNETOMETER_HARD_IRON_OFFSET_1 = codec.Block("fff", "offset", "offset", "offset")
-_MAGNETOMETER_HARD_IRON_OFFSET_GROUPS = ((1, ("offset",), False),)
+_MAG_HARD_IRON_OFFSET_0 = codec.Block("B", "function")
+_MAG_HARD_IRON_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
+_MAG_HARD_IRON_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
 @dataclass(slots=True)
-class MagnetometerHardIronOffset(Command):
+class MagHardIronOffset(Command):
     """Magnetometer Hard Iron Offset (0x0C,0x3A).
 
     Offset that corrects the scaled magnetic field for hard iron.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagHardIronOffsetResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The values come from a calibration of the device as it is installed.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x3A
-    NAME = "3dm.magnetometer_hard_iron_offset"
+    NAME = "3dm.mag_hard_iron_offset"
     ROLE = "command"
-    RESPONSES = (MagnetometerHardIronOffsetResponse,)
+    RESPONSES = (MagHardIronOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Vector3f | None = None
-    """Hard iron offset. [gauss] Frame: sensor."""
+    """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for `write`."""
 
     @classmethod
-    def write(cls, offset: types.Vector3f) -> MagnetometerHardIronOffset:
+    def write(cls, offset: types.Vector3f) -> MagHardIronOffset:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, offset=offset)
 
     @classmethod
-    def read(cls) -> MagnetometerHardIronOffset:
+    def read(cls) -> MagHardIronOffset:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagnetometerHardIronOffset:
+    def save(cls) -> MagHardIronOffset:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagnetometerHardIronOffset:
+    def load(cls) -> MagHardIronOffset:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagnetometerHardIronOffset:
+    def default(cls) -> MagHardIronOffset:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return MagnetometerHardIronOffsetResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagHardIronOffsetResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerHardIronOffset, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagHardIronOffset, int]:
         offset: types.Vector3f | None = None
-        v = _MAGNETOMETER_HARD_IRON_OFFSET_0.read(raw, at)
+        v = _MAG_HARD_IRON_OFFSET_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -4084,7 +4994,7 @@ class MagnetometerHardIronOffset(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _MAGNETOMETER_HARD_IRON_OFFSET_1.read(raw, at)
+            v = _MAG_HARD_IRON_OFFSET_1.read(raw, at)
             at += 12
             offset = v[0:3]
             done, end = 1, at
@@ -4095,88 +5005,82 @@ class MagnetometerHardIronOffset(Command):
         return cls(function, offset), at
 
     def _write(self) -> bytes:
-        out = _MAGNETOMETER_HARD_IRON_OFFSET_0.write(self.function)
+        out = _MAG_HARD_IRON_OFFSET_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAGNETOMETER_HARD_IRON_OFFSET_GROUPS)
+        there = codec.present(self, required, _MAG_HARD_IRON_OFFSET_GROUPS)
         if there >= 1:
-            out += _MAGNETOMETER_HARD_IRON_OFFSET_1.write(*codec.exactly("offset", self.offset, 3))
+            out += _MAG_HARD_IRON_OFFSET_1.write(*codec.exactly("offset", self.offset, 3))
         return codec.finished(out)
 
 
-_MAGNETOMETER_SOFT_IRON_MATRIX_0 = codec.Block("B", "function")
-_MAGNETOMETER_SOFT_IRON_MATRIX_1 = codec.Block(
-    "fffffffff",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-)
-_MAGNETOMETER_SOFT_IRON_MATRIX_GROUPS = ((1, ("offset",), False),)
+_MAG_SOFT_IRON_MATRIX_0 = codec.Block("B", "function")
+_MAG_SOFT_IRON_MATRIX_1 = codec.Block("fffffffff", *["matrix"] * 9)
+_MAG_SOFT_IRON_MATRIX_GROUPS = ((1, ("matrix",), False),)
 
 
 @dataclass(slots=True)
-class MagnetometerSoftIronMatrix(Command):
+class MagSoftIronMatrix(Command):
     """Magnetometer Soft Iron Matrix (0x0C,0x3B).
 
     Matrix that corrects the scaled magnetic field for soft iron.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagSoftIronMatrixResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The values come from a calibration of the device as it is installed.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x3B
-    NAME = "3dm.magnetometer_soft_iron_matrix"
+    NAME = "3dm.mag_soft_iron_matrix"
     ROLE = "command"
-    RESPONSES = (MagnetometerSoftIronMatrixResponse,)
+    RESPONSES = (MagSoftIronMatrixResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
-    offset: types.Matrix3f | None = None
-    """Soft iron matrix in row-major order. [1] Frame: sensor."""
+    matrix: types.Matrix3f | None = None
+    """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Frame: sensor. Required for `write`.
+    """
 
     @classmethod
-    def write(cls, offset: types.Matrix3f) -> MagnetometerSoftIronMatrix:
+    def write(cls, matrix: types.Matrix3f) -> MagSoftIronMatrix:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, offset=offset)
+        return cls(FunctionSelector.WRITE, matrix=matrix)
 
     @classmethod
-    def read(cls) -> MagnetometerSoftIronMatrix:
+    def read(cls) -> MagSoftIronMatrix:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagnetometerSoftIronMatrix:
+    def save(cls) -> MagSoftIronMatrix:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagnetometerSoftIronMatrix:
+    def load(cls) -> MagSoftIronMatrix:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagnetometerSoftIronMatrix:
+    def default(cls) -> MagSoftIronMatrix:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return MagnetometerSoftIronMatrixResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagSoftIronMatrixResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerSoftIronMatrix, int]:
-        offset: types.Matrix3f | None = None
-        v = _MAGNETOMETER_SOFT_IRON_MATRIX_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MagSoftIronMatrix, int]:
+        matrix: types.Matrix3f | None = None
+        v = _MAG_SOFT_IRON_MATRIX_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -4184,87 +5088,89 @@ class MagnetometerSoftIronMatrix(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _MAGNETOMETER_SOFT_IRON_MATRIX_1.read(raw, at)
+            v = _MAG_SOFT_IRON_MATRIX_1.read(raw, at)
             at += 36
-            offset = v[0:9]
+            matrix = v[0:9]
             done, end = 1, at
         except Truncated:
             if done < required:
                 raise
         at = end
-        return cls(function, offset), at
+        return cls(function, matrix), at
 
     def _write(self) -> bytes:
-        out = _MAGNETOMETER_SOFT_IRON_MATRIX_0.write(self.function)
+        out = _MAG_SOFT_IRON_MATRIX_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAGNETOMETER_SOFT_IRON_MATRIX_GROUPS)
+        there = codec.present(self, required, _MAG_SOFT_IRON_MATRIX_GROUPS)
         if there >= 1:
-            out += _MAGNETOMETER_SOFT_IRON_MATRIX_1.write(*codec.exactly("offset", self.offset, 9))
+            out += _MAG_SOFT_IRON_MATRIX_1.write(*codec.exactly("matrix", self.matrix, 9))
         return codec.finished(out)
 
 
-_CONING_AND_SCULLING_ENABLE_0 = codec.Block("B", "function")
-_CONING_AND_SCULLING_ENABLE_1 = codec.Block("B", "enable")
-_CONING_AND_SCULLING_ENABLE_GROUPS = ((1, ("enable",), False),)
+_CONING_SCULLING_ENABLE_0 = codec.Block("B", "function")
+_CONING_SCULLING_ENABLE_1 = codec.Block("B", "enable")
+_CONING_SCULLING_ENABLE_GROUPS = ((1, ("enable",), False),)
 
 
 @dataclass(slots=True)
-class ConingAndScullingEnable(Command):
+class ConingScullingEnable(Command):
     """Coning and Sculling Enable (0x0C,0x3E).
 
     Switches the compensation of coning and sculling on or off.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ConingScullingEnableResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x3E
-    NAME = "3dm.coning_and_sculling_enable"
+    NAME = "3dm.coning_sculling_enable"
     ROLE = "command"
-    RESPONSES = (ConingAndScullingEnableResponse,)
+    RESPONSES = (ConingScullingEnableResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     enable: bool | None = None
-    """Whether the compensation is on. Factory default: True."""
+    """Whether the compensation is on. Default: true. Required for `write`."""
 
     @classmethod
-    def write(cls, enable: bool) -> ConingAndScullingEnable:
+    def write(cls, enable: bool) -> ConingScullingEnable:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable)
 
     @classmethod
-    def read(cls) -> ConingAndScullingEnable:
+    def read(cls) -> ConingScullingEnable:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ConingAndScullingEnable:
+    def save(cls) -> ConingScullingEnable:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ConingAndScullingEnable:
+    def load(cls) -> ConingScullingEnable:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ConingAndScullingEnable:
+    def default(cls) -> ConingScullingEnable:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return ConingAndScullingEnableResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ConingScullingEnableResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConingAndScullingEnable, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ConingScullingEnable, int]:
         enable: bool | None = None
-        v = _CONING_AND_SCULLING_ENABLE_0.read(raw, at)
+        v = _CONING_SCULLING_ENABLE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -4272,7 +5178,7 @@ class ConingAndScullingEnable(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _CONING_AND_SCULLING_ENABLE_1.read(raw, at)
+            v = _CONING_SCULLING_ENABLE_1.read(raw, at)
             at += 1
             enable = codec.truth(v[0])
             done, end = 1, at
@@ -4283,11 +5189,11 @@ class ConingAndScullingEnable(Command):
         return cls(function, enable), at
 
     def _write(self) -> bytes:
-        out = _CONING_AND_SCULLING_ENABLE_0.write(self.function)
+        out = _CONING_SCULLING_ENABLE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _CONING_AND_SCULLING_ENABLE_GROUPS)
+        there = codec.present(self, required, _CONING_SCULLING_ENABLE_GROUPS)
         if there >= 1:
-            out += _CONING_AND_SCULLING_ENABLE_1.write(self.enable)
+            out += _CONING_SCULLING_ENABLE_1.write(self.enable)
         return codec.finished(out)
 
 
@@ -4301,12 +5207,14 @@ class UartBaudRate(Command):
     """UART Baud Rate (0x0C,0x40).
 
     Baud rate of the main port.
-    The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
-    The 3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then nothing is
-    certain.
-    Set the device to idle first, send the command in a packet of its own and wait 250 ms
+
+    Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later. The
+    3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then nothing is
+    certain. Set the device to idle first, send the command in a packet of its own and wait 250 ms
     afterwards.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -4322,7 +5230,10 @@ class UartBaudRate(Command):
     function: FunctionSelector
     """What to do with the setting."""
     baud: int | None = None
-    """Baud rate. [Bd] On 3dm-gx5-15: factory default 115200."""
+    """Baud rate. Unit: Bd. Required for `write`.
+
+    - On the 3DM-GX5-15: default 115200.
+    """
 
     @classmethod
     def write(cls, baud: int) -> UartBaudRate:
@@ -4350,8 +5261,8 @@ class UartBaudRate(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return UartBaudRateResponse
         return None
 
@@ -4385,12 +5296,12 @@ class UartBaudRate(Command):
         return codec.finished(out)
 
 
-_GPIO_CONFIGURATION_0 = codec.Block("B", "function")
-_GPIO_CONFIGURATION_1 = codec.Block("B", "pin")
-_GPIO_CONFIGURATION_2 = codec.Block("B", "feature")
-_GPIO_CONFIGURATION_3 = codec.Block("B", "behavior")
-_GPIO_CONFIGURATION_4 = codec.Block("B", "pin_mode")
-_GPIO_CONFIGURATION_GROUPS = (
+_GPIO_CONFIG_0 = codec.Block("B", "function")
+_GPIO_CONFIG_1 = codec.Block("B", "pin")
+_GPIO_CONFIG_2 = codec.Block("B", "feature")
+_GPIO_CONFIG_3 = codec.Block("B", "behavior")
+_GPIO_CONFIG_4 = codec.Block("B", "pin_mode")
+_GPIO_CONFIG_GROUPS = (
     (1, ("pin",), False),
     (2, ("feature",), False),
     (3, ("behavior",), False),
@@ -4399,26 +5310,27 @@ _GPIO_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class GpioConfiguration(Command):
+class GpioConfig(Command):
     """GPIO Configuration (0x0C,0x41).
 
     What a GPIO pin is used for.
-    Not every pin has every feature.
-    Configure the function behind an output before its pin, and the pin of an input before its
-    function.
-    A configuration that only one pin can have passes to the latest pin; the earlier pin is reset.
-    With NMEA input at most one pin may be a UART input; set it to unused before another one takes
-    over.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpioConfigResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    Not every pin has every feature. Configure the function behind an output before its pin, and the
+    pin of an input before its function. A configuration that only one pin can have passes to the
+    latest pin; the earlier pin is reset. With NMEA input at most one pin may be a UART input; set
+    it to unused before another one takes over.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x41
-    NAME = "3dm.gpio_configuration"
+    NAME = "3dm.gpio_config"
     ROLE = "command"
-    RESPONSES = (GpioConfigurationResponse,)
+    RESPONSES = (GpioConfigResponse,)
     REQUIRED = {1: 4, 2: 1, 3: 1, 4: 1, 5: 1}
     READINGS = {
         "behavior": (
@@ -4431,7 +5343,7 @@ class GpioConfiguration(Command):
                 4: types.GpioTimestampBehavior,
                 5: types.GpioUartBehavior,
             },
-        ),
+        )
     }
 
     function: FunctionSelector
@@ -4439,54 +5351,62 @@ class GpioConfiguration(Command):
     pin: int | None = None
     """GPIO pin, counted from 1; 0 means all pins (save, load, default)."""
     feature: types.GpioFeature | None = None
-    """Use of the pin. Factory default: unused."""
+    """Use of the pin. Default: `types.GpioFeature.UNUSED`. Required for `write`."""
     behavior: int | None = None
-    """Role of the pin within the feature; 0 where the feature names none."""
+    """Role of the pin within the feature; 0 where the feature names none. Required for `write`.
+
+    - If `feature` is `types.GpioFeature.UNUSED`: values of `types.GpioUnusedBehavior`.
+    - If `feature` is `types.GpioFeature.GPIO`: values of `types.GpioBehavior`.
+    - If `feature` is `types.GpioFeature.PPS`: values of `types.GpioPpsBehavior`.
+    - If `feature` is `types.GpioFeature.ENCODER`: values of `types.GpioEncoderBehavior`.
+    - If `feature` is `types.GpioFeature.TIMESTAMP`: values of `types.GpioTimestampBehavior`.
+    - If `feature` is `types.GpioFeature.UART`: values of `types.GpioUartBehavior`.
+    """
     pin_mode: types.GpioPinMode | None = None
-    """Electrical options."""
+    """Electrical options. Required for `write`."""
 
     @classmethod
     def write(
         cls, pin: int, feature: types.GpioFeature, behavior: int, pin_mode: types.GpioPinMode
-    ) -> GpioConfiguration:
+    ) -> GpioConfig:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE, pin=pin, feature=feature, behavior=behavior, pin_mode=pin_mode
         )
 
     @classmethod
-    def read(cls, pin: int) -> GpioConfiguration:
+    def read(cls, pin: int) -> GpioConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, pin=pin)
 
     @classmethod
-    def save(cls, pin: int) -> GpioConfiguration:
+    def save(cls, pin: int) -> GpioConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, pin=pin)
 
     @classmethod
-    def load(cls, pin: int) -> GpioConfiguration:
+    def load(cls, pin: int) -> GpioConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, pin=pin)
 
     @classmethod
-    def default(cls, pin: int) -> GpioConfiguration:
+    def default(cls, pin: int) -> GpioConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, pin=pin)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return GpioConfigurationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GpioConfigResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfig, int]:
         pin: int | None = None
         feature: types.GpioFeature | None = None
         behavior: int | None = None
         pin_mode: types.GpioPinMode | None = None
-        v = _GPIO_CONFIGURATION_0.read(raw, at)
+        v = _GPIO_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -4494,25 +5414,25 @@ class GpioConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GPIO_CONFIGURATION_1.read(raw, at)
+            v = _GPIO_CONFIG_1.read(raw, at)
             at += 1
             pin = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _GPIO_CONFIGURATION_2.read(raw, at)
+            v = _GPIO_CONFIG_2.read(raw, at)
             at += 1
             feature = types.GpioFeature(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _GPIO_CONFIGURATION_3.read(raw, at)
+            v = _GPIO_CONFIG_3.read(raw, at)
             at += 1
             behavior = v[0]
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _GPIO_CONFIGURATION_4.read(raw, at)
+            v = _GPIO_CONFIG_4.read(raw, at)
             at += 1
             pin_mode = types.GpioPinMode(v[0])
             done, end = 4, at
@@ -4523,17 +5443,17 @@ class GpioConfiguration(Command):
         return cls(function, pin, feature, behavior, pin_mode), at
 
     def _write(self) -> bytes:
-        out = _GPIO_CONFIGURATION_0.write(self.function)
+        out = _GPIO_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GPIO_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _GPIO_CONFIG_GROUPS)
         if there >= 1:
-            out += _GPIO_CONFIGURATION_1.write(self.pin)
+            out += _GPIO_CONFIG_1.write(self.pin)
         if there >= 2:
-            out += _GPIO_CONFIGURATION_2.write(self.feature)
+            out += _GPIO_CONFIG_2.write(self.feature)
         if there >= 3:
-            out += _GPIO_CONFIGURATION_3.write(self.behavior)
+            out += _GPIO_CONFIG_3.write(self.behavior)
         if there >= 4:
-            out += _GPIO_CONFIGURATION_4.write(self.pin_mode)
+            out += _GPIO_CONFIG_4.write(self.pin_mode)
         return codec.finished(out)
 
 
@@ -4548,12 +5468,13 @@ class GpioState(Command):
     """GPIO State (0x0C,0x42).
 
     Sets or reads the state of a GPIO pin.
-    What is read is the level of the pin itself.
-    Writing shows only on a pin that is configured as an output.
-    An event action of mode active_high or active_low on the pin overrides what is written.
-    Reading is sure to work only with the gpio feature.
-    The state at power-up is a matter of the GPIO configuration command.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write` and `read`. Answered by `GpioStateResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    What is read is the level of the pin itself. Writing shows only on a pin that is configured as
+    an output. An event action of mode active_high or active_low on the pin overrides what is
+    written. Reading is sure to work only with the gpio feature. The state at power-up is a matter
+    of the GPIO configuration command.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -4568,9 +5489,9 @@ class GpioState(Command):
     function: FunctionSelector
     """What to do with the setting."""
     pin: int | None = None
-    """GPIO pin, counted from 1. Range: 1 to …."""
+    """GPIO pin, counted from 1. Range: at least 1."""
     state: bool | None = None
-    """True is high."""
+    """True is high. Required for `write`."""
 
     @classmethod
     def write(cls, pin: int, state: bool) -> GpioState:
@@ -4583,8 +5504,8 @@ class GpioState(Command):
         return cls(FunctionSelector.READ, pin=pin)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return GpioStateResponse
         return None
 
@@ -4627,11 +5548,11 @@ class GpioState(Command):
         return codec.finished(out)
 
 
-_ODOMETER_CONFIGURATION_0 = codec.Block("B", "function")
-_ODOMETER_CONFIGURATION_1 = codec.Block("B", "mode")
-_ODOMETER_CONFIGURATION_2 = codec.Block("f", "scaling")
-_ODOMETER_CONFIGURATION_3 = codec.Block("f", "uncertainty")
-_ODOMETER_CONFIGURATION_GROUPS = (
+_ODOMETER_CONFIG_0 = codec.Block("B", "function")
+_ODOMETER_CONFIG_1 = codec.Block("B", "mode")
+_ODOMETER_CONFIG_2 = codec.Block("f", "scaling")
+_ODOMETER_CONFIG_3 = codec.Block("f", "uncertainty")
+_ODOMETER_CONFIG_GROUPS = (
     (1, ("mode",), False),
     (2, ("scaling",), False),
     (3, ("uncertainty",), False),
@@ -4639,70 +5560,73 @@ _ODOMETER_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class OdometerConfiguration(Command):
+class OdometerConfig(Command):
     """Odometer Configuration (0x0C,0x43).
 
     Input from a wheel encoder.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `OdometerConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x43
-    NAME = "3dm.odometer_configuration"
+    NAME = "3dm.odometer_config"
     ROLE = "command"
-    RESPONSES = (OdometerConfigurationResponse,)
+    RESPONSES = (OdometerConfigResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     mode: OdometerMode | None = None
-    """How the input works."""
+    """How the input works. Required for `write`."""
     scaling: float | None = None
-    """Pulses over the distance travelled; negative if the encoder turns backwards. [pulse/m]
-    Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
+    """Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+    Required for `write`. Pulses on line A per turn of the wheel, divided by the circumference of
+    the wheel.
     """
     uncertainty: float | None = None
-    """Relative uncertainty of the scaling, 1 sigma. [1]"""
+    """Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for `write`."""
 
     @classmethod
-    def write(cls, mode: OdometerMode, scaling: float, uncertainty: float) -> OdometerConfiguration:
+    def write(cls, mode: OdometerMode, scaling: float, uncertainty: float) -> OdometerConfig:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, mode=mode, scaling=scaling, uncertainty=uncertainty)
 
     @classmethod
-    def read(cls) -> OdometerConfiguration:
+    def read(cls) -> OdometerConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> OdometerConfiguration:
+    def save(cls) -> OdometerConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> OdometerConfiguration:
+    def load(cls) -> OdometerConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> OdometerConfiguration:
+    def default(cls) -> OdometerConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return OdometerConfigurationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return OdometerConfigResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfig, int]:
         mode: OdometerMode | None = None
         scaling: float | None = None
         uncertainty: float | None = None
-        v = _ODOMETER_CONFIGURATION_0.read(raw, at)
+        v = _ODOMETER_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -4710,19 +5634,19 @@ class OdometerConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ODOMETER_CONFIGURATION_1.read(raw, at)
+            v = _ODOMETER_CONFIG_1.read(raw, at)
             at += 1
             mode = OdometerMode(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _ODOMETER_CONFIGURATION_2.read(raw, at)
+            v = _ODOMETER_CONFIG_2.read(raw, at)
             at += 4
             scaling = v[0]
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _ODOMETER_CONFIGURATION_3.read(raw, at)
+            v = _ODOMETER_CONFIG_3.read(raw, at)
             at += 4
             uncertainty = v[0]
             done, end = 3, at
@@ -4733,25 +5657,25 @@ class OdometerConfiguration(Command):
         return cls(function, mode, scaling, uncertainty), at
 
     def _write(self) -> bytes:
-        out = _ODOMETER_CONFIGURATION_0.write(self.function)
+        out = _ODOMETER_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ODOMETER_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _ODOMETER_CONFIG_GROUPS)
         if there >= 1:
-            out += _ODOMETER_CONFIGURATION_1.write(self.mode)
+            out += _ODOMETER_CONFIG_1.write(self.mode)
         if there >= 2:
-            out += _ODOMETER_CONFIGURATION_2.write(self.scaling)
+            out += _ODOMETER_CONFIG_2.write(self.scaling)
         if there >= 3:
-            out += _ODOMETER_CONFIGURATION_3.write(self.uncertainty)
+            out += _ODOMETER_CONFIG_3.write(self.uncertainty)
         return codec.finished(out)
 
 
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_0 = codec.Block("B", "function")
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_1 = codec.Block("B", "target_descriptor")
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_2 = codec.Block("B", "enable")
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_3 = codec.Block("B", "manual")
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_4 = codec.Block("H", "frequency")
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_5 = codec.Block("B", "reserved")
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_GROUPS = (
+_IMU_LOW_PASS_FILTER_0 = codec.Block("B", "function")
+_IMU_LOW_PASS_FILTER_1 = codec.Block("B", "target_descriptor")
+_IMU_LOW_PASS_FILTER_2 = codec.Block("B", "enable")
+_IMU_LOW_PASS_FILTER_3 = codec.Block("B", "manual")
+_IMU_LOW_PASS_FILTER_4 = codec.Block("H", "frequency")
+_IMU_LOW_PASS_FILTER_5 = codec.Block("B", "reserved")
+_IMU_LOW_PASS_FILTER_GROUPS = (
     (1, ("target_descriptor",), False),
     (2, ("enable",), False),
     (3, ("manual",), False),
@@ -4761,15 +5685,17 @@ _ADVANCED_LOW_PASS_FILTER_SETTINGS_GROUPS = (
 
 
 @dataclass(slots=True)
-class AdvancedLowPassFilterSettings(Command):
+class ImuLowPassFilter(Command):
     """Advanced Low-Pass Filter Settings (0x0C,0x50).
 
     Low-pass filter of one quantity of the sensor data.
+
+    Deprecated: use `LowPassFilter` where the device has it. For advanced use. Also called
+    `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ImuLowPassFilterResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     The filter has one pole. By default it is on and its cutoff is half the rate of the message
     format.
-    Deprecated: use 3dm.low_pass_anti_aliasing_filter where the device has it
-    For advanced use.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -4777,33 +5703,38 @@ class AdvancedLowPassFilterSettings(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x50
-    NAME = "3dm.advanced_low_pass_filter_settings"
+    NAME = "3dm.imu_low_pass_filter"
     ROLE = "command"
-    RESPONSES = (AdvancedLowPassFilterSettingsResponse,)
+    RESPONSES = (ImuLowPassFilterResponse,)
     REQUIRED = {1: 5, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
     """What to do with the setting."""
     target_descriptor: int | None = None
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-    magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
-    data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
-    0 means all of them, except for read.
+    magnetic field 0x06 or pressure 0x17.
+
+    - On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04,
+      angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
     """
     enable: bool | None = None
-    """Whether the quantity is filtered. Factory default: True."""
+    """Whether the quantity is filtered. Default: true. Required for `write`."""
     manual: bool | None = None
-    """True uses the frequency; false follows half the rate of the message format. Factory
-    default: False.
+    """True uses the frequency; false follows half the rate of the message format. Default: false.
+    Required for `write`.
     """
     frequency: int | None = None
-    """Cutoff (-3 dB). It has no meaning if manual is false. [Hz] On 3dm-gx5-15: at most 250."""
+    """Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. Required for `write`.
+
+    - On the 3DM-GX5-15: range at most 250.
+    """
     reserved: int | None = None
+    """Reserved: send 0. Required for `write`."""
 
     @classmethod
     def write(
         cls, target_descriptor: int, enable: bool, manual: bool, frequency: int
-    ) -> AdvancedLowPassFilterSettings:
+    ) -> ImuLowPassFilter:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -4815,39 +5746,39 @@ class AdvancedLowPassFilterSettings(Command):
         )
 
     @classmethod
-    def read(cls, target_descriptor: int) -> AdvancedLowPassFilterSettings:
+    def read(cls, target_descriptor: int) -> ImuLowPassFilter:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, target_descriptor=target_descriptor)
 
     @classmethod
-    def save(cls, target_descriptor: int) -> AdvancedLowPassFilterSettings:
+    def save(cls, target_descriptor: int) -> ImuLowPassFilter:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, target_descriptor=target_descriptor)
 
     @classmethod
-    def load(cls, target_descriptor: int) -> AdvancedLowPassFilterSettings:
+    def load(cls, target_descriptor: int) -> ImuLowPassFilter:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, target_descriptor=target_descriptor)
 
     @classmethod
-    def default(cls, target_descriptor: int) -> AdvancedLowPassFilterSettings:
+    def default(cls, target_descriptor: int) -> ImuLowPassFilter:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, target_descriptor=target_descriptor)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return AdvancedLowPassFilterSettingsResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ImuLowPassFilterResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AdvancedLowPassFilterSettings, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuLowPassFilter, int]:
         target_descriptor: int | None = None
         enable: bool | None = None
         manual: bool | None = None
         frequency: int | None = None
         reserved: int | None = None
-        v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_0.read(raw, at)
+        v = _IMU_LOW_PASS_FILTER_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -4855,31 +5786,31 @@ class AdvancedLowPassFilterSettings(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_1.read(raw, at)
+            v = _IMU_LOW_PASS_FILTER_1.read(raw, at)
             at += 1
             target_descriptor = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_2.read(raw, at)
+            v = _IMU_LOW_PASS_FILTER_2.read(raw, at)
             at += 1
             enable = codec.truth(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_3.read(raw, at)
+            v = _IMU_LOW_PASS_FILTER_3.read(raw, at)
             at += 1
             manual = codec.truth(v[0])
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_4.read(raw, at)
+            v = _IMU_LOW_PASS_FILTER_4.read(raw, at)
             at += 2
             frequency = v[0]
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
-            v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_5.read(raw, at)
+            v = _IMU_LOW_PASS_FILTER_5.read(raw, at)
             at += 1
             reserved = v[0]
             done, end = 5, at
@@ -4890,28 +5821,28 @@ class AdvancedLowPassFilterSettings(Command):
         return cls(function, target_descriptor, enable, manual, frequency, reserved), at
 
     def _write(self) -> bytes:
-        out = _ADVANCED_LOW_PASS_FILTER_SETTINGS_0.write(self.function)
+        out = _IMU_LOW_PASS_FILTER_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ADVANCED_LOW_PASS_FILTER_SETTINGS_GROUPS)
+        there = codec.present(self, required, _IMU_LOW_PASS_FILTER_GROUPS)
         if there >= 1:
-            out += _ADVANCED_LOW_PASS_FILTER_SETTINGS_1.write(self.target_descriptor)
+            out += _IMU_LOW_PASS_FILTER_1.write(self.target_descriptor)
         if there >= 2:
-            out += _ADVANCED_LOW_PASS_FILTER_SETTINGS_2.write(self.enable)
+            out += _IMU_LOW_PASS_FILTER_2.write(self.enable)
         if there >= 3:
-            out += _ADVANCED_LOW_PASS_FILTER_SETTINGS_3.write(self.manual)
+            out += _IMU_LOW_PASS_FILTER_3.write(self.manual)
         if there >= 4:
-            out += _ADVANCED_LOW_PASS_FILTER_SETTINGS_4.write(self.frequency)
+            out += _IMU_LOW_PASS_FILTER_4.write(self.frequency)
         if there >= 5:
-            out += _ADVANCED_LOW_PASS_FILTER_SETTINGS_5.write(self.reserved)
+            out += _IMU_LOW_PASS_FILTER_5.write(self.reserved)
         return codec.finished(out)
 
 
-_COMPLEMENTARY_FILTER_CONFIGURATION_0 = codec.Block("B", "function")
-_COMPLEMENTARY_FILTER_CONFIGURATION_1 = codec.Block("B", "pitch_roll_enable")
-_COMPLEMENTARY_FILTER_CONFIGURATION_2 = codec.Block("B", "heading_enable")
-_COMPLEMENTARY_FILTER_CONFIGURATION_3 = codec.Block("f", "pitch_roll_time_constant")
-_COMPLEMENTARY_FILTER_CONFIGURATION_4 = codec.Block("f", "heading_time_constant")
-_COMPLEMENTARY_FILTER_CONFIGURATION_GROUPS = (
+_COMPLEMENTARY_FILTER_0 = codec.Block("B", "function")
+_COMPLEMENTARY_FILTER_1 = codec.Block("B", "pitch_roll_enable")
+_COMPLEMENTARY_FILTER_2 = codec.Block("B", "heading_enable")
+_COMPLEMENTARY_FILTER_3 = codec.Block("f", "pitch_roll_time_constant")
+_COMPLEMENTARY_FILTER_4 = codec.Block("f", "heading_time_constant")
+_COMPLEMENTARY_FILTER_GROUPS = (
     (1, ("pitch_roll_enable",), False),
     (2, ("heading_enable",), False),
     (3, ("pitch_roll_time_constant",), False),
@@ -4920,16 +5851,18 @@ _COMPLEMENTARY_FILTER_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class ComplementaryFilterConfiguration(Command):
+class ComplementaryFilter(Command):
     """Complementary Filter Configuration (0x0C,0x51).
 
     Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
-    Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
-    The heading follows the magnetometer, if the device has one.
-    The device refuses time constants out of range.
-    The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ComplementaryFilterResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero. The
+    heading follows the magnetometer, if the device has one. The device refuses time constants out
+    of range. The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
     compatibility.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -4937,27 +5870,31 @@ class ComplementaryFilterConfiguration(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x51
-    NAME = "3dm.complementary_filter_configuration"
+    NAME = "3dm.complementary_filter"
     ROLE = "command"
-    RESPONSES = (ComplementaryFilterConfigurationResponse,)
+    RESPONSES = (ComplementaryFilterResponse,)
     REQUIRED = {1: 4, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     pitch_roll_enable: bool | None = None
-    """Corrects pitch and roll (up, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
+    """Corrects pitch and roll (up, in terms of the 5-series). Required for `write`.
+
+    - On the 3DM-GX5-15: default true.
     """
     heading_enable: bool | None = None
-    """Corrects the heading (north, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
+    """Corrects the heading (north, in terms of the 5-series). Required for `write`.
+
+    - On the 3DM-GX5-15: default true.
     """
     pitch_roll_time_constant: float | None = None
-    """Time constant of the correction of pitch and roll. [s] Range: 1 to 1000. Factory default:
-    10.
+    """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
+    Required for `write`.
     """
     heading_time_constant: float | None = None
-    """Time constant of the correction of the heading. [s] Range: 1 to 1000. Factory default: 10."""
+    """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -4966,7 +5903,7 @@ class ComplementaryFilterConfiguration(Command):
         heading_enable: bool,
         pitch_roll_time_constant: float,
         heading_time_constant: float,
-    ) -> ComplementaryFilterConfiguration:
+    ) -> ComplementaryFilter:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -4977,38 +5914,38 @@ class ComplementaryFilterConfiguration(Command):
         )
 
     @classmethod
-    def read(cls) -> ComplementaryFilterConfiguration:
+    def read(cls) -> ComplementaryFilter:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ComplementaryFilterConfiguration:
+    def save(cls) -> ComplementaryFilter:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ComplementaryFilterConfiguration:
+    def load(cls) -> ComplementaryFilter:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ComplementaryFilterConfiguration:
+    def default(cls) -> ComplementaryFilter:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return ComplementaryFilterConfigurationResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ComplementaryFilterResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilter, int]:
         pitch_roll_enable: bool | None = None
         heading_enable: bool | None = None
         pitch_roll_time_constant: float | None = None
         heading_time_constant: float | None = None
-        v = _COMPLEMENTARY_FILTER_CONFIGURATION_0.read(raw, at)
+        v = _COMPLEMENTARY_FILTER_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -5016,25 +5953,25 @@ class ComplementaryFilterConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _COMPLEMENTARY_FILTER_CONFIGURATION_1.read(raw, at)
+            v = _COMPLEMENTARY_FILTER_1.read(raw, at)
             at += 1
             pitch_roll_enable = codec.truth(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _COMPLEMENTARY_FILTER_CONFIGURATION_2.read(raw, at)
+            v = _COMPLEMENTARY_FILTER_2.read(raw, at)
             at += 1
             heading_enable = codec.truth(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _COMPLEMENTARY_FILTER_CONFIGURATION_3.read(raw, at)
+            v = _COMPLEMENTARY_FILTER_3.read(raw, at)
             at += 4
             pitch_roll_time_constant = v[0]
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _COMPLEMENTARY_FILTER_CONFIGURATION_4.read(raw, at)
+            v = _COMPLEMENTARY_FILTER_4.read(raw, at)
             at += 4
             heading_time_constant = v[0]
             done, end = 4, at
@@ -5051,17 +5988,17 @@ class ComplementaryFilterConfiguration(Command):
         ), at
 
     def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_CONFIGURATION_0.write(self.function)
+        out = _COMPLEMENTARY_FILTER_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _COMPLEMENTARY_FILTER_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _COMPLEMENTARY_FILTER_GROUPS)
         if there >= 1:
-            out += _COMPLEMENTARY_FILTER_CONFIGURATION_1.write(self.pitch_roll_enable)
+            out += _COMPLEMENTARY_FILTER_1.write(self.pitch_roll_enable)
         if there >= 2:
-            out += _COMPLEMENTARY_FILTER_CONFIGURATION_2.write(self.heading_enable)
+            out += _COMPLEMENTARY_FILTER_2.write(self.heading_enable)
         if there >= 3:
-            out += _COMPLEMENTARY_FILTER_CONFIGURATION_3.write(self.pitch_roll_time_constant)
+            out += _COMPLEMENTARY_FILTER_3.write(self.pitch_roll_time_constant)
         if there >= 4:
-            out += _COMPLEMENTARY_FILTER_CONFIGURATION_4.write(self.heading_time_constant)
+            out += _COMPLEMENTARY_FILTER_4.write(self.heading_time_constant)
         return codec.finished(out)
 
 
@@ -5076,9 +6013,12 @@ class SensorRange(Command):
     """Sensor Range (0x0C,0x52).
 
     Measuring range of a sensor.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
+
     The get calibrated sensor ranges command lists the settings. The device may refuse others or
     measure wrongly.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -5095,7 +6035,7 @@ class SensorRange(Command):
     sensor: SensorRangeType | None = None
     """The sensor."""
     setting: int | None = None
-    """Number of the range."""
+    """Number of the range. Required for `write`."""
 
     @classmethod
     def write(cls, sensor: SensorRangeType, setting: int) -> SensorRange:
@@ -5123,8 +6063,8 @@ class SensorRange(Command):
         return cls(FunctionSelector.DEFAULT, sensor=sensor)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return SensorRangeResponse
         return None
 
@@ -5175,6 +6115,8 @@ class GetCalibratedSensorRanges(Command):
     """Get Calibrated Sensor Ranges (0x0C,0x53).
 
     Asks for the ranges that a sensor supports.
+
+    Also called `calibrated_sensor_ranges`. Answered by `GetCalibratedSensorRangesResponse`.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
@@ -5201,15 +6143,15 @@ class GetCalibratedSensorRanges(Command):
         return codec.finished(out)
 
 
-_LOW_PASS_ANTI_ALIASING_FILTER_0 = codec.Block("B", "function")
-_LOW_PASS_ANTI_ALIASING_FILTER_1 = codec.Block("B", "desc_set")
-_LOW_PASS_ANTI_ALIASING_FILTER_2 = codec.Block("B", "field_desc")
-_LOW_PASS_ANTI_ALIASING_FILTER_3 = codec.Block("B", "enable")
-_LOW_PASS_ANTI_ALIASING_FILTER_4 = codec.Block("B", "manual")
-_LOW_PASS_ANTI_ALIASING_FILTER_5 = codec.Block("f", "frequency")
-_LOW_PASS_ANTI_ALIASING_FILTER_GROUPS = (
-    (1, ("desc_set",), False),
-    (2, ("field_desc",), False),
+_LOW_PASS_FILTER_0 = codec.Block("B", "function")
+_LOW_PASS_FILTER_1 = codec.Block("B", "descriptor_set")
+_LOW_PASS_FILTER_2 = codec.Block("B", "field_descriptor")
+_LOW_PASS_FILTER_3 = codec.Block("B", "enable")
+_LOW_PASS_FILTER_4 = codec.Block("B", "manual")
+_LOW_PASS_FILTER_5 = codec.Block("f", "frequency")
+_LOW_PASS_FILTER_GROUPS = (
+    (1, ("descriptor_set",), False),
+    (2, ("field_descriptor",), False),
     (3, ("enable",), False),
     (4, ("manual",), False),
     (5, ("frequency",), False),
@@ -5217,84 +6159,106 @@ _LOW_PASS_ANTI_ALIASING_FILTER_GROUPS = (
 
 
 @dataclass(slots=True)
-class LowPassAntiAliasingFilter(Command):
+class LowPassFilter(Command):
     """Low-Pass Anti-Aliasing Filter (0x0C,0x54).
 
     Low-pass filter of a data field.
+
+    Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `LowPassFilterResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x54
-    NAME = "3dm.low_pass_anti_aliasing_filter"
+    NAME = "3dm.low_pass_filter"
     ROLE = "command"
-    RESPONSES = (LowPassAntiAliasingFilterResponse,)
+    RESPONSES = (LowPassFilterResponse,)
     REQUIRED = {1: 5, 2: 2, 3: 2, 4: 2, 5: 2}
 
     function: FunctionSelector
     """What to do with the setting."""
-    desc_set: int | None = None
+    descriptor_set: int | None = None
     """Descriptor set of the field."""
-    field_desc: int | None = None
+    field_descriptor: int | None = None
     """Field descriptor; 0 if the set is 0."""
     enable: bool | None = None
-    """Whether the field is filtered."""
+    """Whether the field is filtered. Required for `write`."""
     manual: bool | None = None
-    """True uses the frequency; false follows half the rate of the field in the message format."""
+    """True uses the frequency; false follows half the rate of the field in the message format.
+    Required for `write`.
+    """
     frequency: float | None = None
-    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. [Hz]"""
+    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
-        cls, desc_set: int, field_desc: int, enable: bool, manual: bool, frequency: float
-    ) -> LowPassAntiAliasingFilter:
+        cls,
+        descriptor_set: int,
+        field_descriptor: int,
+        enable: bool,
+        manual: bool,
+        frequency: float,
+    ) -> LowPassFilter:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
-            desc_set=desc_set,
-            field_desc=field_desc,
+            descriptor_set=descriptor_set,
+            field_descriptor=field_descriptor,
             enable=enable,
             manual=manual,
             frequency=frequency,
         )
 
     @classmethod
-    def read(cls, desc_set: int, field_desc: int) -> LowPassAntiAliasingFilter:
+    def read(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
         """Send the current setting back in a response."""
-        return cls(FunctionSelector.READ, desc_set=desc_set, field_desc=field_desc)
+        return cls(
+            FunctionSelector.READ, descriptor_set=descriptor_set, field_descriptor=field_descriptor
+        )
 
     @classmethod
-    def save(cls, desc_set: int, field_desc: int) -> LowPassAntiAliasingFilter:
+    def save(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
         """Save the current setting to non-volatile memory."""
-        return cls(FunctionSelector.SAVE, desc_set=desc_set, field_desc=field_desc)
+        return cls(
+            FunctionSelector.SAVE, descriptor_set=descriptor_set, field_descriptor=field_descriptor
+        )
 
     @classmethod
-    def load(cls, desc_set: int, field_desc: int) -> LowPassAntiAliasingFilter:
+    def load(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
         """Load the saved setting."""
-        return cls(FunctionSelector.LOAD, desc_set=desc_set, field_desc=field_desc)
+        return cls(
+            FunctionSelector.LOAD, descriptor_set=descriptor_set, field_descriptor=field_descriptor
+        )
 
     @classmethod
-    def default(cls, desc_set: int, field_desc: int) -> LowPassAntiAliasingFilter:
+    def default(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
         """Load the factory default setting."""
-        return cls(FunctionSelector.DEFAULT, desc_set=desc_set, field_desc=field_desc)
+        return cls(
+            FunctionSelector.DEFAULT,
+            descriptor_set=descriptor_set,
+            field_descriptor=field_descriptor,
+        )
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return LowPassAntiAliasingFilterResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return LowPassFilterResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LowPassAntiAliasingFilter, int]:
-        desc_set: int | None = None
-        field_desc: int | None = None
+    def _read(cls, raw: bytes, at: int) -> tuple[LowPassFilter, int]:
+        descriptor_set: int | None = None
+        field_descriptor: int | None = None
         enable: bool | None = None
         manual: bool | None = None
         frequency: float | None = None
-        v = _LOW_PASS_ANTI_ALIASING_FILTER_0.read(raw, at)
+        v = _LOW_PASS_FILTER_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -5302,31 +6266,31 @@ class LowPassAntiAliasingFilter(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _LOW_PASS_ANTI_ALIASING_FILTER_1.read(raw, at)
+            v = _LOW_PASS_FILTER_1.read(raw, at)
             at += 1
-            desc_set = v[0]
+            descriptor_set = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _LOW_PASS_ANTI_ALIASING_FILTER_2.read(raw, at)
+            v = _LOW_PASS_FILTER_2.read(raw, at)
             at += 1
-            field_desc = v[0]
+            field_descriptor = v[0]
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _LOW_PASS_ANTI_ALIASING_FILTER_3.read(raw, at)
+            v = _LOW_PASS_FILTER_3.read(raw, at)
             at += 1
             enable = codec.truth(v[0])
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _LOW_PASS_ANTI_ALIASING_FILTER_4.read(raw, at)
+            v = _LOW_PASS_FILTER_4.read(raw, at)
             at += 1
             manual = codec.truth(v[0])
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
-            v = _LOW_PASS_ANTI_ALIASING_FILTER_5.read(raw, at)
+            v = _LOW_PASS_FILTER_5.read(raw, at)
             at += 4
             frequency = v[0]
             done, end = 5, at
@@ -5334,22 +6298,22 @@ class LowPassAntiAliasingFilter(Command):
             if done < required:
                 raise
         at = end
-        return cls(function, desc_set, field_desc, enable, manual, frequency), at
+        return cls(function, descriptor_set, field_descriptor, enable, manual, frequency), at
 
     def _write(self) -> bytes:
-        out = _LOW_PASS_ANTI_ALIASING_FILTER_0.write(self.function)
+        out = _LOW_PASS_FILTER_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _LOW_PASS_ANTI_ALIASING_FILTER_GROUPS)
+        there = codec.present(self, required, _LOW_PASS_FILTER_GROUPS)
         if there >= 1:
-            out += _LOW_PASS_ANTI_ALIASING_FILTER_1.write(self.desc_set)
+            out += _LOW_PASS_FILTER_1.write(self.descriptor_set)
         if there >= 2:
-            out += _LOW_PASS_ANTI_ALIASING_FILTER_2.write(self.field_desc)
+            out += _LOW_PASS_FILTER_2.write(self.field_descriptor)
         if there >= 3:
-            out += _LOW_PASS_ANTI_ALIASING_FILTER_3.write(self.enable)
+            out += _LOW_PASS_FILTER_3.write(self.enable)
         if there >= 4:
-            out += _LOW_PASS_ANTI_ALIASING_FILTER_4.write(self.manual)
+            out += _LOW_PASS_FILTER_4.write(self.manual)
         if there >= 5:
-            out += _LOW_PASS_ANTI_ALIASING_FILTER_5.write(self.frequency)
+            out += _LOW_PASS_FILTER_5.write(self.frequency)
         return codec.finished(out)
 
 
@@ -5362,9 +6326,11 @@ class DeviceStatus(Command):
     """Device Status (0x0C,0x64).
 
     Asks for the state of the device, in one of two layouts.
-    The layouts hold for this model number only; other models answer with layouts of their own.
-    For advanced use.
+
+    For advanced use. Answered by `DeviceStatusBasicResponse` or `DeviceStatusDiagnosticResponse`.
     Supported by 3DM-GX5-15.
+
+    The layouts hold for this model number only; other models answer with layouts of their own.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     """
@@ -5375,15 +6341,16 @@ class DeviceStatus(Command):
     ROLE = "command"
     RESPONSES = (DeviceStatusBasicResponse, DeviceStatusDiagnosticResponse)
 
+    # On the wire: model_number. Model number of the 3DM-GX5-15. Always 6254.
     status_selector: DeviceStatusSelector
     """Layout of the answer."""
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x18\x6e"
+        return data[0:2] == b"\x18n"
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.status_selector == 1:
             return DeviceStatusBasicResponse
         if self.status_selector == 2:
@@ -5407,123 +6374,132 @@ class DeviceStatus(Command):
 
 
 ImuMessageFormatResponse.COMMANDS = (ImuMessageFormat,)
-EstimationFilterMessageFormatResponse.COMMANDS = (EstimationFilterMessageFormat,)
-GetImuDataBaseRateResponse.COMMANDS = (GetImuDataBaseRate,)
+GnssMessageFormatResponse.COMMANDS = (GnssMessageFormat,)
+FilterMessageFormatResponse.COMMANDS = (FilterMessageFormat,)
+GetImuBaseRateResponse.COMMANDS = (GetImuBaseRate,)
+GetGnssBaseRateResponse.COMMANDS = (GetGnssBaseRate,)
 DataStreamControlResponse.COMMANDS = (DataStreamControl,)
 UartBaudRateResponse.COMMANDS = (UartBaudRate,)
-GetEstimationFilterDataBaseRateResponse.COMMANDS = (GetEstimationFilterDataBaseRate,)
-AdvancedLowPassFilterSettingsResponse.COMMANDS = (AdvancedLowPassFilterSettings,)
+GetFilterBaseRateResponse.COMMANDS = (GetFilterBaseRate,)
+ImuLowPassFilterResponse.COMMANDS = (ImuLowPassFilter,)
 NmeaMessageFormatResponse.COMMANDS = (NmeaMessageFormat,)
-GetDataBaseRateResponse.COMMANDS = (GetDataBaseRate,)
+GetBaseRateResponse.COMMANDS = (GetBaseRate,)
 MessageFormatResponse.COMMANDS = (MessageFormat,)
 DeviceStatusBasicResponse.COMMANDS = (DeviceStatus,)
 DeviceStatusDiagnosticResponse.COMMANDS = (DeviceStatus,)
-ComplementaryFilterConfigurationResponse.COMMANDS = (ComplementaryFilterConfiguration,)
-AccelerometerBiasConfigurationResponse.COMMANDS = (AccelerometerBiasConfiguration,)
-GyroscopeBiasConfigurationResponse.COMMANDS = (GyroscopeBiasConfiguration, CaptureGyroscopeBias)
-MagnetometerHardIronOffsetResponse.COMMANDS = (MagnetometerHardIronOffset,)
-MagnetometerSoftIronMatrixResponse.COMMANDS = (MagnetometerSoftIronMatrix,)
-ConingAndScullingEnableResponse.COMMANDS = (ConingAndScullingEnable,)
+ComplementaryFilterResponse.COMMANDS = (ComplementaryFilter,)
+AccelBiasResponse.COMMANDS = (AccelBias,)
+GyroBiasResponse.COMMANDS = (GyroBias, CaptureGyroBias)
+MagHardIronOffsetResponse.COMMANDS = (MagHardIronOffset,)
+MagSoftIronMatrixResponse.COMMANDS = (MagSoftIronMatrix,)
+ConingScullingEnableResponse.COMMANDS = (ConingScullingEnable,)
+ConstellationSettingsResponse.COMMANDS = (ConstellationSettings,)
 GnssSbasSettingsResponse.COMMANDS = (GnssSbasSettings,)
+GnssAssistedFixResponse.COMMANDS = (GnssAssistedFix,)
+GnssTimeAssistanceResponse.COMMANDS = (GnssTimeAssistance,)
 PpsSourceControlResponse.COMMANDS = (PpsSourceControl,)
-SensorToVehicleFrameTransformationEulerResponse.COMMANDS = (
-    SensorToVehicleFrameTransformationEuler,
-)
-SensorToVehicleFrameTransformationQuaternionResponse.COMMANDS = (
-    SensorToVehicleFrameTransformationQuaternion,
-)
-SensorToVehicleFrameTransformationDirectionCosineMatrixResponse.COMMANDS = (
-    SensorToVehicleFrameTransformationDirectionCosineMatrix,
-)
-GetSupportedEventsResponse.COMMANDS = (GetSupportedEvents,)
+SensorToVehicleTransformEulerResponse.COMMANDS = (SensorToVehicleTransformEuler,)
+SensorToVehicleTransformQuaternionResponse.COMMANDS = (SensorToVehicleTransformQuaternion,)
+SensorToVehicleTransformDcmResponse.COMMANDS = (SensorToVehicleTransformDcm,)
+GetEventSupportResponse.COMMANDS = (GetEventSupport,)
 EventControlResponse.COMMANDS = (EventControl,)
 GetEventTriggerStatusResponse.COMMANDS = (GetEventTriggerStatus,)
 GetEventActionStatusResponse.COMMANDS = (GetEventActionStatus,)
-EventTriggerConfigurationResponse.COMMANDS = (EventTriggerConfiguration,)
-EventActionConfigurationResponse.COMMANDS = (EventActionConfiguration,)
-GpioConfigurationResponse.COMMANDS = (GpioConfiguration,)
+EventTriggerConfigResponse.COMMANDS = (EventTriggerConfig,)
+EventActionConfigResponse.COMMANDS = (EventActionConfig,)
+GpioConfigResponse.COMMANDS = (GpioConfig,)
 GpioStateResponse.COMMANDS = (GpioState,)
-OdometerConfigurationResponse.COMMANDS = (OdometerConfiguration,)
+OdometerConfigResponse.COMMANDS = (OdometerConfig,)
 SensorRangeResponse.COMMANDS = (SensorRange,)
 GetCalibratedSensorRangesResponse.COMMANDS = (GetCalibratedSensorRanges,)
-LowPassAntiAliasingFilterResponse.COMMANDS = (LowPassAntiAliasingFilter,)
-
+LowPassFilterResponse.COMMANDS = (LowPassFilter,)
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (PollImuData,),
-    0x03: (PollEstimationFilterData,),
+    0x02: (PollGnssData,),
+    0x03: (PollFilterData,),
     0x04: (PollNmeaData,),
-    0x06: (GetImuDataBaseRate,),
+    0x06: (GetImuBaseRate,),
+    0x07: (GetGnssBaseRate,),
     0x08: (ImuMessageFormat,),
-    0x0A: (EstimationFilterMessageFormat,),
-    0x0B: (GetEstimationFilterDataBaseRate,),
+    0x09: (GnssMessageFormat,),
+    0x0A: (FilterMessageFormat,),
+    0x0B: (GetFilterBaseRate,),
     0x0C: (NmeaMessageFormat,),
     0x0D: (PollData,),
-    0x0E: (GetDataBaseRate,),
+    0x0E: (GetBaseRate,),
     0x0F: (MessageFormat,),
     0x10: (FactoryStreaming,),
     0x11: (DataStreamControl,),
+    0x21: (ConstellationSettings,),
     0x22: (GnssSbasSettings,),
+    0x23: (GnssAssistedFix,),
+    0x24: (GnssTimeAssistance,),
     0x28: (PpsSourceControl,),
-    0x2A: (GetSupportedEvents,),
+    0x2A: (GetEventSupport,),
     0x2B: (EventControl,),
     0x2C: (GetEventTriggerStatus,),
     0x2D: (GetEventActionStatus,),
-    0x2E: (EventTriggerConfiguration,),
-    0x2F: (EventActionConfiguration,),
-    0x30: (DeviceStartUpSettings,),
-    0x31: (SensorToVehicleFrameTransformationEuler,),
-    0x32: (SensorToVehicleFrameTransformationQuaternion,),
-    0x33: (SensorToVehicleFrameTransformationDirectionCosineMatrix,),
-    0x37: (AccelerometerBiasConfiguration,),
-    0x38: (GyroscopeBiasConfiguration,),
-    0x39: (CaptureGyroscopeBias,),
-    0x3A: (MagnetometerHardIronOffset,),
-    0x3B: (MagnetometerSoftIronMatrix,),
-    0x3E: (ConingAndScullingEnable,),
+    0x2E: (EventTriggerConfig,),
+    0x2F: (EventActionConfig,),
+    0x30: (DeviceSettings,),
+    0x31: (SensorToVehicleTransformEuler,),
+    0x32: (SensorToVehicleTransformQuaternion,),
+    0x33: (SensorToVehicleTransformDcm,),
+    0x37: (AccelBias,),
+    0x38: (GyroBias,),
+    0x39: (CaptureGyroBias,),
+    0x3A: (MagHardIronOffset,),
+    0x3B: (MagSoftIronMatrix,),
+    0x3E: (ConingScullingEnable,),
     0x40: (UartBaudRate,),
-    0x41: (GpioConfiguration,),
+    0x41: (GpioConfig,),
     0x42: (GpioState,),
-    0x43: (OdometerConfiguration,),
-    0x50: (AdvancedLowPassFilterSettings,),
-    0x51: (ComplementaryFilterConfiguration,),
+    0x43: (OdometerConfig,),
+    0x50: (ImuLowPassFilter,),
+    0x51: (ComplementaryFilter,),
     0x52: (SensorRange,),
     0x53: (GetCalibratedSensorRanges,),
-    0x54: (LowPassAntiAliasingFilter,),
+    0x54: (LowPassFilter,),
     0x64: (DeviceStatus,),
     0x80: (ImuMessageFormatResponse,),
-    0x82: (EstimationFilterMessageFormatResponse,),
-    0x83: (GetImuDataBaseRateResponse,),
+    0x81: (GnssMessageFormatResponse,),
+    0x82: (FilterMessageFormatResponse,),
+    0x83: (GetImuBaseRateResponse,),
+    0x84: (GetGnssBaseRateResponse,),
     0x85: (DataStreamControlResponse,),
     0x87: (UartBaudRateResponse,),
-    0x8A: (GetEstimationFilterDataBaseRateResponse,),
-    0x8B: (AdvancedLowPassFilterSettingsResponse,),
+    0x8A: (GetFilterBaseRateResponse,),
+    0x8B: (ImuLowPassFilterResponse,),
     0x8C: (NmeaMessageFormatResponse,),
-    0x8E: (GetDataBaseRateResponse,),
+    0x8E: (GetBaseRateResponse,),
     0x8F: (MessageFormatResponse,),
     0x90: (DeviceStatusBasicResponse, DeviceStatusDiagnosticResponse),
-    0x97: (ComplementaryFilterConfigurationResponse,),
-    0x9A: (AccelerometerBiasConfigurationResponse,),
-    0x9B: (GyroscopeBiasConfigurationResponse,),
-    0x9C: (MagnetometerHardIronOffsetResponse,),
-    0x9D: (MagnetometerSoftIronMatrixResponse,),
-    0x9E: (ConingAndScullingEnableResponse,),
+    0x97: (ComplementaryFilterResponse,),
+    0x9A: (AccelBiasResponse,),
+    0x9B: (GyroBiasResponse,),
+    0x9C: (MagHardIronOffsetResponse,),
+    0x9D: (MagSoftIronMatrixResponse,),
+    0x9E: (ConingScullingEnableResponse,),
+    0xA0: (ConstellationSettingsResponse,),
     0xA1: (GnssSbasSettingsResponse,),
+    0xA2: (GnssAssistedFixResponse,),
+    0xA3: (GnssTimeAssistanceResponse,),
     0xA8: (PpsSourceControlResponse,),
-    0xB1: (SensorToVehicleFrameTransformationEulerResponse,),
-    0xB2: (SensorToVehicleFrameTransformationQuaternionResponse,),
-    0xB3: (SensorToVehicleFrameTransformationDirectionCosineMatrixResponse,),
-    0xB4: (GetSupportedEventsResponse,),
+    0xB1: (SensorToVehicleTransformEulerResponse,),
+    0xB2: (SensorToVehicleTransformQuaternionResponse,),
+    0xB3: (SensorToVehicleTransformDcmResponse,),
+    0xB4: (GetEventSupportResponse,),
     0xB5: (EventControlResponse,),
     0xB6: (GetEventTriggerStatusResponse,),
     0xB7: (GetEventActionStatusResponse,),
-    0xB8: (EventTriggerConfigurationResponse,),
-    0xB9: (EventActionConfigurationResponse,),
-    0xC1: (GpioConfigurationResponse,),
+    0xB8: (EventTriggerConfigResponse,),
+    0xB9: (EventActionConfigResponse,),
+    0xC1: (GpioConfigResponse,),
     0xC2: (GpioStateResponse,),
-    0xC3: (OdometerConfigurationResponse,),
+    0xC3: (OdometerConfigResponse,),
     0xD2: (SensorRangeResponse,),
     0xD3: (GetCalibratedSensorRangesResponse,),
-    0xD4: (LowPassAntiAliasingFilterResponse,),
+    0xD4: (LowPassFilterResponse,),
 }

@@ -59,17 +59,14 @@ class Parser:
             self.skipped += found - at
             at = found
             size = buffer[at + 3] + OVERHEAD if end - at > 3 else OVERHEAD
-            if end - at > 2 and buffer[at + 2] == 0:
-                whole = False
-            elif end - at < size:
-                if not final:
+            candidate = b""
+            if end - at < 3 or buffer[at + 2] != 0:  # no packet has descriptor set 0
+                if end - at >= size:
+                    candidate = bytes(buffer[at : at + size])
+                elif not final:
                     break
-                whole = False
-            else:
-                packet = bytes(buffer[at : at + size])
-                whole = checksum(packet[:-2]) == packet[-2:]
-            if whole:
-                packets.append(Packet._trusted(packet))
+            if candidate and checksum(candidate[:-2]) == candidate[-2:]:
+                packets.append(Packet._trusted(candidate))
                 at += size
             else:
                 self.skipped += 1

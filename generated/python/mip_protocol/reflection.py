@@ -5,9 +5,6 @@ Importing this module imports all descriptor sets.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any
-
 from . import (
     aiding,
     base,
@@ -17,35 +14,21 @@ from . import (
     gnss_1,
     gnss_2,
     gnss_corrections,
+    gnss_data,
     gnss_external,
+    gnss_external_2,
     mip_3dm,
     protocol,
+    rtk,
     sensor,
     shared,
     system,
     system_data,
     types,
 )
+from .parameter import Parameter
 
-
-@dataclass(frozen=True)
-class Parameter:
-    """One value on the wire, in wire order. `name` is that of the specification."""
-
-    name: str
-    attribute: str
-    kind: str  # scalar, constant, counter, bits, text, array, struct or switch
-    scalar: str = ""  # u8 … s64, float, double, bool, char; bits: a bitfield in `size` bytes
-    size: int = 0
-    elements: tuple[str, ...] = ()  # of a vector
-    length: int | str | None = None  # a number, the counter's name, or "rest"
-    constant: int | None = None
-    counts: str = ""  # attribute of the array that a counter counts
-    type: Any = None  # enumeration, bitfield or structure
-    tag: str = ""  # attribute that selects a union's member
-    cases: dict[int, Parameter | None] = field(default_factory=dict)
-    units: tuple[str, ...] = ()
-
+__all__ = ["PARAMETERS", "Parameter"]
 
 #: Fields and structures -> their parameters.
 PARAMETERS: dict[type, tuple[Parameter, ...]] = {
@@ -58,17 +41,17 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("mode", "mode", "scalar", scalar="u8", type=types.EventTriggerGpioMode),
     ),
     types.EventThresholdWindow: (
-        Parameter("low_thres", "low_thres", "scalar", scalar="double"),
-        Parameter("high_thres", "high_thres", "scalar", scalar="double"),
+        Parameter("low_threshold", "low_threshold", "scalar", scalar="double"),
+        Parameter("high_threshold", "high_threshold", "scalar", scalar="double"),
     ),
     types.EventThresholdInterval: (
-        Parameter("int_thres", "int_thres", "scalar", scalar="double"),
+        Parameter("interval_threshold", "interval_threshold", "scalar", scalar="double"),
         Parameter("interval", "interval", "scalar", scalar="double"),
     ),
     types.EventTriggerThreshold: (
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
-        Parameter("field_desc", "field_desc", "scalar", scalar="u8"),
-        Parameter("param_id", "param_id", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
+        Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8"),
+        Parameter("parameter_id", "parameter_id", "scalar", scalar="u8"),
         Parameter("type", "type", "scalar", scalar="u8", type=types.EventThresholdType),
         Parameter(
             "thresholds",
@@ -90,7 +73,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("mode", "mode", "scalar", scalar="u8", type=types.EventActionGpioMode),
     ),
     types.EventActionMessage: (
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter("decimation", "decimation", "scalar", scalar="u16"),
         Parameter("num_fields", "num_fields", "counter", scalar="u8", counts="descriptors"),
         Parameter("descriptors", "descriptors", "array", scalar="u8", length="num_fields"),
@@ -98,7 +81,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     types.NmeaMessage: (
         Parameter("message_id", "message_id", "scalar", scalar="u8", type=types.NmeaMessageId),
         Parameter("talker_id", "talker_id", "scalar", scalar="u8", type=types.NmeaTalkerId),
-        Parameter("source_desc_set", "source_desc_set", "scalar", scalar="u8"),
+        Parameter("source_descriptor_set", "source_descriptor_set", "scalar", scalar="u8"),
         Parameter("decimation", "decimation", "scalar", scalar="u16"),
     ),
     types.DescriptorRate: (
@@ -114,14 +97,14 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("device_options", "device_options", "text", scalar="char", length=16),
     ),
     base.Ping: (),
-    base.SetToIdle: (),
-    base.GetDeviceInformation: (),
+    base.SetIdle: (),
+    base.GetDeviceInfo: (),
     base.GetDeviceDescriptors: (),
     base.BuiltInTest: (),
     base.Resume: (),
-    base.GetDeviceDescriptorsExtended: (),
+    base.GetExtendedDescriptors: (),
     base.ContinuousBuiltInTest: (),
-    base.CommPortSpeed: (
+    base.CommSpeed: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("port", "port", "scalar", scalar="u8"),
         Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
@@ -131,8 +114,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("field_id", "field_id", "scalar", scalar="u8", type=base.GpsTimeField),
         Parameter("value", "value", "scalar", scalar="u32"),
     ),
-    base.ResetDevice: (),
-    base.GetDeviceInformationResponse: (
+    base.SoftReset: (),
+    base.GetDeviceInfoResponse: (
         Parameter("device_info", "device_info", "struct", type=base.BaseDeviceInfo),
     ),
     base.GetDeviceDescriptorsResponse: (
@@ -142,16 +125,14 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     base.GpsTimeUpdateWeekNumberResponse: (
         Parameter("week_number", "week_number", "scalar", scalar="u32", units=("week",)),
     ),
-    base.GpsTimeUpdateTimeOfWeekResponse: (
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="u32", units=("s",)),
-    ),
-    base.GetDeviceDescriptorsExtendedResponse: (
+    base.GpsTimeUpdateTowResponse: (Parameter("tow", "tow", "scalar", scalar="u32", units=("s",)),),
+    base.GetExtendedDescriptorsResponse: (
         Parameter("descriptors", "descriptors", "array", scalar="u16", length="rest"),
     ),
     base.ContinuousBuiltInTestResponse: (
         Parameter("result", "result", "array", scalar="u8", length=16),
     ),
-    base.CommPortSpeedResponse: (
+    base.CommSpeedResponse: (
         Parameter("port", "port", "scalar", scalar="u8"),
         Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
     ),
@@ -159,7 +140,26 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("descriptor", "descriptor", "scalar", scalar="u8"),
         Parameter("reserved", "reserved", "scalar", scalar="u16"),
     ),
-    mip_3dm.SupportedEventInfo: (
+    mip_3dm.ConstellationSettingsEntry: (
+        Parameter(
+            "constellation_id",
+            "constellation_id",
+            "scalar",
+            scalar="u8",
+            type=mip_3dm.ConstellationId,
+        ),
+        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("reserved_channels", "reserved_channels", "scalar", scalar="u8", units=("1",)),
+        Parameter("max_channels", "max_channels", "scalar", scalar="u8", units=("1",)),
+        Parameter(
+            "option_flags",
+            "option_flags",
+            "scalar",
+            scalar="u16",
+            type=mip_3dm.ConstellationOptions,
+        ),
+    ),
+    mip_3dm.EventSupportInfo: (
         Parameter("type", "type", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8", units=("1",)),
     ),
@@ -184,7 +184,16 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "descriptors", "descriptors", "array", length="num_descriptors", type=mip_3dm.PollEntry
         ),
     ),
-    mip_3dm.PollEstimationFilterData: (
+    mip_3dm.PollGnssData: (
+        Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
+        Parameter(
+            "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
+        ),
+        Parameter(
+            "descriptors", "descriptors", "array", length="num_descriptors", type=mip_3dm.PollEntry
+        ),
+    ),
+    mip_3dm.PollFilterData: (
         Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
         Parameter(
             "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
@@ -200,7 +209,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "format_entries", "format_entries", "array", length="count", type=types.NmeaMessage
         ),
     ),
-    mip_3dm.GetImuDataBaseRate: (),
+    mip_3dm.GetImuBaseRate: (),
+    mip_3dm.GetGnssBaseRate: (),
     mip_3dm.ImuMessageFormat: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
@@ -214,7 +224,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=types.DescriptorRate,
         ),
     ),
-    mip_3dm.EstimationFilterMessageFormat: (
+    mip_3dm.GnssMessageFormat: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
@@ -227,7 +237,20 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=types.DescriptorRate,
         ),
     ),
-    mip_3dm.GetEstimationFilterDataBaseRate: (),
+    mip_3dm.FilterMessageFormat: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
+        ),
+        Parameter(
+            "descriptors",
+            "descriptors",
+            "array",
+            length="num_descriptors",
+            type=types.DescriptorRate,
+        ),
+    ),
+    mip_3dm.GetFilterBaseRate: (),
     mip_3dm.NmeaMessageFormat: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("count", "count", "counter", scalar="u8", counts="format_entries"),
@@ -236,17 +259,17 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     mip_3dm.PollData: (
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
         Parameter(
             "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
         ),
         Parameter("descriptors", "descriptors", "array", scalar="u8", length="num_descriptors"),
     ),
-    mip_3dm.GetDataBaseRate: (Parameter("desc_set", "desc_set", "scalar", scalar="u8"),),
+    mip_3dm.GetBaseRate: (Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),),
     mip_3dm.MessageFormat: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter(
             "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
         ),
@@ -264,8 +287,20 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     mip_3dm.DataStreamControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter("enable", "enable", "scalar", scalar="bool"),
+    ),
+    mip_3dm.ConstellationSettings: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("max_channels", "max_channels", "scalar", scalar="u16", units=("1",)),
+        Parameter("config_count", "config_count", "counter", scalar="u8", counts="settings"),
+        Parameter(
+            "settings",
+            "settings",
+            "array",
+            length="config_count",
+            type=mip_3dm.ConstellationSettingsEntry,
+        ),
     ),
     mip_3dm.GnssSbasSettings: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -278,12 +313,23 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "included_prns", "included_prns", "array", scalar="u16", length="num_included_prns"
         ),
     ),
+    mip_3dm.GnssAssistedFix: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("option", "option", "scalar", scalar="u8", type=mip_3dm.AssistedFixOption),
+        Parameter("flags", "flags", "scalar", scalar="u8"),
+    ),
+    mip_3dm.GnssTimeAssistance: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter("accuracy", "accuracy", "scalar", scalar="float", units=("s",)),
+    ),
     mip_3dm.PpsSourceControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("source", "source", "scalar", scalar="u8", type=mip_3dm.PpsSource),
     ),
-    mip_3dm.GetSupportedEvents: (
-        Parameter("query", "query", "scalar", scalar="u8", type=mip_3dm.SupportedEventsQuery),
+    mip_3dm.GetEventSupport: (
+        Parameter("query", "query", "scalar", scalar="u8", type=mip_3dm.EventSupportQuery),
     ),
     mip_3dm.EventControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -322,7 +368,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             length="requested_count",
         ),
     ),
-    mip_3dm.EventTriggerConfiguration: (
+    mip_3dm.EventTriggerConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("instance", "instance", "scalar", scalar="u8"),
         Parameter("type", "type", "scalar", scalar="u8", type=types.EventTriggerType),
@@ -341,7 +387,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             },
         ),
     ),
-    mip_3dm.EventActionConfiguration: (
+    mip_3dm.EventActionConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("instance", "instance", "scalar", scalar="u8"),
         Parameter("trigger", "trigger", "scalar", scalar="u8"),
@@ -358,20 +404,20 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             },
         ),
     ),
-    mip_3dm.DeviceStartUpSettings: (
+    mip_3dm.DeviceSettings: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
     ),
-    mip_3dm.SensorToVehicleFrameTransformationEuler: (
+    mip_3dm.SensorToVehicleTransformEuler: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
         Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
         Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",)),
     ),
-    mip_3dm.SensorToVehicleFrameTransformationQuaternion: (
+    mip_3dm.SensorToVehicleTransformQuaternion: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
     ),
-    mip_3dm.SensorToVehicleFrameTransformationDirectionCosineMatrix: (
+    mip_3dm.SensorToVehicleTransformDcm: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "dcm",
@@ -382,37 +428,37 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("1",),
         ),
     ),
-    mip_3dm.AccelerometerBiasConfiguration: (
+    mip_3dm.AccelBias: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",)),
     ),
-    mip_3dm.GyroscopeBiasConfiguration: (
+    mip_3dm.GyroBias: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
         ),
     ),
-    mip_3dm.CaptureGyroscopeBias: (
+    mip_3dm.CaptureGyroBias: (
         Parameter("averaging_time_ms", "averaging_time_ms", "scalar", scalar="u16", units=("ms",)),
     ),
-    mip_3dm.MagnetometerHardIronOffset: (
+    mip_3dm.MagHardIronOffset: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
         ),
     ),
-    mip_3dm.MagnetometerSoftIronMatrix: (
+    mip_3dm.MagSoftIronMatrix: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
-            "offset",
-            "offset",
+            "matrix",
+            "matrix",
             "array",
             scalar="float",
             elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
             units=("1",),
         ),
     ),
-    mip_3dm.ConingAndScullingEnable: (
+    mip_3dm.ConingScullingEnable: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="bool"),
     ),
@@ -420,7 +466,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
     ),
-    mip_3dm.GpioConfiguration: (
+    mip_3dm.GpioConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("pin", "pin", "scalar", scalar="u8"),
         Parameter("feature", "feature", "scalar", scalar="u8", type=types.GpioFeature),
@@ -432,13 +478,13 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("pin", "pin", "scalar", scalar="u8"),
         Parameter("state", "state", "scalar", scalar="bool"),
     ),
-    mip_3dm.OdometerConfiguration: (
+    mip_3dm.OdometerConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("mode", "mode", "scalar", scalar="u8", type=mip_3dm.OdometerMode),
         Parameter("scaling", "scaling", "scalar", scalar="float", units=("pulse/m",)),
         Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("1",)),
     ),
-    mip_3dm.AdvancedLowPassFilterSettings: (
+    mip_3dm.ImuLowPassFilter: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("target_descriptor", "target_descriptor", "scalar", scalar="u8"),
         Parameter("enable", "enable", "scalar", scalar="bool"),
@@ -446,7 +492,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("frequency", "frequency", "scalar", scalar="u16", units=("Hz",)),
         Parameter("reserved", "reserved", "scalar", scalar="u8"),
     ),
-    mip_3dm.ComplementaryFilterConfiguration: (
+    mip_3dm.ComplementaryFilter: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("pitch_roll_enable", "pitch_roll_enable", "scalar", scalar="bool"),
         Parameter("heading_enable", "heading_enable", "scalar", scalar="bool"),
@@ -469,10 +515,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     mip_3dm.GetCalibratedSensorRanges: (
         Parameter("sensor", "sensor", "scalar", scalar="u8", type=mip_3dm.SensorRangeType),
     ),
-    mip_3dm.LowPassAntiAliasingFilter: (
+    mip_3dm.LowPassFilter: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
-        Parameter("field_desc", "field_desc", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
+        Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8"),
         Parameter("enable", "enable", "scalar", scalar="bool"),
         Parameter("manual", "manual", "scalar", scalar="bool"),
         Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
@@ -499,7 +545,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=types.DescriptorRate,
         ),
     ),
-    mip_3dm.EstimationFilterMessageFormatResponse: (
+    mip_3dm.GnssMessageFormatResponse: (
         Parameter(
             "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
         ),
@@ -511,20 +557,35 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=types.DescriptorRate,
         ),
     ),
-    mip_3dm.GetImuDataBaseRateResponse: (
+    mip_3dm.FilterMessageFormatResponse: (
+        Parameter(
+            "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
+        ),
+        Parameter(
+            "descriptors",
+            "descriptors",
+            "array",
+            length="num_descriptors",
+            type=types.DescriptorRate,
+        ),
+    ),
+    mip_3dm.GetImuBaseRateResponse: (
+        Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
+    ),
+    mip_3dm.GetGnssBaseRateResponse: (
         Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
     ),
     mip_3dm.DataStreamControlResponse: (
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter("enabled", "enabled", "scalar", scalar="bool"),
     ),
     mip_3dm.UartBaudRateResponse: (
         Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
     ),
-    mip_3dm.GetEstimationFilterDataBaseRateResponse: (
+    mip_3dm.GetFilterBaseRateResponse: (
         Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
     ),
-    mip_3dm.AdvancedLowPassFilterSettingsResponse: (
+    mip_3dm.ImuLowPassFilterResponse: (
         Parameter("target_descriptor", "target_descriptor", "scalar", scalar="u8"),
         Parameter("enable", "enable", "scalar", scalar="bool"),
         Parameter("manual", "manual", "scalar", scalar="bool"),
@@ -537,12 +598,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "format_entries", "format_entries", "array", length="count", type=types.NmeaMessage
         ),
     ),
-    mip_3dm.GetDataBaseRateResponse: (
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
+    mip_3dm.GetBaseRateResponse: (
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
     ),
     mip_3dm.MessageFormatResponse: (
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter(
             "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
         ),
@@ -576,24 +637,28 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "filter_dropped_packets", "filter_dropped_packets", "scalar", scalar="u32", units=("1",)
         ),
         Parameter(
-            "com_port_bytes_written",
-            "com_port_bytes_written",
+            "comm_port_bytes_written",
+            "comm_port_bytes_written",
             "scalar",
             scalar="u32",
             units=("byte",),
         ),
         Parameter(
-            "com_port_bytes_read", "com_port_bytes_read", "scalar", scalar="u32", units=("byte",)
+            "comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)
         ),
         Parameter(
-            "com_port_write_overruns",
-            "com_port_write_overruns",
+            "comm_port_write_overruns",
+            "comm_port_write_overruns",
             "scalar",
             scalar="u32",
             units=("1",),
         ),
         Parameter(
-            "com_port_read_overruns", "com_port_read_overruns", "scalar", scalar="u32", units=("1",)
+            "comm_port_read_overruns",
+            "comm_port_read_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
         ),
         Parameter("imu_parser_errors", "imu_parser_errors", "scalar", scalar="u32", units=("1",)),
         Parameter("imu_message_count", "imu_message_count", "scalar", scalar="u32", units=("1",)),
@@ -601,7 +666,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "imu_last_message_time", "imu_last_message_time", "scalar", scalar="u32", units=("ms",)
         ),
     ),
-    mip_3dm.ComplementaryFilterConfigurationResponse: (
+    mip_3dm.ComplementaryFilterResponse: (
         Parameter("pitch_roll_enable", "pitch_roll_enable", "scalar", scalar="bool"),
         Parameter("heading_enable", "heading_enable", "scalar", scalar="bool"),
         Parameter(
@@ -615,31 +680,43 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "heading_time_constant", "heading_time_constant", "scalar", scalar="float", units=("s",)
         ),
     ),
-    mip_3dm.AccelerometerBiasConfigurationResponse: (
+    mip_3dm.AccelBiasResponse: (
         Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",)),
     ),
-    mip_3dm.GyroscopeBiasConfigurationResponse: (
+    mip_3dm.GyroBiasResponse: (
         Parameter(
             "bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
         ),
     ),
-    mip_3dm.MagnetometerHardIronOffsetResponse: (
+    mip_3dm.MagHardIronOffsetResponse: (
         Parameter(
             "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
         ),
     ),
-    mip_3dm.MagnetometerSoftIronMatrixResponse: (
+    mip_3dm.MagSoftIronMatrixResponse: (
         Parameter(
-            "offset",
-            "offset",
+            "matrix",
+            "matrix",
             "array",
             scalar="float",
             elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
             units=("1",),
         ),
     ),
-    mip_3dm.ConingAndScullingEnableResponse: (
-        Parameter("enable", "enable", "scalar", scalar="bool"),
+    mip_3dm.ConingScullingEnableResponse: (Parameter("enable", "enable", "scalar", scalar="bool"),),
+    mip_3dm.ConstellationSettingsResponse: (
+        Parameter(
+            "max_channels_available", "max_channels_available", "scalar", scalar="u16", units=("1",)
+        ),
+        Parameter("max_channels_use", "max_channels_use", "scalar", scalar="u16", units=("1",)),
+        Parameter("config_count", "config_count", "counter", scalar="u8", counts="settings"),
+        Parameter(
+            "settings",
+            "settings",
+            "array",
+            length="config_count",
+            type=mip_3dm.ConstellationSettingsEntry,
+        ),
     ),
     mip_3dm.GnssSbasSettingsResponse: (
         Parameter("enable_sbas", "enable_sbas", "scalar", scalar="u8"),
@@ -651,18 +728,27 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "included_prns", "included_prns", "array", scalar="u16", length="num_included_prns"
         ),
     ),
+    mip_3dm.GnssAssistedFixResponse: (
+        Parameter("option", "option", "scalar", scalar="u8", type=mip_3dm.AssistedFixOption),
+        Parameter("flags", "flags", "scalar", scalar="u8"),
+    ),
+    mip_3dm.GnssTimeAssistanceResponse: (
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter("accuracy", "accuracy", "scalar", scalar="float", units=("s",)),
+    ),
     mip_3dm.PpsSourceControlResponse: (
         Parameter("source", "source", "scalar", scalar="u8", type=mip_3dm.PpsSource),
     ),
-    mip_3dm.SensorToVehicleFrameTransformationEulerResponse: (
+    mip_3dm.SensorToVehicleTransformEulerResponse: (
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
         Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
         Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",)),
     ),
-    mip_3dm.SensorToVehicleFrameTransformationQuaternionResponse: (
+    mip_3dm.SensorToVehicleTransformQuaternionResponse: (
         Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
     ),
-    mip_3dm.SensorToVehicleFrameTransformationDirectionCosineMatrixResponse: (
+    mip_3dm.SensorToVehicleTransformDcmResponse: (
         Parameter(
             "dcm",
             "dcm",
@@ -672,12 +758,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("1",),
         ),
     ),
-    mip_3dm.GetSupportedEventsResponse: (
-        Parameter("query", "query", "scalar", scalar="u8", type=mip_3dm.SupportedEventsQuery),
+    mip_3dm.GetEventSupportResponse: (
+        Parameter("query", "query", "scalar", scalar="u8", type=mip_3dm.EventSupportQuery),
         Parameter("max_instances", "max_instances", "scalar", scalar="u8", units=("1",)),
         Parameter("num_entries", "num_entries", "counter", scalar="u8", counts="entries"),
         Parameter(
-            "entries", "entries", "array", length="num_entries", type=mip_3dm.SupportedEventInfo
+            "entries", "entries", "array", length="num_entries", type=mip_3dm.EventSupportInfo
         ),
     ),
     mip_3dm.EventControlResponse: (
@@ -696,7 +782,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "actions", "actions", "array", length="count", type=mip_3dm.EventActionStatusEntry
         ),
     ),
-    mip_3dm.EventTriggerConfigurationResponse: (
+    mip_3dm.EventTriggerConfigResponse: (
         Parameter("instance", "instance", "scalar", scalar="u8"),
         Parameter("type", "type", "scalar", scalar="u8", type=types.EventTriggerType),
         Parameter(
@@ -714,7 +800,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             },
         ),
     ),
-    mip_3dm.EventActionConfigurationResponse: (
+    mip_3dm.EventActionConfigResponse: (
         Parameter("instance", "instance", "scalar", scalar="u8"),
         Parameter("trigger", "trigger", "scalar", scalar="u8"),
         Parameter("type", "type", "scalar", scalar="u8", type=types.EventActionType),
@@ -730,7 +816,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             },
         ),
     ),
-    mip_3dm.GpioConfigurationResponse: (
+    mip_3dm.GpioConfigResponse: (
         Parameter("pin", "pin", "scalar", scalar="u8"),
         Parameter("feature", "feature", "scalar", scalar="u8", type=types.GpioFeature),
         Parameter("behavior", "behavior", "scalar", scalar="u8"),
@@ -740,7 +826,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("pin", "pin", "scalar", scalar="u8"),
         Parameter("state", "state", "scalar", scalar="bool"),
     ),
-    mip_3dm.OdometerConfigurationResponse: (
+    mip_3dm.OdometerConfigResponse: (
         Parameter("mode", "mode", "scalar", scalar="u8", type=mip_3dm.OdometerMode),
         Parameter("scaling", "scaling", "scalar", scalar="float", units=("pulse/m",)),
         Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("1",)),
@@ -754,42 +840,83 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("num_ranges", "num_ranges", "counter", scalar="u8", counts="ranges"),
         Parameter("ranges", "ranges", "array", length="num_ranges", type=mip_3dm.SensorRangeEntry),
     ),
-    mip_3dm.LowPassAntiAliasingFilterResponse: (
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
-        Parameter("field_desc", "field_desc", "scalar", scalar="u8"),
+    mip_3dm.LowPassFilterResponse: (
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
+        Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8"),
         Parameter("enable", "enable", "scalar", scalar="bool"),
         Parameter("manual", "manual", "scalar", scalar="bool"),
         Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
     ),
-    filter.ResetNavigationFilter: (),
+    filter.Reset: (),
     filter.SetInitialAttitude: (
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
         Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
         Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
     ),
-    filter.SetInitialHeadingControl: (
+    filter.SetInitialHeading: (
         Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
     ),
-    filter.RunNavigationFilter: (),
-    filter.SensorToVehicleFrameTransformation: (
+    filter.Run: (),
+    filter.VehicleDynamicsMode: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("mode", "mode", "scalar", scalar="u8", type=filter.DynamicsMode),
+    ),
+    filter.SensorToVehicleRotationEuler: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
         Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
         Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",)),
     ),
-    filter.GnssAntennaOffsetControl: (
+    filter.SensorToVehicleOffset: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
         ),
     ),
-    filter.EstimationControlFlags: (
+    filter.AntennaOffset: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
+        ),
+    ),
+    filter.EstimationControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("flags", "flags", "scalar", scalar="u16", type=filter.EstimatedStates),
     ),
-    filter.GnssAidingSourceControl: (
+    filter.GnssSource: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("source", "source", "scalar", scalar="u8", type=filter.GnssAidingSource),
+    ),
+    filter.ExternalGnssUpdate: (
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",)),
+        Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",)),
+        Parameter("height", "height", "scalar", scalar="double", units=("m",)),
+        Parameter(
+            "velocity",
+            "velocity",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s",),
+        ),
+        Parameter(
+            "position_uncertainty",
+            "position_uncertainty",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m",),
+        ),
+        Parameter(
+            "velocity_uncertainty",
+            "velocity_uncertainty",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s",),
+        ),
     ),
     filter.ExternalHeadingUpdate: (
         Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
@@ -798,27 +925,27 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
         Parameter("type", "type", "scalar", scalar="u8", type=filter.HeadingType),
     ),
-    filter.HeadingUpdateControl: (
+    filter.HeadingSource: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("enable", "enable", "scalar", scalar="u8", type=filter.HeadingUpdateSource),
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.HeadingUpdateSource),
     ),
     filter.AutoInitializationControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="u8"),
     ),
-    filter.AccelerometerNoiseStandardDeviation: (
+    filter.AccelNoise: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
         ),
     ),
-    filter.GyroscopeNoiseStandardDeviation: (
+    filter.GyroNoise: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
         ),
     ),
-    filter.AccelerometerBiasModelParameters: (
+    filter.AccelBiasModel: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",)
@@ -827,7 +954,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
         ),
     ),
-    filter.GyroscopeBiasModelParameters: (
+    filter.GyroBiasModel: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",)
@@ -835,17 +962,22 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter(
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
         ),
+    ),
+    filter.AutoZupt: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("threshold", "threshold", "scalar", scalar="float", units=("m/s",)),
     ),
     filter.ExternalHeadingUpdateWithTime: (
-        Parameter("gps_time", "gps_time", "scalar", scalar="double", units=("s",)),
-        Parameter("gps_week", "gps_week", "scalar", scalar="u16", units=("week",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
         Parameter(
             "heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",)
         ),
         Parameter("type", "type", "scalar", scalar="u8", type=filter.HeadingType),
     ),
-    filter.ZeroAngularRateUpdateControl: (
+    filter.AutoAngularZupt: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("threshold", "threshold", "scalar", scalar="float", units=("rad/s",)),
@@ -854,30 +986,61 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("axes", "axes", "scalar", scalar="u8", type=filter.TareAxes),
     ),
-    filter.CommandedZeroAngularRateUpdate: (),
-    filter.SetReferencePosition: (
+    filter.CommandedZupt: (),
+    filter.CommandedAngularZupt: (),
+    filter.ReferencePosition: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",)),
         Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",)),
         Parameter("altitude", "altitude", "scalar", scalar="double", units=("m",)),
     ),
-    filter.GravityNoiseStandardDeviation: (
+    filter.MagCaptureAutoCalibration: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+    ),
+    filter.GravityNoise: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("g",)
         ),
     ),
-    filter.EnableDisableMeasurements: (
+    filter.PressureAltitudeNoise: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("noise", "noise", "scalar", scalar="float", units=("m",)),
+    ),
+    filter.HardIronOffsetNoise: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+        ),
+    ),
+    filter.SoftIronMatrixNoise: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+            units=("1",),
+        ),
+    ),
+    filter.EnableMeasurements: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("control", "control", "scalar", scalar="u16", type=filter.MeasurementFlags),
     ),
-    filter.MagneticFieldDeclinationSourceControl: (
+    filter.MagNoise: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("source", "source", "scalar", scalar="u8", type=filter.DeclinationSource),
+        Parameter(
+            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+        ),
+    ),
+    filter.MagneticDeclinationSource: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
         Parameter("declination", "declination", "scalar", scalar="float", units=("rad",)),
     ),
-    filter.GravityMagnitudeErrorAdaptiveMeasurement: (
+    filter.AccelMagnitudeErrorAdaptiveMeasurement: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "adaptive_measurement",
@@ -907,23 +1070,122 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("m/s^2",)
         ),
     ),
-    filter.PitchRollAidingControl: (
+    filter.MagMagnitudeErrorAdaptiveMeasurement: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "adaptive_measurement",
+            "adaptive_measurement",
+            "scalar",
+            scalar="u8",
+            type=filter.AdaptiveMeasurementSelector,
+        ),
+        Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
+        Parameter("low_limit", "low_limit", "scalar", scalar="float", units=("gauss",)),
+        Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("gauss",)),
+        Parameter(
+            "low_limit_uncertainty",
+            "low_limit_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("gauss",),
+        ),
+        Parameter(
+            "high_limit_uncertainty",
+            "high_limit_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("gauss",),
+        ),
+        Parameter(
+            "minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("gauss",)
+        ),
+    ),
+    filter.MagDipAngleErrorAdaptiveMeasurement: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("enable", "enable", "scalar", scalar="bool"),
+        Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
+        Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("rad",)),
+        Parameter(
+            "high_limit_uncertainty",
+            "high_limit_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+        ),
+        Parameter(
+            "minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("rad",)
+        ),
+    ),
+    filter.AltitudeAiding: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("selector", "selector", "scalar", scalar="u8", type=filter.AltitudeAidingSource),
+    ),
+    filter.PitchRollAiding: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("aiding", "aiding", "scalar", scalar="u8", type=filter.PitchRollAidingSource),
     ),
-    filter.AidingMeasurementControl: (
+    filter.MagneticInclinationSource: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
+        Parameter("inclination", "inclination", "scalar", scalar="float", units=("rad",)),
+    ),
+    filter.MagneticMagnitudeSource: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
+        Parameter("magnitude", "magnitude", "scalar", scalar="float", units=("gauss",)),
+    ),
+    filter.SensorToVehicleRotationDcm: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "dcm",
+            "dcm",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+            units=("1",),
+        ),
+    ),
+    filter.SensorToVehicleRotationQuaternion: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
+    ),
+    filter.AidingMeasurementEnable: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "aiding_source", "aiding_source", "scalar", scalar="u16", type=filter.AidingSource
         ),
         Parameter("enable", "enable", "scalar", scalar="bool"),
     ),
-    filter.NavigationFilterInitialization: (
+    filter.KinematicConstraint: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "accel_constraint",
+            "accel_constraint",
+            "scalar",
+            scalar="u8",
+            type=filter.AccelConstraint,
+        ),
+        Parameter(
+            "velocity_constraint",
+            "velocity_constraint",
+            "scalar",
+            scalar="u8",
+            type=filter.VelocityConstraint,
+        ),
+        Parameter(
+            "angular_constraint",
+            "angular_constraint",
+            "scalar",
+            scalar="u8",
+            type=filter.AngularConstraint,
+        ),
+    ),
+    filter.InitializationConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("wait_for_run_command", "wait_for_run_command", "scalar", scalar="u8"),
         Parameter(
-            "initial_cond_src",
-            "initial_cond_src",
+            "initial_condition_source",
+            "initial_condition_source",
             "scalar",
             scalar="u8",
             type=filter.InitialConditionSource,
@@ -961,12 +1223,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=filter.ReferenceFrame,
         ),
     ),
-    filter.AdaptiveFilterControl: (
+    filter.AdaptiveFilterOptions: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("level", "level", "scalar", scalar="u8", type=filter.AdaptiveLevel),
         Parameter("time_limit", "time_limit", "scalar", scalar="u16", units=("ms",)),
     ),
-    filter.GnssMultiAntennaOffsetControl: (
+    filter.MultiAntennaOffset: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
         Parameter(
@@ -978,7 +1240,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("m",),
         ),
     ),
-    filter.RelativePositionConfiguration: (
+    filter.RelativePositionConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("source", "source", "scalar", scalar="u8", type=filter.RelativePositionSource),
         Parameter(
@@ -999,7 +1261,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     filter.ReferencePointLeverArm: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
-            "ref_point_sel", "ref_point_sel", "scalar", scalar="u8", type=filter.ReferencePoint
+            "reference_point", "reference_point", "scalar", scalar="u8", type=filter.ReferencePoint
         ),
         Parameter(
             "lever_arm_offset",
@@ -1010,7 +1272,15 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("m",),
         ),
     ),
-    filter.MeasurementSpeedLeverArm: (
+    filter.SpeedMeasurement: (
+        Parameter("source", "source", "scalar", scalar="u8"),
+        Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
+        Parameter("speed", "speed", "scalar", scalar="float", units=("m/s",)),
+        Parameter(
+            "speed_uncertainty", "speed_uncertainty", "scalar", scalar="float", units=("m/s",)
+        ),
+    ),
+    filter.SpeedLeverArm: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("source", "source", "scalar", scalar="u8"),
         Parameter(
@@ -1022,48 +1292,60 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("m",),
         ),
     ),
+    filter.VerticalGyroConstraintControl: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("enable", "enable", "scalar", scalar="u8"),
+    ),
     filter.WheeledVehicleConstraintControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="u8"),
     ),
-    filter.GnssAntennaOffsetCalibrationControl: (
+    filter.GnssAntennaCalibrationControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("max_offset", "max_offset", "scalar", scalar="float", units=("m",)),
     ),
-    filter.SensorToVehicleFrameTransformationResponse: (
+    filter.VehicleDynamicsModeResponse: (
+        Parameter("mode", "mode", "scalar", scalar="u8", type=filter.DynamicsMode),
+    ),
+    filter.SensorToVehicleRotationEulerResponse: (
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
         Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
         Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",)),
     ),
-    filter.GnssAntennaOffsetControlResponse: (
+    filter.SensorToVehicleOffsetResponse: (
         Parameter(
             "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
         ),
     ),
-    filter.EstimationControlFlagsResponse: (
+    filter.AntennaOffsetResponse: (
+        Parameter(
+            "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
+        ),
+    ),
+    filter.EstimationControlResponse: (
         Parameter("flags", "flags", "scalar", scalar="u16", type=filter.EstimatedStates),
     ),
-    filter.GnssAidingSourceControlResponse: (
+    filter.GnssSourceResponse: (
         Parameter("source", "source", "scalar", scalar="u8", type=filter.GnssAidingSource),
     ),
-    filter.HeadingUpdateControlResponse: (
-        Parameter("enable", "enable", "scalar", scalar="u8", type=filter.HeadingUpdateSource),
+    filter.HeadingSourceResponse: (
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.HeadingUpdateSource),
     ),
     filter.AutoInitializationControlResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
     ),
-    filter.AccelerometerNoiseStandardDeviationResponse: (
+    filter.AccelNoiseResponse: (
         Parameter(
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
         ),
     ),
-    filter.GyroscopeNoiseStandardDeviationResponse: (
+    filter.GyroNoiseResponse: (
         Parameter(
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
         ),
     ),
-    filter.AccelerometerBiasModelParametersResponse: (
+    filter.AccelBiasModelResponse: (
         Parameter(
             "beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",)
         ),
@@ -1071,7 +1353,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
         ),
     ),
-    filter.GyroscopeBiasModelParametersResponse: (
+    filter.GyroBiasModelResponse: (
         Parameter(
             "beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",)
         ),
@@ -1079,29 +1361,59 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
         ),
     ),
-    filter.ZeroAngularRateUpdateControlResponse: (
+    filter.AutoZuptResponse: (
+        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("threshold", "threshold", "scalar", scalar="float", units=("m/s",)),
+    ),
+    filter.AutoAngularZuptResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("threshold", "threshold", "scalar", scalar="float", units=("rad/s",)),
     ),
-    filter.SetReferencePositionResponse: (
+    filter.ReferencePositionResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",)),
         Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",)),
         Parameter("altitude", "altitude", "scalar", scalar="double", units=("m",)),
     ),
-    filter.GravityNoiseStandardDeviationResponse: (
+    filter.GravityNoiseResponse: (
         Parameter(
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("g",)
         ),
     ),
-    filter.EnableDisableMeasurementsResponse: (
+    filter.PressureAltitudeNoiseResponse: (
+        Parameter("noise", "noise", "scalar", scalar="float", units=("m",)),
+    ),
+    filter.HardIronOffsetNoiseResponse: (
+        Parameter(
+            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+        ),
+    ),
+    filter.SoftIronMatrixNoiseResponse: (
+        Parameter(
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+            units=("1",),
+        ),
+    ),
+    filter.TareOrientationResponse: (
+        Parameter("axes", "axes", "scalar", scalar="u8", type=filter.TareAxes),
+    ),
+    filter.EnableMeasurementsResponse: (
         Parameter("control", "control", "scalar", scalar="u16", type=filter.MeasurementFlags),
     ),
-    filter.MagneticFieldDeclinationSourceControlResponse: (
-        Parameter("source", "source", "scalar", scalar="u8", type=filter.DeclinationSource),
+    filter.MagNoiseResponse: (
+        Parameter(
+            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+        ),
+    ),
+    filter.MagneticDeclinationSourceResponse: (
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
         Parameter("declination", "declination", "scalar", scalar="float", units=("rad",)),
     ),
-    filter.GravityMagnitudeErrorAdaptiveMeasurementResponse: (
+    filter.AccelMagnitudeErrorAdaptiveMeasurementResponse: (
         Parameter(
             "adaptive_measurement",
             "adaptive_measurement",
@@ -1130,20 +1442,111 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("m/s^2",)
         ),
     ),
-    filter.PitchRollAidingControlResponse: (
+    filter.MagMagnitudeErrorAdaptiveMeasurementResponse: (
+        Parameter(
+            "adaptive_measurement",
+            "adaptive_measurement",
+            "scalar",
+            scalar="u8",
+            type=filter.AdaptiveMeasurementSelector,
+        ),
+        Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
+        Parameter("low_limit", "low_limit", "scalar", scalar="float", units=("gauss",)),
+        Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("gauss",)),
+        Parameter(
+            "low_limit_uncertainty",
+            "low_limit_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("gauss",),
+        ),
+        Parameter(
+            "high_limit_uncertainty",
+            "high_limit_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("gauss",),
+        ),
+        Parameter(
+            "minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("gauss",)
+        ),
+    ),
+    filter.MagDipAngleErrorAdaptiveMeasurementResponse: (
+        Parameter("enable", "enable", "scalar", scalar="bool"),
+        Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
+        Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("rad",)),
+        Parameter(
+            "high_limit_uncertainty",
+            "high_limit_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+        ),
+        Parameter(
+            "minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("rad",)
+        ),
+    ),
+    filter.AltitudeAidingResponse: (
+        Parameter("selector", "selector", "scalar", scalar="u8", type=filter.AltitudeAidingSource),
+    ),
+    filter.PitchRollAidingResponse: (
         Parameter("aiding", "aiding", "scalar", scalar="u8", type=filter.PitchRollAidingSource),
     ),
-    filter.AidingMeasurementControlResponse: (
+    filter.MagneticInclinationSourceResponse: (
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
+        Parameter("inclination", "inclination", "scalar", scalar="float", units=("rad",)),
+    ),
+    filter.MagneticMagnitudeSourceResponse: (
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
+        Parameter("magnitude", "magnitude", "scalar", scalar="float", units=("gauss",)),
+    ),
+    filter.SensorToVehicleRotationDcmResponse: (
+        Parameter(
+            "dcm",
+            "dcm",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+            units=("1",),
+        ),
+    ),
+    filter.SensorToVehicleRotationQuaternionResponse: (
+        Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
+    ),
+    filter.AidingMeasurementEnableResponse: (
         Parameter(
             "aiding_source", "aiding_source", "scalar", scalar="u16", type=filter.AidingSource
         ),
         Parameter("enable", "enable", "scalar", scalar="bool"),
     ),
-    filter.NavigationFilterInitializationResponse: (
+    filter.KinematicConstraintResponse: (
+        Parameter(
+            "accel_constraint",
+            "accel_constraint",
+            "scalar",
+            scalar="u8",
+            type=filter.AccelConstraint,
+        ),
+        Parameter(
+            "velocity_constraint",
+            "velocity_constraint",
+            "scalar",
+            scalar="u8",
+            type=filter.VelocityConstraint,
+        ),
+        Parameter(
+            "angular_constraint",
+            "angular_constraint",
+            "scalar",
+            scalar="u8",
+            type=filter.AngularConstraint,
+        ),
+    ),
+    filter.InitializationConfigResponse: (
         Parameter("wait_for_run_command", "wait_for_run_command", "scalar", scalar="u8"),
         Parameter(
-            "initial_cond_src",
-            "initial_cond_src",
+            "initial_condition_source",
+            "initial_condition_source",
             "scalar",
             scalar="u8",
             type=filter.InitialConditionSource,
@@ -1181,11 +1584,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=filter.ReferenceFrame,
         ),
     ),
-    filter.AdaptiveFilterControlResponse: (
+    filter.AdaptiveFilterOptionsResponse: (
         Parameter("level", "level", "scalar", scalar="u8", type=filter.AdaptiveLevel),
         Parameter("time_limit", "time_limit", "scalar", scalar="u16", units=("ms",)),
     ),
-    filter.GnssMultiAntennaOffsetControlResponse: (
+    filter.MultiAntennaOffsetResponse: (
         Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
         Parameter(
             "antenna_offset",
@@ -1196,7 +1599,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("m",),
         ),
     ),
-    filter.RelativePositionConfigurationResponse: (
+    filter.RelativePositionConfigResponse: (
         Parameter("source", "source", "scalar", scalar="u8", type=filter.RelativePositionSource),
         Parameter(
             "reference_frame_selector",
@@ -1215,7 +1618,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter.ReferencePointLeverArmResponse: (
         Parameter(
-            "ref_point_sel", "ref_point_sel", "scalar", scalar="u8", type=filter.ReferencePoint
+            "reference_point", "reference_point", "scalar", scalar="u8", type=filter.ReferencePoint
         ),
         Parameter(
             "lever_arm_offset",
@@ -1226,7 +1629,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("m",),
         ),
     ),
-    filter.MeasurementSpeedLeverArmResponse: (
+    filter.SpeedLeverArmResponse: (
         Parameter("source", "source", "scalar", scalar="u8"),
         Parameter(
             "lever_arm_offset",
@@ -1237,10 +1640,13 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("m",),
         ),
     ),
+    filter.VerticalGyroConstraintControlResponse: (
+        Parameter("enable", "enable", "scalar", scalar="u8"),
+    ),
     filter.WheeledVehicleConstraintControlResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
     ),
-    filter.GnssAntennaOffsetCalibrationControlResponse: (
+    filter.GnssAntennaCalibrationControlResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("max_offset", "max_offset", "scalar", scalar="float", units=("m",)),
     ),
@@ -1250,7 +1656,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("description", "description", "text", scalar="char", length=32),
     ),
     gnss.ReceiverInfo: (),
-    gnss.SignalConfiguration: (
+    gnss.SignalConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("gps_enable", "gps_enable", "scalar", scalar="u8", type=gnss.GpsSignals),
         Parameter(
@@ -1262,7 +1668,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("beidou_enable", "beidou_enable", "scalar", scalar="u8", type=gnss.BeidouSignals),
         Parameter("reserved", "reserved", "array", scalar="u8", length=4),
     ),
-    gnss.SpartnConfiguration: (
+    gnss.RtkDongleConfig: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("reserved", "reserved", "array", scalar="u8", length=3),
+    ),
+    gnss.SpartnConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("type", "type", "scalar", scalar="u8", type=gnss.SpartnConnection),
@@ -1283,7 +1694,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=gnss.ReceiverInfoEntry,
         ),
     ),
-    gnss.SignalConfigurationResponse: (
+    gnss.SignalConfigResponse: (
         Parameter("gps_enable", "gps_enable", "scalar", scalar="u8", type=gnss.GpsSignals),
         Parameter(
             "glonass_enable", "glonass_enable", "scalar", scalar="u8", type=gnss.GlonassSignals
@@ -1294,7 +1705,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("beidou_enable", "beidou_enable", "scalar", scalar="u8", type=gnss.BeidouSignals),
         Parameter("reserved", "reserved", "array", scalar="u8", length=4),
     ),
-    gnss.SpartnConfigurationResponse: (
+    gnss.RtkDongleConfigResponse: (
+        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("reserved", "reserved", "array", scalar="u8", length=3),
+    ),
+    gnss.SpartnConfigResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("type", "type", "scalar", scalar="u8", type=gnss.SpartnConnection),
         Parameter("current_key_tow", "current_key_tow", "scalar", scalar="u32", units=("s",)),
@@ -1304,12 +1719,63 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("next_key_week", "next_key_week", "scalar", scalar="u16", units=("week",)),
         Parameter("next_key", "next_key", "array", scalar="u8", length=32),
     ),
+    rtk.GetStatusFlags: (),
+    rtk.GetImei: (),
+    rtk.GetImsi: (),
+    rtk.GetIccid: (),
+    rtk.GetRssi: (),
+    rtk.ConnectedDeviceType: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("device_type", "device_type", "scalar", scalar="u8", type=rtk.ConnectedDevice),
+    ),
+    rtk.GetActivationCode: (),
+    rtk.GetModemFirmwareVersion: (),
+    rtk.ServiceStatus: (
+        Parameter("reserved1", "reserved1", "scalar", scalar="u32"),
+        Parameter("reserved2", "reserved2", "scalar", scalar="u32"),
+    ),
+    rtk.EraseStorage: (Parameter("media", "media", "scalar", scalar="u8", type=rtk.StorageMedium),),
+    rtk.LedControl: (
+        Parameter("primary_color", "primary_color", "array", scalar="u8", length=3),
+        Parameter("alternate_color", "alternate_color", "array", scalar="u8", length=3),
+        Parameter("action", "action", "scalar", scalar="u8", type=rtk.LedAction),
+        Parameter("period", "period", "scalar", scalar="u32"),
+    ),
+    rtk.ModemHardReset: (),
+    rtk.GetStatusFlagsResponse: (
+        Parameter("flags", "flags", "scalar", scalar="u32", type=types.RtkStatusFlags),
+    ),
+    rtk.GetImeiResponse: (Parameter("imei", "imei", "text", scalar="char", length=32),),
+    rtk.GetImsiResponse: (Parameter("imsi", "imsi", "text", scalar="char", length=32),),
+    rtk.GetIccidResponse: (Parameter("iccid", "iccid", "text", scalar="char", length=32),),
+    rtk.GetRssiResponse: (
+        Parameter("valid", "valid", "scalar", scalar="bool"),
+        Parameter("rssi", "rssi", "scalar", scalar="s32"),
+        Parameter("signal_quality", "signal_quality", "scalar", scalar="s32"),
+    ),
+    rtk.ConnectedDeviceTypeResponse: (
+        Parameter("device_type", "device_type", "scalar", scalar="u8", type=rtk.ConnectedDevice),
+    ),
+    rtk.GetActivationCodeResponse: (
+        Parameter("activation_code", "activation_code", "text", scalar="char", length=32),
+    ),
+    rtk.GetModemFirmwareVersionResponse: (
+        Parameter(
+            "modem_firmware_version", "modem_firmware_version", "text", scalar="char", length=32
+        ),
+    ),
+    rtk.ServiceStatusResponse: (
+        Parameter("flags", "flags", "scalar", scalar="u8", type=rtk.ServiceFlags),
+        Parameter("received_bytes", "received_bytes", "scalar", scalar="u32", units=("byte",)),
+        Parameter("last_bytes", "last_bytes", "scalar", scalar="u32", units=("byte",)),
+        Parameter("last_bytes_time", "last_bytes_time", "scalar", scalar="u64"),
+    ),
     aiding.MeasurementTime: (
         Parameter("timebase", "timebase", "scalar", scalar="u8", type=aiding.Timebase),
         Parameter("reserved", "reserved", "scalar", scalar="u8"),
         Parameter("nanoseconds", "nanoseconds", "scalar", scalar="u64", units=("ns",)),
     ),
-    aiding.FrameConfiguration: (
+    aiding.FrameConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
         Parameter("format", "format", "scalar", scalar="u8", type=aiding.AidingFrameFormat),
@@ -1488,7 +1954,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("mbar",)),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16"),
     ),
-    aiding.FrameConfigurationResponse: (
+    aiding.FrameConfigResponse: (
         Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
         Parameter("format", "format", "scalar", scalar="u8", type=aiding.AidingFrameFormat),
         Parameter("tracking_enabled", "tracking_enabled", "scalar", scalar="bool"),
@@ -1528,12 +1994,67 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     aiding.EchoControlResponse: (
         Parameter("mode", "mode", "scalar", scalar="u8", type=aiding.AidingEchoMode),
     ),
-    system.CommunicationMode: (
+    system.InterfaceControl: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("port", "port", "scalar", scalar="u8", type=system.CommInterface),
+        Parameter(
+            "protocols_incoming",
+            "protocols_incoming",
+            "scalar",
+            scalar="u32",
+            type=system.CommProtocols,
+        ),
+        Parameter(
+            "protocols_outgoing",
+            "protocols_outgoing",
+            "scalar",
+            scalar="u32",
+            type=system.CommProtocols,
+        ),
+    ),
+    system.CommMode: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("mode", "mode", "scalar", scalar="u8", type=system.ProtocolMode),
     ),
-    system.CommunicationModeResponse: (
+    system.InterfaceControlResponse: (
+        Parameter("port", "port", "scalar", scalar="u8", type=system.CommInterface),
+        Parameter(
+            "protocols_incoming",
+            "protocols_incoming",
+            "scalar",
+            scalar="u32",
+            type=system.CommProtocols,
+        ),
+        Parameter(
+            "protocols_outgoing",
+            "protocols_outgoing",
+            "scalar",
+            scalar="u32",
+            type=system.CommProtocols,
+        ),
+    ),
+    system.CommModeResponse: (
         Parameter("mode", "mode", "scalar", scalar="u8", type=system.ProtocolMode),
+    ),
+    sensor.RawAccel: (
+        Parameter(
+            "raw_accel",
+            "raw_accel",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("1",),
+        ),
+    ),
+    sensor.RawGyro: (
+        Parameter(
+            "raw_gyro", "raw_gyro", "array", scalar="float", elements=("x", "y", "z"), units=("1",)
+        ),
+    ),
+    sensor.RawMag: (
+        Parameter(
+            "raw_mag", "raw_mag", "array", scalar="float", elements=("x", "y", "z"), units=("1",)
+        ),
     ),
     sensor.ScaledAccel: (
         Parameter(
@@ -1585,7 +2106,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("g*s",),
         ),
     ),
-    sensor.ComplementaryFilterOrientationMatrix: (
+    sensor.CompOrientationMatrix: (
         Parameter(
             "m",
             "m",
@@ -1595,15 +2116,37 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("1",),
         ),
     ),
-    sensor.ComplementaryFilterQuaternion: (
+    sensor.CompQuaternion: (
         Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
     ),
-    sensor.ComplementaryFilterEulerAngles: (
+    sensor.CompOrientationUpdateMatrix: (
+        Parameter(
+            "m",
+            "m",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+            units=("1",),
+        ),
+    ),
+    sensor.CompEulerAngles: (
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
         Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
         Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",)),
     ),
-    sensor.ComplementaryFilterStabilizedNorthVector: (
+    sensor.OrientationRawTemperature: (
+        Parameter(
+            "raw_temperature", "raw_temperature", "array", scalar="u16", length=4, units=("1",)
+        ),
+    ),
+    sensor.InternalTimestamp: (
+        Parameter("counts", "counts", "scalar", scalar="u32", units=("1",)),
+    ),
+    sensor.PpsTimestamp: (
+        Parameter("seconds", "seconds", "scalar", scalar="u32", units=("s",)),
+        Parameter("useconds", "useconds", "scalar", scalar="u32", units=("us",)),
+    ),
+    sensor.NorthVector: (
         Parameter(
             "stabilized_mag",
             "stabilized_mag",
@@ -1613,7 +2156,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("gauss",),
         ),
     ),
-    sensor.ComplementaryFilterStabilizedUpVector: (
+    sensor.UpVector: (
         Parameter(
             "stabilized_accel",
             "stabilized_accel",
@@ -1631,9 +2174,14 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     sensor.TemperatureStatistics: (
-        Parameter("min_temp", "min_temp", "scalar", scalar="float", units=("degC",)),
-        Parameter("max_temp", "max_temp", "scalar", scalar="float", units=("degC",)),
-        Parameter("mean_temp", "mean_temp", "scalar", scalar="float", units=("degC",)),
+        Parameter("min_temperature", "min_temperature", "scalar", scalar="float", units=("degC",)),
+        Parameter("max_temperature", "max_temperature", "scalar", scalar="float", units=("degC",)),
+        Parameter(
+            "mean_temperature", "mean_temperature", "scalar", scalar="float", units=("degC",)
+        ),
+    ),
+    sensor.RawPressure: (
+        Parameter("raw_pressure", "raw_pressure", "scalar", scalar="float", units=("1",)),
     ),
     sensor.ScaledPressure: (
         Parameter("scaled_pressure", "scaled_pressure", "scalar", scalar="float", units=("mbar",)),
@@ -1654,7 +2202,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
-    filter_data.VelocityNed: (
+    filter_data.NedVelocity: (
         Parameter("north", "north", "scalar", scalar="float", units=("m/s",)),
         Parameter("east", "east", "scalar", scalar="float", units=("m/s",)),
         Parameter("down", "down", "scalar", scalar="float", units=("m/s",)),
@@ -1731,8 +2279,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.GyroBiasUncertainty: (
         Parameter(
-            "bias_uncert",
-            "bias_uncert",
+            "bias_uncertainty",
+            "bias_uncertainty",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
@@ -1744,8 +2292,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.AccelBiasUncertainty: (
         Parameter(
-            "bias_uncert",
-            "bias_uncert",
+            "bias_uncertainty",
+            "bias_uncertainty",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
@@ -1771,7 +2319,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
-    filter_data.Wgs84LocalGravityMagnitude: (
+    filter_data.Wgs84GravityMagnitude: (
         Parameter(
             "gravity_magnitude", "gravity_magnitude", "scalar", scalar="float", units=("m/s^2",)
         ),
@@ -1810,7 +2358,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
-    filter_data.HeadingUpdateSourceState: (
+    filter_data.HeadingUpdateState: (
         Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
         Parameter(
             "heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",)
@@ -1830,7 +2378,80 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
-    filter_data.CompensatedAcceleration: (
+    filter_data.GyroScaleFactor: (
+        Parameter(
+            "scale_factor",
+            "scale_factor",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("1",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.AccelScaleFactor: (
+        Parameter(
+            "scale_factor",
+            "scale_factor",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("1",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.GyroScaleFactorUncertainty: (
+        Parameter(
+            "scale_factor_uncertainty",
+            "scale_factor_uncertainty",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("1",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.AccelScaleFactorUncertainty: (
+        Parameter(
+            "scale_factor_uncertainty",
+            "scale_factor_uncertainty",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("1",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagBias: (
+        Parameter(
+            "bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagBiasUncertainty: (
+        Parameter(
+            "bias_uncertainty",
+            "bias_uncertainty",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("gauss",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.CompAccel: (
         Parameter(
             "accel", "accel", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
         ),
@@ -1838,8 +2459,158 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
+    filter_data.StandardAtmosphere: (
+        Parameter(
+            "geometric_altitude", "geometric_altitude", "scalar", scalar="float", units=("m",)
+        ),
+        Parameter(
+            "geopotential_altitude", "geopotential_altitude", "scalar", scalar="float", units=("m",)
+        ),
+        Parameter(
+            "standard_temperature",
+            "standard_temperature",
+            "scalar",
+            scalar="float",
+            units=("degC",),
+        ),
+        Parameter(
+            "standard_pressure", "standard_pressure", "scalar", scalar="float", units=("mbar",)
+        ),
+        Parameter(
+            "standard_density", "standard_density", "scalar", scalar="float", units=("kg/m^3",)
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
     filter_data.PressureAltitude: (
         Parameter("pressure_altitude", "pressure_altitude", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.DensityAltitude: (
+        Parameter("density_altitude", "density_altitude", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagOffset: (
+        Parameter(
+            "hard_iron",
+            "hard_iron",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("gauss",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagMatrix: (
+        Parameter(
+            "soft_iron",
+            "soft_iron",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+            units=("1",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagOffsetUncertainty: (
+        Parameter(
+            "hard_iron_uncertainty",
+            "hard_iron_uncertainty",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("gauss",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagMatrixUncertainty: (
+        Parameter(
+            "soft_iron_uncertainty",
+            "soft_iron_uncertainty",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+            units=("1",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagCovarianceMatrix: (
+        Parameter(
+            "covariance",
+            "covariance",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagResidualVector: (
+        Parameter(
+            "residual",
+            "residual",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("gauss",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.AntennaOffsetCorrection: (
+        Parameter(
+            "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.AntennaOffsetCorrectionUncertainty: (
+        Parameter(
+            "offset_uncertainty",
+            "offset_uncertainty",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.ClockCorrection: (
+        Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
+        Parameter("bias", "bias", "scalar", scalar="float", units=("s",)),
+        Parameter("bias_drift", "bias_drift", "scalar", scalar="float", units=("s/s",)),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.ClockCorrectionUncertainty: (
+        Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
+        Parameter("bias_uncertainty", "bias_uncertainty", "scalar", scalar="float", units=("s",)),
+        Parameter(
+            "bias_drift_uncertainty",
+            "bias_drift_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("s/s",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
@@ -1856,8 +2627,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     filter_data.MultiAntennaOffsetCorrectionUncertainty: (
         Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
         Parameter(
-            "offset_uncert",
-            "offset_uncert",
+            "offset_uncertainty",
+            "offset_uncertainty",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
@@ -1869,8 +2640,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.EcefPositionUncertainty: (
         Parameter(
-            "pos_uncertainty",
-            "pos_uncertainty",
+            "position_uncertainty",
+            "position_uncertainty",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
@@ -1882,8 +2653,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.EcefVelocityUncertainty: (
         Parameter(
-            "vel_uncertainty",
-            "vel_uncertainty",
+            "velocity_uncertainty",
+            "velocity_uncertainty",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
@@ -1895,12 +2666,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.EcefPosition: (
         Parameter(
-            "position_ecef",
-            "position_ecef",
-            "array",
-            scalar="double",
-            elements=("x", "y", "z"),
-            units=("m",),
+            "position", "position", "array", scalar="double", elements=("x", "y", "z"), units=("m",)
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -1908,8 +2674,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.EcefVelocity: (
         Parameter(
-            "velocity_ecef",
-            "velocity_ecef",
+            "velocity",
+            "velocity",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
@@ -1934,12 +2700,22 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.GnssPositionAidingStatus: (
         Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="float", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
         Parameter("status", "status", "scalar", scalar="u16", type=filter_data.GnssAidingStatus),
         Parameter("reserved", "reserved", "array", scalar="u8", length=8),
     ),
+    filter_data.GnssAttitudeAidingStatus: (
+        Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
+        Parameter("status", "status", "scalar", scalar="u16", type=filter_data.GnssAidingStatus),
+        Parameter("reserved", "reserved", "array", scalar="u8", length=8),
+    ),
+    filter_data.HeadingAidingStatus: (
+        Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
+        Parameter("type", "type", "scalar", scalar="u8", type=filter_data.HeadingAidingType),
+        Parameter("reserved", "reserved", "array", scalar="float", length=2),
+    ),
     filter_data.AidingMeasurementSummary: (
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="float", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
         Parameter("source", "source", "scalar", scalar="u8"),
         Parameter("type", "type", "scalar", scalar="u8", type=filter_data.AidingMeasurementType),
         Parameter(
@@ -1971,9 +2747,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     filter_data.GnssDualAntennaStatus: (
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="float", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
         Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
-        Parameter("heading_unc", "heading_unc", "scalar", scalar="float", units=("rad",)),
+        Parameter(
+            "heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",)
+        ),
         Parameter(
             "fix_type", "fix_type", "scalar", scalar="u8", type=filter_data.DualAntennaFixType
         ),
@@ -1988,7 +2766,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
-    filter_data.AidingFrameConfigurationError: (
+    filter_data.AidingFrameConfigError: (
         Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
         Parameter(
             "translation",
@@ -2007,26 +2785,26 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("1",),
         ),
     ),
-    filter_data.AidingFrameConfigurationErrorUncertainty: (
+    filter_data.AidingFrameConfigErrorUncertainty: (
         Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
         Parameter(
-            "translation_unc",
-            "translation_unc",
+            "translation_uncertainty",
+            "translation_uncertainty",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
         ),
         Parameter(
-            "attitude_unc",
-            "attitude_unc",
+            "attitude_uncertainty",
+            "attitude_uncertainty",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
             units=("rad",),
         ),
     ),
-    gnss_1.GnssLlhPosition: (
+    gnss_1.LlhPosition: (
         Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",)),
         Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",)),
         Parameter("ellipsoid_height", "ellipsoid_height", "scalar", scalar="double", units=("m",)),
@@ -2036,18 +2814,27 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
         Parameter("vertical_accuracy", "vertical_accuracy", "scalar", scalar="float", units=("m",)),
         Parameter(
-            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.GnssLlhPositionFlags
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.LlhPositionFlags
         ),
     ),
-    gnss_1.GnssEcefPosition: (
-        Parameter("x", "x", "array", scalar="double", elements=("x", "y", "z"), units=("m",)),
-        Parameter("x_accuracy", "x_accuracy", "scalar", scalar="float", units=("m",)),
+    gnss_1.EcefPosition: (
         Parameter(
-            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.GnssEcefPositionFlags
+            "position", "position", "array", scalar="double", elements=("x", "y", "z"), units=("m",)
+        ),
+        Parameter("position_accuracy", "position_accuracy", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.EcefPositionFlags
         ),
     ),
     gnss_1.NedVelocity: (
-        Parameter("v", "v_", "array", scalar="float", elements=("x", "y", "z"), units=("m/s",)),
+        Parameter(
+            "velocity",
+            "velocity",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s",),
+        ),
         Parameter("speed", "speed", "scalar", scalar="float", units=("m/s",)),
         Parameter("ground_speed", "ground_speed", "scalar", scalar="float", units=("m/s",)),
         Parameter("heading", "heading", "scalar", scalar="float", units=("deg",)),
@@ -2057,11 +2844,20 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.NedVelocityFlags
         ),
     ),
-    gnss_1.GnssEcefVelocity: (
-        Parameter("v", "v_", "array", scalar="float", elements=("x", "y", "z"), units=("m/s",)),
-        Parameter("v_accuracy", "v_accuracy", "scalar", scalar="float", units=("m/s",)),
+    gnss_1.EcefVelocity: (
         Parameter(
-            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.GnssEcefVelocityFlags
+            "velocity",
+            "velocity",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s",),
+        ),
+        Parameter(
+            "velocity_accuracy", "velocity_accuracy", "scalar", scalar="float", units=("m/s",)
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.EcefVelocityFlags
         ),
     ),
     gnss_1.Dop: (
@@ -2089,13 +2885,32 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.GpsTimeFlags),
     ),
+    gnss_1.ClockInfo: (
+        Parameter("bias", "bias", "scalar", scalar="double", units=("s",)),
+        Parameter("drift", "drift", "scalar", scalar="double", units=("s/s",)),
+        Parameter(
+            "accuracy_estimate", "accuracy_estimate", "scalar", scalar="double", units=("s",)
+        ),
+        Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.ClockInfoFlags),
+    ),
     gnss_1.FixInfo: (
         Parameter("fix_type", "fix_type", "scalar", scalar="u8", type=types.GnssFixType),
         Parameter("num_sv", "num_sv", "scalar", scalar="u8", units=("1",)),
         Parameter("fix_flags", "fix_flags", "scalar", scalar="u16", type=gnss_1.FixFlags),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.FixInfoFlags),
     ),
-    gnss_1.GnssHardwareStatus: (
+    gnss_1.SvInfo: (
+        Parameter("channel", "channel", "scalar", scalar="u8"),
+        Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
+        Parameter(
+            "carrier_noise_ratio", "carrier_noise_ratio", "scalar", scalar="u16", units=("dB-Hz",)
+        ),
+        Parameter("azimuth", "azimuth", "scalar", scalar="s16", units=("deg",)),
+        Parameter("elevation", "elevation", "scalar", scalar="s16", units=("deg",)),
+        Parameter("sv_flags", "sv_flags", "scalar", scalar="u16", type=gnss_1.SvFlags),
+        Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.SvInfoFlags),
+    ),
+    gnss_1.HardwareStatus: (
         Parameter(
             "receiver_state", "receiver_state", "scalar", scalar="u8", type=gnss_1.ReceiverState
         ),
@@ -2106,11 +2921,29 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "antenna_power", "antenna_power", "scalar", scalar="u8", type=gnss_1.AntennaPower
         ),
         Parameter(
-            "valid_flags",
-            "valid_flags",
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.HardwareStatusFlags
+        ),
+    ),
+    gnss_1.DgpsInfo: (
+        Parameter("age", "age", "scalar", scalar="float", units=("s",)),
+        Parameter("base_station_id", "base_station_id", "scalar", scalar="s16"),
+        Parameter("base_station_status", "base_station_status", "scalar", scalar="s16"),
+        Parameter("num_channels", "num_channels", "scalar", scalar="u16", units=("1",)),
+        Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.DgpsInfoFlags),
+    ),
+    gnss_1.DgpsChannel: (
+        Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
+        Parameter("age", "age", "scalar", scalar="float", units=("s",)),
+        Parameter("range_correction", "range_correction", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "range_rate_correction",
+            "range_rate_correction",
             "scalar",
-            scalar="u16",
-            type=gnss_1.GnssHardwareStatusFlags,
+            scalar="float",
+            units=("m/s",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.DgpsChannelFlags
         ),
     ),
     gnss_1.ClockInfo2: (
@@ -2141,7 +2974,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     gnss_1.SbasInfo: (
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("sbas_system", "sbas_system", "scalar", scalar="u8", type=gnss_1.SbasSystem),
         Parameter("sbas_id", "sbas_id", "scalar", scalar="u8"),
@@ -2149,10 +2982,43 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("sbas_status", "sbas_status", "scalar", scalar="u8", type=gnss_1.SbasStatus),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.SbasInfoFlags),
     ),
+    gnss_1.SbasCorrection: (
+        Parameter("index", "index", "scalar", scalar="u8"),
+        Parameter("count", "count", "scalar", scalar="u8"),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter("gnss_id", "gnss_id", "scalar", scalar="u8", type=types.GnssConstellation),
+        Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
+        Parameter("udrei", "udrei", "scalar", scalar="u8"),
+        Parameter(
+            "pseudorange_correction",
+            "pseudorange_correction",
+            "scalar",
+            scalar="float",
+            units=("m",),
+        ),
+        Parameter("iono_correction", "iono_correction", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.SbasCorrectionFlags
+        ),
+    ),
+    gnss_1.RfErrorDetection: (
+        Parameter("rf_band", "rf_band", "scalar", scalar="u8", type=gnss_1.RfBand),
+        Parameter(
+            "jamming_state", "jamming_state", "scalar", scalar="u8", type=gnss_1.JammingState
+        ),
+        Parameter(
+            "spoofing_state", "spoofing_state", "scalar", scalar="u8", type=gnss_1.SpoofingState
+        ),
+        Parameter("reserved", "reserved", "array", scalar="u8", length=4),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.RfErrorDetectionFlags
+        ),
+    ),
     gnss_1.SatelliteStatus: (
         Parameter("index", "index", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8"),
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("gnss_id", "gnss_id", "scalar", scalar="u8", type=types.GnssConstellation),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
@@ -2166,7 +3032,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     gnss_1.Raw: (
         Parameter("index", "index", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8"),
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("receiver_id", "receiver_id", "scalar", scalar="u16"),
         Parameter("tracking_channel", "tracking_channel", "scalar", scalar="u8"),
@@ -2178,20 +3044,90 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("pseudorange", "pseudorange", "scalar", scalar="double", units=("m",)),
         Parameter("carrier_phase", "carrier_phase", "scalar", scalar="double", units=("cycle",)),
         Parameter("doppler", "doppler", "scalar", scalar="float", units=("Hz",)),
-        Parameter("range_uncert", "range_uncert", "scalar", scalar="float", units=("m",)),
-        Parameter("phase_uncert", "phase_uncert", "scalar", scalar="float", units=("cycle",)),
-        Parameter("doppler_uncert", "doppler_uncert", "scalar", scalar="float", units=("Hz",)),
+        Parameter("range_uncertainty", "range_uncertainty", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "phase_uncertainty", "phase_uncertainty", "scalar", scalar="float", units=("cycle",)
+        ),
+        Parameter(
+            "doppler_uncertainty", "doppler_uncertainty", "scalar", scalar="float", units=("Hz",)
+        ),
         Parameter("lock_time", "lock_time", "scalar", scalar="float", units=("s",)),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.RawFlags),
+    ),
+    gnss_1.BaseStationInfo: (
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter(
+            "ecef_position",
+            "ecef_position",
+            "array",
+            scalar="double",
+            elements=("x", "y", "z"),
+            units=("m",),
+        ),
+        Parameter("height", "height", "scalar", scalar="float", units=("m",)),
+        Parameter("station_id", "station_id", "scalar", scalar="u16"),
+        Parameter(
+            "indicators", "indicators", "scalar", scalar="u16", type=gnss_1.BaseStationIndicators
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.BaseStationInfoFlags
+        ),
+    ),
+    gnss_1.RtkCorrectionsStatus: (
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter(
+            "epoch_status", "epoch_status", "scalar", scalar="u16", type=gnss_1.RtkEpochStatus
+        ),
+        Parameter(
+            "dongle_status", "dongle_status", "scalar", scalar="u32", type=types.RtkStatusFlags
+        ),
+        Parameter(
+            "gps_correction_latency",
+            "gps_correction_latency",
+            "scalar",
+            scalar="float",
+            units=("s",),
+        ),
+        Parameter(
+            "glonass_correction_latency",
+            "glonass_correction_latency",
+            "scalar",
+            scalar="float",
+            units=("s",),
+        ),
+        Parameter(
+            "galileo_correction_latency",
+            "galileo_correction_latency",
+            "scalar",
+            scalar="float",
+            units=("s",),
+        ),
+        Parameter(
+            "beidou_correction_latency",
+            "beidou_correction_latency",
+            "scalar",
+            scalar="float",
+            units=("s",),
+        ),
+        Parameter("reserved", "reserved", "array", scalar="u32", length=4),
+        Parameter(
+            "valid_flags",
+            "valid_flags",
+            "scalar",
+            scalar="u16",
+            type=gnss_1.RtkCorrectionsStatusFlags,
+        ),
     ),
     gnss_1.GpsEphemeris: (
         Parameter("index", "index", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8"),
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
         Parameter("health", "health", "scalar", scalar="u8"),
-        Parameter("iodec", "iodec", "scalar", scalar="u8"),
+        Parameter("iodc", "iodc", "scalar", scalar="u8"),
         Parameter("iode", "iode", "scalar", scalar="u8"),
         Parameter("t_oc", "t_oc", "scalar", scalar="double", units=("s",)),
         Parameter("af0", "af0", "scalar", scalar="double", units=("s",)),
@@ -2235,18 +3171,35 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     gnss_1.GlonassEphemeris: (
         Parameter("index", "index", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8"),
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
-        Parameter("freq_number", "freq_number", "scalar", scalar="s8"),
+        Parameter("frequency_number", "frequency_number", "scalar", scalar="s8"),
         Parameter("tk", "tk", "scalar", scalar="u32", units=("s",)),
         Parameter("tb", "tb", "scalar", scalar="u32", units=("s",)),
-        Parameter("sat_type", "sat_type", "scalar", scalar="u8", type=gnss_1.GlonassSatelliteType),
+        Parameter(
+            "satellite_type",
+            "satellite_type",
+            "scalar",
+            scalar="u8",
+            type=gnss_1.GlonassSatelliteType,
+        ),
         Parameter("gamma", "gamma", "scalar", scalar="double", units=("1",)),
         Parameter("tau_n", "tau_n", "scalar", scalar="double", units=("s",)),
-        Parameter("x", "x", "array", scalar="double", elements=("x", "y", "z"), units=("m",)),
-        Parameter("v", "v_", "array", scalar="float", elements=("x", "y", "z"), units=("m/s",)),
-        Parameter("a", "a", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)),
+        Parameter(
+            "position", "position", "array", scalar="double", elements=("x", "y", "z"), units=("m",)
+        ),
+        Parameter(
+            "velocity",
+            "velocity",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s",),
+        ),
+        Parameter(
+            "accel", "accel", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
+        ),
         Parameter("health", "health", "scalar", scalar="u8"),
         Parameter("p", "p", "scalar", scalar="u8"),
         Parameter("nt", "nt", "scalar", scalar="u8", units=("day",)),
@@ -2264,11 +3217,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     gnss_1.GalileoEphemeris: (
         Parameter("index", "index", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8"),
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
         Parameter("health", "health", "scalar", scalar="u8"),
-        Parameter("iodec", "iodec", "scalar", scalar="u8"),
+        Parameter("iodc", "iodc", "scalar", scalar="u8"),
         Parameter("iode", "iode", "scalar", scalar="u8"),
         Parameter("t_oc", "t_oc", "scalar", scalar="double", units=("s",)),
         Parameter("af0", "af0", "scalar", scalar="double", units=("s",)),
@@ -2312,11 +3265,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     gnss_1.BeidouEphemeris: (
         Parameter("index", "index", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8"),
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
         Parameter("health", "health", "scalar", scalar="u8"),
-        Parameter("iodec", "iodec", "scalar", scalar="u8"),
+        Parameter("iodc", "iodc", "scalar", scalar="u8"),
         Parameter("iode", "iode", "scalar", scalar="u8"),
         Parameter("t_oc", "t_oc", "scalar", scalar="double", units=("s",)),
         Parameter("af0", "af0", "scalar", scalar="double", units=("s",)),
@@ -2357,86 +3310,57 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("c_rs", "c_rs", "scalar", scalar="double", units=("m",)),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.EphemerisFlags),
     ),
-    gnss_corrections.BaseStationInfo: (
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+    gnss_1.GpsIonoCorrection: (
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter("alpha", "alpha", "array", scalar="double", length=4),
+        Parameter("beta", "beta", "array", scalar="double", length=4),
         Parameter(
-            "ecef_pos", "ecef_pos", "array", scalar="double", elements=("x", "y", "z"), units=("m",)
-        ),
-        Parameter("height", "height", "scalar", scalar="float", units=("m",)),
-        Parameter("station_id", "station_id", "scalar", scalar="u16"),
-        Parameter(
-            "indicators",
-            "indicators",
-            "scalar",
-            scalar="u16",
-            type=gnss_corrections.BaseStationIndicators,
-        ),
-        Parameter(
-            "valid_flags",
-            "valid_flags",
-            "scalar",
-            scalar="u16",
-            type=gnss_corrections.BaseStationInfoFlags,
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.GpsIonoCorrectionFlags
         ),
     ),
-    gnss_corrections.RtkCorrectionsStatus: (
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+    gnss_1.GalileoIonoCorrection: (
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
-        Parameter(
-            "epoch_status",
-            "epoch_status",
-            "scalar",
-            scalar="u16",
-            type=gnss_corrections.RtkEpochStatus,
-        ),
-        Parameter("dongle_status", "dongle_status", "scalar", scalar="u32"),
-        Parameter(
-            "gps_correction_latency",
-            "gps_correction_latency",
-            "scalar",
-            scalar="float",
-            units=("s",),
-        ),
-        Parameter(
-            "glonass_correction_latency",
-            "glonass_correction_latency",
-            "scalar",
-            scalar="float",
-            units=("s",),
-        ),
-        Parameter(
-            "galileo_correction_latency",
-            "galileo_correction_latency",
-            "scalar",
-            scalar="float",
-            units=("s",),
-        ),
-        Parameter(
-            "beidou_correction_latency",
-            "beidou_correction_latency",
-            "scalar",
-            scalar="float",
-            units=("s",),
-        ),
-        Parameter("reserved", "reserved", "array", scalar="u32", length=4),
+        Parameter("alpha", "alpha", "array", scalar="double", length=3),
+        Parameter("disturbance_flags", "disturbance_flags", "scalar", scalar="u8"),
         Parameter(
             "valid_flags",
             "valid_flags",
             "scalar",
             scalar="u16",
-            type=gnss_corrections.RtkCorrectionsStatusFlags,
+            type=gnss_1.GalileoIonoCorrectionFlags,
+        ),
+    ),
+    gnss_1.BeidouIonoCorrection: (
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter("alpha", "alpha", "array", scalar="double", length=4),
+        Parameter("beta", "beta", "array", scalar="double", length=4),
+        Parameter("alpha_correction", "alpha_correction", "array", scalar="double", length=9),
+        Parameter(
+            "valid_flags",
+            "valid_flags",
+            "scalar",
+            scalar="u16",
+            type=gnss_1.BeidouIonoCorrectionFlags,
         ),
     ),
     system_data.BuiltInTest: (Parameter("result", "result", "array", scalar="u8", length=16),),
     system_data.TimeSyncStatus: (
         Parameter("time_sync", "time_sync", "scalar", scalar="bool"),
-        Parameter("last_pps_rcvd", "last_pps_rcvd", "scalar", scalar="u8", units=("s",)),
+        Parameter("last_pps_received", "last_pps_received", "scalar", scalar="u8", units=("s",)),
     ),
     system_data.GpioState: (
         Parameter("states", "states", "scalar", scalar="u8", type=system_data.GpioPinStates),
     ),
+    system_data.GpioAnalogValue: (
+        Parameter("gpio_id", "gpio_id", "scalar", scalar="u8"),
+        Parameter("value", "value", "scalar", scalar="float", units=("V",)),
+    ),
     shared.EventSource: (Parameter("trigger_id", "trigger_id", "scalar", scalar="u8"),),
+    shared.Ticks: (Parameter("ticks", "ticks", "scalar", scalar="u32", units=("1",)),),
+    shared.DeltaTicks: (Parameter("ticks", "ticks", "scalar", scalar="u32", units=("1",)),),
     shared.GpsTimestamp: (
         Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
@@ -2465,26 +3389,148 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
 }
 
-PARAMETERS[gnss_2.GnssLlhPosition] = PARAMETERS[gnss_1.GnssLlhPosition]
-PARAMETERS[gnss_2.GnssEcefPosition] = PARAMETERS[gnss_1.GnssEcefPosition]
+PARAMETERS[gnss_data.LlhPosition] = PARAMETERS[gnss_1.LlhPosition]
+PARAMETERS[gnss_data.EcefPosition] = PARAMETERS[gnss_1.EcefPosition]
+PARAMETERS[gnss_data.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
+PARAMETERS[gnss_data.EcefVelocity] = PARAMETERS[gnss_1.EcefVelocity]
+PARAMETERS[gnss_data.Dop] = PARAMETERS[gnss_1.Dop]
+PARAMETERS[gnss_data.UtcTime] = PARAMETERS[gnss_1.UtcTime]
+PARAMETERS[gnss_data.GpsTime] = PARAMETERS[gnss_1.GpsTime]
+PARAMETERS[gnss_data.ClockInfo] = PARAMETERS[gnss_1.ClockInfo]
+PARAMETERS[gnss_data.FixInfo] = PARAMETERS[gnss_1.FixInfo]
+PARAMETERS[gnss_data.SvInfo] = PARAMETERS[gnss_1.SvInfo]
+PARAMETERS[gnss_data.HardwareStatus] = PARAMETERS[gnss_1.HardwareStatus]
+PARAMETERS[gnss_data.DgpsInfo] = PARAMETERS[gnss_1.DgpsInfo]
+PARAMETERS[gnss_data.DgpsChannel] = PARAMETERS[gnss_1.DgpsChannel]
+PARAMETERS[gnss_data.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]
+PARAMETERS[gnss_data.GpsLeapSeconds] = PARAMETERS[gnss_1.GpsLeapSeconds]
+PARAMETERS[gnss_data.SbasInfo] = PARAMETERS[gnss_1.SbasInfo]
+PARAMETERS[gnss_data.SbasCorrection] = PARAMETERS[gnss_1.SbasCorrection]
+PARAMETERS[gnss_data.RfErrorDetection] = PARAMETERS[gnss_1.RfErrorDetection]
+PARAMETERS[gnss_data.SatelliteStatus] = PARAMETERS[gnss_1.SatelliteStatus]
+PARAMETERS[gnss_data.Raw] = PARAMETERS[gnss_1.Raw]
+PARAMETERS[gnss_data.BaseStationInfo] = PARAMETERS[gnss_1.BaseStationInfo]
+PARAMETERS[gnss_data.RtkCorrectionsStatus] = PARAMETERS[gnss_1.RtkCorrectionsStatus]
+PARAMETERS[gnss_data.GpsEphemeris] = PARAMETERS[gnss_1.GpsEphemeris]
+PARAMETERS[gnss_data.GlonassEphemeris] = PARAMETERS[gnss_1.GlonassEphemeris]
+PARAMETERS[gnss_data.GalileoEphemeris] = PARAMETERS[gnss_1.GalileoEphemeris]
+PARAMETERS[gnss_data.BeidouEphemeris] = PARAMETERS[gnss_1.BeidouEphemeris]
+PARAMETERS[gnss_data.GpsIonoCorrection] = PARAMETERS[gnss_1.GpsIonoCorrection]
+PARAMETERS[gnss_data.GalileoIonoCorrection] = PARAMETERS[gnss_1.GalileoIonoCorrection]
+PARAMETERS[gnss_data.BeidouIonoCorrection] = PARAMETERS[gnss_1.BeidouIonoCorrection]
+PARAMETERS[gnss_2.LlhPosition] = PARAMETERS[gnss_1.LlhPosition]
+PARAMETERS[gnss_2.EcefPosition] = PARAMETERS[gnss_1.EcefPosition]
 PARAMETERS[gnss_2.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
-PARAMETERS[gnss_2.GnssEcefVelocity] = PARAMETERS[gnss_1.GnssEcefVelocity]
+PARAMETERS[gnss_2.EcefVelocity] = PARAMETERS[gnss_1.EcefVelocity]
 PARAMETERS[gnss_2.Dop] = PARAMETERS[gnss_1.Dop]
 PARAMETERS[gnss_2.UtcTime] = PARAMETERS[gnss_1.UtcTime]
 PARAMETERS[gnss_2.GpsTime] = PARAMETERS[gnss_1.GpsTime]
+PARAMETERS[gnss_2.ClockInfo] = PARAMETERS[gnss_1.ClockInfo]
 PARAMETERS[gnss_2.FixInfo] = PARAMETERS[gnss_1.FixInfo]
-PARAMETERS[gnss_2.GnssHardwareStatus] = PARAMETERS[gnss_1.GnssHardwareStatus]
+PARAMETERS[gnss_2.SvInfo] = PARAMETERS[gnss_1.SvInfo]
+PARAMETERS[gnss_2.HardwareStatus] = PARAMETERS[gnss_1.HardwareStatus]
+PARAMETERS[gnss_2.DgpsInfo] = PARAMETERS[gnss_1.DgpsInfo]
+PARAMETERS[gnss_2.DgpsChannel] = PARAMETERS[gnss_1.DgpsChannel]
 PARAMETERS[gnss_2.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]
 PARAMETERS[gnss_2.GpsLeapSeconds] = PARAMETERS[gnss_1.GpsLeapSeconds]
 PARAMETERS[gnss_2.SbasInfo] = PARAMETERS[gnss_1.SbasInfo]
+PARAMETERS[gnss_2.SbasCorrection] = PARAMETERS[gnss_1.SbasCorrection]
+PARAMETERS[gnss_2.RfErrorDetection] = PARAMETERS[gnss_1.RfErrorDetection]
 PARAMETERS[gnss_2.SatelliteStatus] = PARAMETERS[gnss_1.SatelliteStatus]
 PARAMETERS[gnss_2.Raw] = PARAMETERS[gnss_1.Raw]
+PARAMETERS[gnss_2.BaseStationInfo] = PARAMETERS[gnss_1.BaseStationInfo]
+PARAMETERS[gnss_2.RtkCorrectionsStatus] = PARAMETERS[gnss_1.RtkCorrectionsStatus]
 PARAMETERS[gnss_2.GpsEphemeris] = PARAMETERS[gnss_1.GpsEphemeris]
 PARAMETERS[gnss_2.GlonassEphemeris] = PARAMETERS[gnss_1.GlonassEphemeris]
 PARAMETERS[gnss_2.GalileoEphemeris] = PARAMETERS[gnss_1.GalileoEphemeris]
 PARAMETERS[gnss_2.BeidouEphemeris] = PARAMETERS[gnss_1.BeidouEphemeris]
-PARAMETERS[gnss_external.GnssLlhPosition] = PARAMETERS[gnss_1.GnssLlhPosition]
+PARAMETERS[gnss_2.GpsIonoCorrection] = PARAMETERS[gnss_1.GpsIonoCorrection]
+PARAMETERS[gnss_2.GalileoIonoCorrection] = PARAMETERS[gnss_1.GalileoIonoCorrection]
+PARAMETERS[gnss_2.BeidouIonoCorrection] = PARAMETERS[gnss_1.BeidouIonoCorrection]
+PARAMETERS[gnss_corrections.LlhPosition] = PARAMETERS[gnss_1.LlhPosition]
+PARAMETERS[gnss_corrections.EcefPosition] = PARAMETERS[gnss_1.EcefPosition]
+PARAMETERS[gnss_corrections.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
+PARAMETERS[gnss_corrections.EcefVelocity] = PARAMETERS[gnss_1.EcefVelocity]
+PARAMETERS[gnss_corrections.Dop] = PARAMETERS[gnss_1.Dop]
+PARAMETERS[gnss_corrections.UtcTime] = PARAMETERS[gnss_1.UtcTime]
+PARAMETERS[gnss_corrections.GpsTime] = PARAMETERS[gnss_1.GpsTime]
+PARAMETERS[gnss_corrections.ClockInfo] = PARAMETERS[gnss_1.ClockInfo]
+PARAMETERS[gnss_corrections.FixInfo] = PARAMETERS[gnss_1.FixInfo]
+PARAMETERS[gnss_corrections.SvInfo] = PARAMETERS[gnss_1.SvInfo]
+PARAMETERS[gnss_corrections.HardwareStatus] = PARAMETERS[gnss_1.HardwareStatus]
+PARAMETERS[gnss_corrections.DgpsInfo] = PARAMETERS[gnss_1.DgpsInfo]
+PARAMETERS[gnss_corrections.DgpsChannel] = PARAMETERS[gnss_1.DgpsChannel]
+PARAMETERS[gnss_corrections.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]
+PARAMETERS[gnss_corrections.GpsLeapSeconds] = PARAMETERS[gnss_1.GpsLeapSeconds]
+PARAMETERS[gnss_corrections.SbasInfo] = PARAMETERS[gnss_1.SbasInfo]
+PARAMETERS[gnss_corrections.SbasCorrection] = PARAMETERS[gnss_1.SbasCorrection]
+PARAMETERS[gnss_corrections.RfErrorDetection] = PARAMETERS[gnss_1.RfErrorDetection]
+PARAMETERS[gnss_corrections.SatelliteStatus] = PARAMETERS[gnss_1.SatelliteStatus]
+PARAMETERS[gnss_corrections.Raw] = PARAMETERS[gnss_1.Raw]
+PARAMETERS[gnss_corrections.BaseStationInfo] = PARAMETERS[gnss_1.BaseStationInfo]
+PARAMETERS[gnss_corrections.RtkCorrectionsStatus] = PARAMETERS[gnss_1.RtkCorrectionsStatus]
+PARAMETERS[gnss_corrections.GpsEphemeris] = PARAMETERS[gnss_1.GpsEphemeris]
+PARAMETERS[gnss_corrections.GlonassEphemeris] = PARAMETERS[gnss_1.GlonassEphemeris]
+PARAMETERS[gnss_corrections.GalileoEphemeris] = PARAMETERS[gnss_1.GalileoEphemeris]
+PARAMETERS[gnss_corrections.BeidouEphemeris] = PARAMETERS[gnss_1.BeidouEphemeris]
+PARAMETERS[gnss_corrections.GpsIonoCorrection] = PARAMETERS[gnss_1.GpsIonoCorrection]
+PARAMETERS[gnss_corrections.GalileoIonoCorrection] = PARAMETERS[gnss_1.GalileoIonoCorrection]
+PARAMETERS[gnss_corrections.BeidouIonoCorrection] = PARAMETERS[gnss_1.BeidouIonoCorrection]
+PARAMETERS[gnss_external.LlhPosition] = PARAMETERS[gnss_1.LlhPosition]
+PARAMETERS[gnss_external.EcefPosition] = PARAMETERS[gnss_1.EcefPosition]
 PARAMETERS[gnss_external.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
+PARAMETERS[gnss_external.EcefVelocity] = PARAMETERS[gnss_1.EcefVelocity]
+PARAMETERS[gnss_external.Dop] = PARAMETERS[gnss_1.Dop]
 PARAMETERS[gnss_external.UtcTime] = PARAMETERS[gnss_1.UtcTime]
+PARAMETERS[gnss_external.GpsTime] = PARAMETERS[gnss_1.GpsTime]
+PARAMETERS[gnss_external.ClockInfo] = PARAMETERS[gnss_1.ClockInfo]
 PARAMETERS[gnss_external.FixInfo] = PARAMETERS[gnss_1.FixInfo]
+PARAMETERS[gnss_external.SvInfo] = PARAMETERS[gnss_1.SvInfo]
+PARAMETERS[gnss_external.HardwareStatus] = PARAMETERS[gnss_1.HardwareStatus]
+PARAMETERS[gnss_external.DgpsInfo] = PARAMETERS[gnss_1.DgpsInfo]
+PARAMETERS[gnss_external.DgpsChannel] = PARAMETERS[gnss_1.DgpsChannel]
+PARAMETERS[gnss_external.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]
+PARAMETERS[gnss_external.GpsLeapSeconds] = PARAMETERS[gnss_1.GpsLeapSeconds]
+PARAMETERS[gnss_external.SbasInfo] = PARAMETERS[gnss_1.SbasInfo]
+PARAMETERS[gnss_external.SbasCorrection] = PARAMETERS[gnss_1.SbasCorrection]
+PARAMETERS[gnss_external.RfErrorDetection] = PARAMETERS[gnss_1.RfErrorDetection]
 PARAMETERS[gnss_external.SatelliteStatus] = PARAMETERS[gnss_1.SatelliteStatus]
+PARAMETERS[gnss_external.Raw] = PARAMETERS[gnss_1.Raw]
+PARAMETERS[gnss_external.BaseStationInfo] = PARAMETERS[gnss_1.BaseStationInfo]
+PARAMETERS[gnss_external.RtkCorrectionsStatus] = PARAMETERS[gnss_1.RtkCorrectionsStatus]
+PARAMETERS[gnss_external.GpsEphemeris] = PARAMETERS[gnss_1.GpsEphemeris]
+PARAMETERS[gnss_external.GlonassEphemeris] = PARAMETERS[gnss_1.GlonassEphemeris]
+PARAMETERS[gnss_external.GalileoEphemeris] = PARAMETERS[gnss_1.GalileoEphemeris]
+PARAMETERS[gnss_external.BeidouEphemeris] = PARAMETERS[gnss_1.BeidouEphemeris]
+PARAMETERS[gnss_external.GpsIonoCorrection] = PARAMETERS[gnss_1.GpsIonoCorrection]
+PARAMETERS[gnss_external.GalileoIonoCorrection] = PARAMETERS[gnss_1.GalileoIonoCorrection]
+PARAMETERS[gnss_external.BeidouIonoCorrection] = PARAMETERS[gnss_1.BeidouIonoCorrection]
+PARAMETERS[gnss_external_2.LlhPosition] = PARAMETERS[gnss_1.LlhPosition]
+PARAMETERS[gnss_external_2.EcefPosition] = PARAMETERS[gnss_1.EcefPosition]
+PARAMETERS[gnss_external_2.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
+PARAMETERS[gnss_external_2.EcefVelocity] = PARAMETERS[gnss_1.EcefVelocity]
+PARAMETERS[gnss_external_2.Dop] = PARAMETERS[gnss_1.Dop]
+PARAMETERS[gnss_external_2.UtcTime] = PARAMETERS[gnss_1.UtcTime]
+PARAMETERS[gnss_external_2.GpsTime] = PARAMETERS[gnss_1.GpsTime]
+PARAMETERS[gnss_external_2.ClockInfo] = PARAMETERS[gnss_1.ClockInfo]
+PARAMETERS[gnss_external_2.FixInfo] = PARAMETERS[gnss_1.FixInfo]
+PARAMETERS[gnss_external_2.SvInfo] = PARAMETERS[gnss_1.SvInfo]
+PARAMETERS[gnss_external_2.HardwareStatus] = PARAMETERS[gnss_1.HardwareStatus]
+PARAMETERS[gnss_external_2.DgpsInfo] = PARAMETERS[gnss_1.DgpsInfo]
+PARAMETERS[gnss_external_2.DgpsChannel] = PARAMETERS[gnss_1.DgpsChannel]
+PARAMETERS[gnss_external_2.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]
+PARAMETERS[gnss_external_2.GpsLeapSeconds] = PARAMETERS[gnss_1.GpsLeapSeconds]
+PARAMETERS[gnss_external_2.SbasInfo] = PARAMETERS[gnss_1.SbasInfo]
+PARAMETERS[gnss_external_2.SbasCorrection] = PARAMETERS[gnss_1.SbasCorrection]
+PARAMETERS[gnss_external_2.RfErrorDetection] = PARAMETERS[gnss_1.RfErrorDetection]
+PARAMETERS[gnss_external_2.SatelliteStatus] = PARAMETERS[gnss_1.SatelliteStatus]
+PARAMETERS[gnss_external_2.Raw] = PARAMETERS[gnss_1.Raw]
+PARAMETERS[gnss_external_2.BaseStationInfo] = PARAMETERS[gnss_1.BaseStationInfo]
+PARAMETERS[gnss_external_2.RtkCorrectionsStatus] = PARAMETERS[gnss_1.RtkCorrectionsStatus]
+PARAMETERS[gnss_external_2.GpsEphemeris] = PARAMETERS[gnss_1.GpsEphemeris]
+PARAMETERS[gnss_external_2.GlonassEphemeris] = PARAMETERS[gnss_1.GlonassEphemeris]
+PARAMETERS[gnss_external_2.GalileoEphemeris] = PARAMETERS[gnss_1.GalileoEphemeris]
+PARAMETERS[gnss_external_2.BeidouEphemeris] = PARAMETERS[gnss_1.BeidouEphemeris]
+PARAMETERS[gnss_external_2.GpsIonoCorrection] = PARAMETERS[gnss_1.GpsIonoCorrection]
+PARAMETERS[gnss_external_2.GalileoIonoCorrection] = PARAMETERS[gnss_1.GalileoIonoCorrection]
+PARAMETERS[gnss_external_2.BeidouIonoCorrection] = PARAMETERS[gnss_1.BeidouIonoCorrection]

@@ -5,30 +5,15 @@ from __future__ import annotations
 from functools import cache
 from importlib import import_module
 
+from ._sets import MODULES
 from .errors import PacketError
 from .field import Field, chosen
 from .packet import Packet, RawField
 from .protocol import Acknowledge
 
-#: Descriptor set -> module of this package.
-MODULES: dict[int, str] = {
-    0x01: "base",
-    0x0C: "mip_3dm",
-    0x0D: "filter",
-    0x0E: "gnss",
-    0x13: "aiding",
-    0x7F: "system",
-    0x80: "sensor",
-    0x82: "filter_data",
-    0x91: "gnss_1",
-    0x92: "gnss_2",
-    0x93: "gnss_corrections",
-    0x94: "gnss_external",
-    0xA0: "system_data",
-    0xFF: "shared",
-}
-
 SHARED_SET = 0xFF
+
+__all__ = ["MODULES", "SHARED_SET", "all_types", "decode", "decode_packet", "types"]
 
 
 @cache

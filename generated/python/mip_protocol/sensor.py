@@ -1,6 +1,9 @@
 """Sensor data (0x80).
 
 Inertial, magnetic and pressure measurements, and the attitude of the complementary filter.
+
+- 3dm-gx5-15: 5.1 IMU Data
+- 3dm-cv7-gnss-ins: Sensor (0x80)
 """
 
 from __future__ import annotations
@@ -17,25 +20,25 @@ class OverrangeFlags(IntFlag):
     """Sensor axes that were near or outside their range."""
 
     ACCEL_X = 1 << 0
-    """Accelerometer X axis."""
+    """Accelerometer X axis. Bit 0."""
     ACCEL_Y = 1 << 1
-    """Accelerometer Y axis."""
+    """Accelerometer Y axis. Bit 1."""
     ACCEL_Z = 1 << 2
-    """Accelerometer Z axis."""
+    """Accelerometer Z axis. Bit 2."""
     GYRO_X = 1 << 4
-    """Gyroscope X axis."""
+    """Gyroscope X axis. Bit 4."""
     GYRO_Y = 1 << 5
-    """Gyroscope Y axis."""
+    """Gyroscope Y axis. Bit 5."""
     GYRO_Z = 1 << 6
-    """Gyroscope Z axis."""
+    """Gyroscope Z axis. Bit 6."""
     MAG_X = 1 << 8
-    """Magnetometer X axis."""
+    """Magnetometer X axis. Bit 8."""
     MAG_Y = 1 << 9
-    """Magnetometer Y axis."""
+    """Magnetometer Y axis. Bit 9."""
     MAG_Z = 1 << 10
-    """Magnetometer Z axis."""
-    PRESS = 1 << 12
-    """Pressure sensor."""
+    """Magnetometer Z axis. Bit 10."""
+    PRESSURE = 1 << 12
+    """Pressure sensor. Bit 12."""
 
 
 @codec.open_flag(16)
@@ -43,10 +46,109 @@ class OdometerFlags(IntFlag):
     """Whether the odometer values are valid."""
 
     ODOMETER = 1 << 0
-    """The odometer is configured."""
+    """The odometer is configured. Bit 0."""
 
 
-_SCALED_ACCEL_0 = codec.Block("fff", "scaled_accel", "scaled_accel", "scaled_accel")
+_RAW_ACCEL_0 = codec.Block("fff", *["raw_accel"] * 3)
+
+
+@dataclass(slots=True)
+class RawAccel(Data):
+    """Raw accel (0x80,0x01).
+
+    Raw acceleration in counts of the sensor, temperature compensated.
+
+    - mip-sdk-4: Raw Accel (0x80,0x01)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x01
+    NAME = "sensor.raw_accel"
+    ROLE = "data"
+
+    raw_accel: types.Vector3f
+    """Acceleration in counts. Elements: x, y, z. Unit: 1. Frame: sensor."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RawAccel, int]:
+        v = _RAW_ACCEL_0.read(raw, at)
+        at += 12
+        raw_accel = v[0:3]
+        return cls(raw_accel), at
+
+    def _write(self) -> bytes:
+        out = _RAW_ACCEL_0.write(*codec.exactly("raw_accel", self.raw_accel, 3))
+        return codec.finished(out)
+
+
+_RAW_GYRO_0 = codec.Block("fff", *["raw_gyro"] * 3)
+
+
+@dataclass(slots=True)
+class RawGyro(Data):
+    """Raw gyro (0x80,0x02).
+
+    Raw angular rate in counts of the sensor, temperature compensated.
+
+    - mip-sdk-4: Raw Gyro (0x80,0x02)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x02
+    NAME = "sensor.raw_gyro"
+    ROLE = "data"
+
+    raw_gyro: types.Vector3f
+    """Angular rate in counts. Elements: x, y, z. Unit: 1. Frame: sensor."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RawGyro, int]:
+        v = _RAW_GYRO_0.read(raw, at)
+        at += 12
+        raw_gyro = v[0:3]
+        return cls(raw_gyro), at
+
+    def _write(self) -> bytes:
+        out = _RAW_GYRO_0.write(*codec.exactly("raw_gyro", self.raw_gyro, 3))
+        return codec.finished(out)
+
+
+_RAW_MAG_0 = codec.Block("fff", *["raw_mag"] * 3)
+
+
+@dataclass(slots=True)
+class RawMag(Data):
+    """Raw mag (0x80,0x03).
+
+    Raw magnetic field in counts of the sensor, temperature compensated.
+
+    - mip-sdk-4: Raw Mag (0x80,0x03)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x03
+    NAME = "sensor.raw_mag"
+    ROLE = "data"
+
+    raw_mag: types.Vector3f
+    """Magnetic field in counts. Elements: x, y, z. Unit: 1. Frame: vehicle. Uncertain: The frame.
+    The SDK has the vehicle frame here, but the sensor frame for raw acceleration and raw angular
+    rate.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RawMag, int]:
+        v = _RAW_MAG_0.read(raw, at)
+        at += 12
+        raw_mag = v[0:3]
+        return cls(raw_mag), at
+
+    def _write(self) -> bytes:
+        out = _RAW_MAG_0.write(*codec.exactly("raw_mag", self.raw_mag, 3))
+        return codec.finished(out)
+
+
+_SCALED_ACCEL_0 = codec.Block("fff", *["scaled_accel"] * 3)
 
 
 @dataclass(slots=True)
@@ -54,6 +156,7 @@ class ScaledAccel(Data):
     """Scaled accel (0x80,0x04).
 
     Measured acceleration, temperature compensated.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
@@ -66,7 +169,7 @@ class ScaledAccel(Data):
     ROLE = "data"
 
     scaled_accel: types.Vector3f
-    """Acceleration. [g] Frame: vehicle."""
+    """Acceleration. Elements: x, y, z. Unit: g. Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledAccel, int]:
@@ -80,7 +183,7 @@ class ScaledAccel(Data):
         return codec.finished(out)
 
 
-_SCALED_GYRO_0 = codec.Block("fff", "scaled_gyro", "scaled_gyro", "scaled_gyro")
+_SCALED_GYRO_0 = codec.Block("fff", *["scaled_gyro"] * 3)
 
 
 @dataclass(slots=True)
@@ -88,6 +191,7 @@ class ScaledGyro(Data):
     """Scaled gyro (0x80,0x05).
 
     Measured angular rate, temperature compensated.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
@@ -100,7 +204,7 @@ class ScaledGyro(Data):
     ROLE = "data"
 
     scaled_gyro: types.Vector3f
-    """Angular rate. [rad/s] Frame: vehicle."""
+    """Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledGyro, int]:
@@ -114,7 +218,7 @@ class ScaledGyro(Data):
         return codec.finished(out)
 
 
-_SCALED_MAG_0 = codec.Block("fff", "scaled_mag", "scaled_mag", "scaled_mag")
+_SCALED_MAG_0 = codec.Block("fff", *["scaled_mag"] * 3)
 
 
 @dataclass(slots=True)
@@ -122,6 +226,7 @@ class ScaledMag(Data):
     """Scaled mag (0x80,0x06).
 
     Measured magnetic field, temperature compensated.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
@@ -133,7 +238,7 @@ class ScaledMag(Data):
     ROLE = "data"
 
     scaled_mag: types.Vector3f
-    """Magnetic field. [gauss] Frame: vehicle."""
+    """Magnetic field. Elements: x, y, z. Unit: gauss. Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledMag, int]:
@@ -147,7 +252,7 @@ class ScaledMag(Data):
         return codec.finished(out)
 
 
-_DELTA_THETA_0 = codec.Block("fff", "delta_theta", "delta_theta", "delta_theta")
+_DELTA_THETA_0 = codec.Block("fff", *["delta_theta"] * 3)
 
 
 @dataclass(slots=True)
@@ -155,6 +260,7 @@ class DeltaTheta(Data):
     """Delta theta (0x80,0x07).
 
     Time integral of the angular rate over the period that the message format sets.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
@@ -167,7 +273,7 @@ class DeltaTheta(Data):
     ROLE = "data"
 
     delta_theta: types.Vector3f
-    """Integral of the angular rate. [rad] Frame: vehicle."""
+    """Integral of the angular rate. Elements: x, y, z. Unit: rad. Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeltaTheta, int]:
@@ -181,7 +287,7 @@ class DeltaTheta(Data):
         return codec.finished(out)
 
 
-_DELTA_VELOCITY_0 = codec.Block("fff", "delta_velocity", "delta_velocity", "delta_velocity")
+_DELTA_VELOCITY_0 = codec.Block("fff", *["delta_velocity"] * 3)
 
 
 @dataclass(slots=True)
@@ -189,8 +295,10 @@ class DeltaVelocity(Data):
     """Delta velocity (0x80,0x08).
 
     Time integral of the acceleration over the period that the message format sets.
-    Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
 
     - 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
     - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
@@ -202,7 +310,7 @@ class DeltaVelocity(Data):
     ROLE = "data"
 
     delta_velocity: types.Vector3f
-    """Integral of the acceleration. [g*s] Frame: vehicle."""
+    """Integral of the acceleration. Elements: x, y, z. Unit: g*s. Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeltaVelocity, int]:
@@ -216,18 +324,18 @@ class DeltaVelocity(Data):
         return codec.finished(out)
 
 
-_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_0 = codec.Block(
-    "fffffffff", "m", "m", "m", "m", "m", "m", "m", "m", "m"
-)
+_COMP_ORIENTATION_MATRIX_0 = codec.Block("fffffffff", *["m"] * 9)
 
 
 @dataclass(slots=True)
-class ComplementaryFilterOrientationMatrix(Data):
+class CompOrientationMatrix(Data):
     """Complementary filter orientation matrix (0x80,0x09).
 
     Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
-    v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)
     - 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
@@ -235,36 +343,40 @@ class ComplementaryFilterOrientationMatrix(Data):
 
     SET = 0x80
     DESCRIPTOR = 0x09
-    NAME = "sensor.complementary_filter_orientation_matrix"
+    NAME = "sensor.comp_orientation_matrix"
     ROLE = "data"
 
     m: types.Matrix3f
-    """Rotation from the NED frame to the vehicle frame. [1] On 3dm-gx5-15: From the NED frame to
-    the sensor frame.
+    """Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
+    m31, m32, m33. Unit: 1.
+
+    - On the 3DM-GX5-15: From the NED frame to the sensor frame.
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterOrientationMatrix, int]:
-        v = _COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[CompOrientationMatrix, int]:
+        v = _COMP_ORIENTATION_MATRIX_0.read(raw, at)
         at += 36
         m = v[0:9]
         return cls(m), at
 
     def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_0.write(*codec.exactly("m", self.m, 9))
+        out = _COMP_ORIENTATION_MATRIX_0.write(*codec.exactly("m", self.m, 9))
         return codec.finished(out)
 
 
-_COMPLEMENTARY_FILTER_QUATERNION_0 = codec.Block("ffff", "q", "q", "q", "q")
+_COMP_QUATERNION_0 = codec.Block("ffff", *["q"] * 4)
 
 
 @dataclass(slots=True)
-class ComplementaryFilterQuaternion(Data):
+class CompQuaternion(Data):
     """Complementary filter quaternion (0x80,0x0A).
 
     Attitude by the complementary filter as a quaternion, relative to the NED frame.
-    v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
     - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
@@ -272,36 +384,74 @@ class ComplementaryFilterQuaternion(Data):
 
     SET = 0x80
     DESCRIPTOR = 0x0A
-    NAME = "sensor.complementary_filter_quaternion"
+    NAME = "sensor.comp_quaternion"
     ROLE = "data"
 
     q: types.Quatf
-    """Rotation between the NED frame and the vehicle frame. [1] On 3dm-gx5-15: Between NED and
-    the sensor frame.
+    """Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1.
+
+    - On the 3DM-GX5-15: Between NED and the sensor frame.
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterQuaternion, int]:
-        v = _COMPLEMENTARY_FILTER_QUATERNION_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[CompQuaternion, int]:
+        v = _COMP_QUATERNION_0.read(raw, at)
         at += 16
         q = v[0:4]
         return cls(q), at
 
     def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_QUATERNION_0.write(*codec.exactly("q", self.q, 4))
+        out = _COMP_QUATERNION_0.write(*codec.exactly("q", self.q, 4))
         return codec.finished(out)
 
 
-_COMPLEMENTARY_FILTER_EULER_ANGLES_0 = codec.Block("fff", "roll", "pitch", "yaw")
+_COMP_ORIENTATION_UPDATE_MATRIX_0 = codec.Block("fffffffff", *["m"] * 9)
 
 
 @dataclass(slots=True)
-class ComplementaryFilterEulerAngles(Data):
+class CompOrientationUpdateMatrix(Data):
+    """Complementary filter orientation update matrix (0x80,0x0B).
+
+    Change of the attitude by the complementary filter as a matrix.
+
+    Deprecated: the SDK marks it so and names no replacement. Uncertain: The interval of the change
+    and the frames. The SDK gives the name only.
+
+    - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x0B
+    NAME = "sensor.comp_orientation_update_matrix"
+    ROLE = "data"
+
+    m: types.Matrix3f
+    """Matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[CompOrientationUpdateMatrix, int]:
+        v = _COMP_ORIENTATION_UPDATE_MATRIX_0.read(raw, at)
+        at += 36
+        m = v[0:9]
+        return cls(m), at
+
+    def _write(self) -> bytes:
+        out = _COMP_ORIENTATION_UPDATE_MATRIX_0.write(*codec.exactly("m", self.m, 9))
+        return codec.finished(out)
+
+
+_COMP_EULER_ANGLES_0 = codec.Block("fff", "roll", "pitch", "yaw")
+
+
+@dataclass(slots=True)
+class CompEulerAngles(Data):
     """Complementary filter Euler angles (0x80,0x0C).
 
     Attitude by the complementary filter as Euler angles, relative to the NED frame.
-    The rotations are in the order yaw, pitch, roll (3-2-1).
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The rotations are in the order yaw, pitch, roll (3-2-1).
 
     - 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C)
     - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
@@ -309,19 +459,19 @@ class ComplementaryFilterEulerAngles(Data):
 
     SET = 0x80
     DESCRIPTOR = 0x0C
-    NAME = "sensor.complementary_filter_euler_angles"
+    NAME = "sensor.comp_euler_angles"
     ROLE = "data"
 
     roll: float
-    """Roll angle. [rad]"""
+    """Roll angle. Unit: rad."""
     pitch: float
-    """Pitch angle. [rad]"""
+    """Pitch angle. Unit: rad."""
     yaw: float
-    """Yaw angle. [rad]"""
+    """Yaw angle. Unit: rad."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterEulerAngles, int]:
-        v = _COMPLEMENTARY_FILTER_EULER_ANGLES_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[CompEulerAngles, int]:
+        v = _COMP_EULER_ANGLES_0.read(raw, at)
         at += 12
         roll = v[0]
         pitch = v[1]
@@ -329,84 +479,190 @@ class ComplementaryFilterEulerAngles(Data):
         return cls(roll, pitch, yaw), at
 
     def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_EULER_ANGLES_0.write(self.roll, self.pitch, self.yaw)
+        out = _COMP_EULER_ANGLES_0.write(self.roll, self.pitch, self.yaw)
         return codec.finished(out)
 
 
-_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_0 = codec.Block(
-    "fff", "stabilized_mag", "stabilized_mag", "stabilized_mag"
-)
+_ORIENTATION_RAW_TEMPERATURE_0 = codec.Block("HHHH", *["raw_temperature"] * 4)
 
 
 @dataclass(slots=True)
-class ComplementaryFilterStabilizedNorthVector(Data):
+class OrientationRawTemperature(Data):
+    """Orientation raw temperatures (0x80,0x0D).
+
+    Raw readings of four temperature sensors.
+
+    Deprecated: the SDK marks it so and names no replacement. Also called `orientation_raw_temp`.
+
+    - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x0D
+    NAME = "sensor.orientation_raw_temperature"
+    ROLE = "data"
+
+    raw_temperature: tuple[int, int, int, int]
+    """Temperatures in counts. Unit: 1. Uncertain: The scale. Uncertain: and which sensor is which.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[OrientationRawTemperature, int]:
+        v = _ORIENTATION_RAW_TEMPERATURE_0.read(raw, at)
+        at += 8
+        raw_temperature = v[0:4]
+        return cls(raw_temperature), at
+
+    def _write(self) -> bytes:
+        out = _ORIENTATION_RAW_TEMPERATURE_0.write(
+            *codec.exactly("raw_temperature", self.raw_temperature, 4)
+        )
+        return codec.finished(out)
+
+
+_INTERNAL_TIMESTAMP_0 = codec.Block("I", "counts")
+
+
+@dataclass(slots=True)
+class InternalTimestamp(Data):
+    """Internal timestamp (0x80,0x0E).
+
+    Free-running counter of the device.
+
+    Deprecated: the SDK marks it so and names no replacement.
+
+    - mip-sdk-4: Internal Timestamp (0x80,0x0E)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x0E
+    NAME = "sensor.internal_timestamp"
+    ROLE = "data"
+
+    counts: int
+    """Counter. Unit: 1. Uncertain: The period of one count."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[InternalTimestamp, int]:
+        v = _INTERNAL_TIMESTAMP_0.read(raw, at)
+        at += 4
+        counts = v[0]
+        return cls(counts), at
+
+    def _write(self) -> bytes:
+        out = _INTERNAL_TIMESTAMP_0.write(self.counts)
+        return codec.finished(out)
+
+
+_PPS_TIMESTAMP_0 = codec.Block("II", "seconds", "useconds")
+
+
+@dataclass(slots=True)
+class PpsTimestamp(Data):
+    """PPS timestamp (0x80,0x0F).
+
+    Time that is counted with the pulse per second.
+
+    Deprecated: the SDK marks it so and names no replacement. Uncertain: The epoch.
+
+    - mip-sdk-4: Pps Timestamp (0x80,0x0F)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x0F
+    NAME = "sensor.pps_timestamp"
+    ROLE = "data"
+
+    seconds: int
+    """Whole seconds. Unit: s. Uncertain: The unit; it follows from the name."""
+    useconds: int
+    """Fraction of the second. Unit: us. Uncertain: The unit; it follows from the name."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PpsTimestamp, int]:
+        v = _PPS_TIMESTAMP_0.read(raw, at)
+        at += 8
+        seconds = v[0]
+        useconds = v[1]
+        return cls(seconds, useconds), at
+
+    def _write(self) -> bytes:
+        out = _PPS_TIMESTAMP_0.write(self.seconds, self.useconds)
+        return codec.finished(out)
+
+
+_NORTH_VECTOR_0 = codec.Block("fff", *["stabilized_mag"] * 3)
+
+
+@dataclass(slots=True)
+class NorthVector(Data):
     """Complementary filter stabilized north vector (0x80,0x10).
 
     Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
-    Without magnetic disturbance it equals the measured magnetic field.
-    A lasting disturbance is not compensated.
+
     Supported by 3DM-GX5-15.
+
+    Without magnetic disturbance it equals the measured magnetic field. A lasting disturbance is not
+    compensated.
 
     - 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
     """
 
     SET = 0x80
     DESCRIPTOR = 0x10
-    NAME = "sensor.complementary_filter_stabilized_north_vector"
+    NAME = "sensor.north_vector"
     ROLE = "data"
 
     stabilized_mag: types.Vector3f
-    """Geomagnetic field. [gauss] Frame: sensor."""
+    """Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterStabilizedNorthVector, int]:
-        v = _COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[NorthVector, int]:
+        v = _NORTH_VECTOR_0.read(raw, at)
         at += 12
         stabilized_mag = v[0:3]
         return cls(stabilized_mag), at
 
     def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_0.write(
-            *codec.exactly("stabilized_mag", self.stabilized_mag, 3)
-        )
+        out = _NORTH_VECTOR_0.write(*codec.exactly("stabilized_mag", self.stabilized_mag, 3))
         return codec.finished(out)
 
 
-_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_0 = codec.Block(
-    "fff", "stabilized_accel", "stabilized_accel", "stabilized_accel"
-)
+_UP_VECTOR_0 = codec.Block("fff", *["stabilized_accel"] * 3)
 
 
 @dataclass(slots=True)
-class ComplementaryFilterStabilizedUpVector(Data):
+class UpVector(Data):
     """Complementary filter stabilized up vector (0x80,0x11).
 
     Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
-    At rest it equals the measured acceleration.
+
     Supported by 3DM-GX5-15.
+
+    At rest it equals the measured acceleration.
 
     - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
     """
 
     SET = 0x80
     DESCRIPTOR = 0x11
-    NAME = "sensor.complementary_filter_stabilized_up_vector"
+    NAME = "sensor.up_vector"
     ROLE = "data"
 
     stabilized_accel: types.Vector3f
-    """The part of the measured acceleration that gravity causes. [g] Frame: sensor."""
+    """The part of the measured acceleration that gravity causes. Elements: x, y, z. Unit: g. Frame:
+    sensor.
+    """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterStabilizedUpVector, int]:
-        v = _COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[UpVector, int]:
+        v = _UP_VECTOR_0.read(raw, at)
         at += 12
         stabilized_accel = v[0:3]
         return cls(stabilized_accel), at
 
     def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_0.write(
-            *codec.exactly("stabilized_accel", self.stabilized_accel, 3)
-        )
+        out = _UP_VECTOR_0.write(*codec.exactly("stabilized_accel", self.stabilized_accel, 3))
         return codec.finished(out)
 
 
@@ -418,12 +674,13 @@ class GpsTimestamp(Data):
     """GPS timestamp (0x80,0x12).
 
     GPS time of the sensor data.
-    Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
-    The fraction of the time of week is the time since the last pulse.
-    Without external synchronization it is the internal system time.
-    Where the device has it, use the shared GPS timestamp (0xFF,0xD3) instead; this field may be
-    deprecated.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Without a PPS the time runs on the internal clock and jumps when the PPS comes back. The
+    fraction of the time of week is the time since the last pulse. Without external synchronization
+    it is the internal system time. Where the device has it, use the shared GPS timestamp
+    `shared.GpsTimestamp` (0xFF,0xD3) instead; this field may be deprecated.
 
     - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
     - 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
@@ -433,13 +690,21 @@ class GpsTimestamp(Data):
     DESCRIPTOR = 0x12
     NAME = "sensor.gps_timestamp"
     ROLE = "data"
+    READINGS = {"valid_flags": ("device", {"3dm-gx5-15": types.Gx5SensorGpsTimestampFlags})}
 
     tow: float
-    """GPS time of week. [s] Valid if valid_flags.tow_valid."""
+    """GPS time of week. Unit: s. Valid if `types.SensorGpsTimestampFlags.TOW_VALID` of
+    `valid_flags` is set.
+    """
     week_number: int
-    """GPS week number. [week] Valid if valid_flags.week_number_valid."""
+    """GPS week number. Unit: week. Valid if `types.SensorGpsTimestampFlags.WEEK_NUMBER_VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: types.SensorGpsTimestampFlags
-    """State of the time."""
+    """State of the time.
+
+    - On the 3DM-GX5-15: values of `types.Gx5SensorGpsTimestampFlags`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimestamp, int]:
@@ -455,7 +720,9 @@ class GpsTimestamp(Data):
         return codec.finished(out)
 
 
-_TEMPERATURE_STATISTICS_0 = codec.Block("fff", "min_temp", "max_temp", "mean_temp")
+_TEMPERATURE_STATISTICS_0 = codec.Block(
+    "fff", "min_temperature", "max_temperature", "mean_temperature"
+)
 
 
 @dataclass(slots=True)
@@ -463,8 +730,10 @@ class TemperatureStatistics(Data):
     """Temperature statistics (0x80,0x14).
 
     Temperatures since the last power-on or reset.
+
+    Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS.
+
     The values come from the inertial sensors, alone or together with sensors on the board.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Temperature Statistics (0x80,0x14)
     """
@@ -474,24 +743,58 @@ class TemperatureStatistics(Data):
     NAME = "sensor.temperature_statistics"
     ROLE = "data"
 
-    min_temp: float
-    """Lowest temperature. [degC]"""
-    max_temp: float
-    """Highest temperature. [degC]"""
-    mean_temp: float
-    """Mean temperature. [degC]"""
+    min_temperature: float
+    """Lowest temperature. Unit: degC."""
+    max_temperature: float
+    """Highest temperature. Unit: degC."""
+    mean_temperature: float
+    """Mean temperature. Unit: degC."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TemperatureStatistics, int]:
         v = _TEMPERATURE_STATISTICS_0.read(raw, at)
         at += 12
-        min_temp = v[0]
-        max_temp = v[1]
-        mean_temp = v[2]
-        return cls(min_temp, max_temp, mean_temp), at
+        min_temperature = v[0]
+        max_temperature = v[1]
+        mean_temperature = v[2]
+        return cls(min_temperature, max_temperature, mean_temperature), at
 
     def _write(self) -> bytes:
-        out = _TEMPERATURE_STATISTICS_0.write(self.min_temp, self.max_temp, self.mean_temp)
+        out = _TEMPERATURE_STATISTICS_0.write(
+            self.min_temperature, self.max_temperature, self.mean_temperature
+        )
+        return codec.finished(out)
+
+
+_RAW_PRESSURE_0 = codec.Block("f", "raw_pressure")
+
+
+@dataclass(slots=True)
+class RawPressure(Data):
+    """Raw pressure (0x80,0x16).
+
+    Raw ambient pressure in counts of the sensor, temperature compensated.
+
+    - mip-sdk-4: Raw Pressure (0x80,0x16)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x16
+    NAME = "sensor.raw_pressure"
+    ROLE = "data"
+
+    raw_pressure: float
+    """Pressure in counts. Unit: 1."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RawPressure, int]:
+        v = _RAW_PRESSURE_0.read(raw, at)
+        at += 4
+        raw_pressure = v[0]
+        return cls(raw_pressure), at
+
+    def _write(self) -> bytes:
+        out = _RAW_PRESSURE_0.write(self.raw_pressure)
         return codec.finished(out)
 
 
@@ -503,6 +806,7 @@ class ScaledPressure(Data):
     """Scaled pressure (0x80,0x17).
 
     Measured ambient pressure, temperature compensated.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
@@ -515,7 +819,7 @@ class ScaledPressure(Data):
     ROLE = "data"
 
     scaled_pressure: float
-    """Ambient pressure. [mbar]"""
+    """Ambient pressure. Unit: mbar."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledPressure, int]:
@@ -537,6 +841,7 @@ class OverrangeStatus(Data):
     """Overrange status (0x80,0x18).
 
     Which sensor axes are near or outside their range.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
@@ -570,7 +875,8 @@ class Odometer(Data):
     """Odometer data (0x80,0x40).
 
     Speed by the wheel encoder.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
     """
@@ -581,11 +887,13 @@ class Odometer(Data):
     ROLE = "data"
 
     speed: float
-    """Average speed over the interval; negative values come from quadrature encoders only. [m/s]
-    Valid if valid_flags.odometer.
+    """Average speed over the interval; negative values come from quadrature encoders only. Unit:
+    m/s. Valid if `OdometerFlags.ODOMETER` of `valid_flags` is set.
     """
     uncertainty: float
-    """Uncertainty of the speed. [m/s] Valid if valid_flags.odometer."""
+    """Uncertainty of the speed. Unit: m/s. Valid if `OdometerFlags.ODOMETER` of `valid_flags` is
+    set.
+    """
     valid_flags: OdometerFlags
     """Whether the values are valid."""
 
@@ -605,18 +913,26 @@ class Odometer(Data):
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x01: (RawAccel,),
+    0x02: (RawGyro,),
+    0x03: (RawMag,),
     0x04: (ScaledAccel,),
     0x05: (ScaledGyro,),
     0x06: (ScaledMag,),
     0x07: (DeltaTheta,),
     0x08: (DeltaVelocity,),
-    0x09: (ComplementaryFilterOrientationMatrix,),
-    0x0A: (ComplementaryFilterQuaternion,),
-    0x0C: (ComplementaryFilterEulerAngles,),
-    0x10: (ComplementaryFilterStabilizedNorthVector,),
-    0x11: (ComplementaryFilterStabilizedUpVector,),
+    0x09: (CompOrientationMatrix,),
+    0x0A: (CompQuaternion,),
+    0x0B: (CompOrientationUpdateMatrix,),
+    0x0C: (CompEulerAngles,),
+    0x0D: (OrientationRawTemperature,),
+    0x0E: (InternalTimestamp,),
+    0x0F: (PpsTimestamp,),
+    0x10: (NorthVector,),
+    0x11: (UpVector,),
     0x12: (GpsTimestamp,),
     0x14: (TemperatureStatistics,),
+    0x16: (RawPressure,),
     0x17: (ScaledPressure,),
     0x18: (OverrangeStatus,),
     0x40: (Odometer,),

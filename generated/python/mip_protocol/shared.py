@@ -2,6 +2,9 @@
 
 Fields that every data set can hold. No packet has this set: they come in packets of the other data
 sets.
+
+- 3dm-cv7-gnss-ins: Shared (0xFF)
+- 3dm-cv7-gnss-ins: Shared Data Descriptors
 """
 
 from __future__ import annotations
@@ -18,11 +21,11 @@ class GpsTimestampFlags(IntFlag):
     """Which parts of the GPS time are valid."""
 
     TOW = 1 << 0
-    """The whole seconds of the time of week have been set."""
+    """The whole seconds of the time of week have been set. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """The week number has been set."""
+    """The week number has been set. Bit 1."""
     TIME_VALID = 0x3
-    """Both are set."""
+    """Both are set. Bits 0 to 1. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -30,7 +33,7 @@ class ExternalTimestampFlags(IntFlag):
     """Whether the external time is valid."""
 
     NANOSECONDS = 1 << 0
-    """The time is valid."""
+    """The time is valid. Bit 0."""
 
 
 @codec.open_flag(16)
@@ -38,7 +41,7 @@ class ExternalTimeDeltaFlags(IntFlag):
     """Whether the difference of external time is valid."""
 
     DT_NANOS = 1 << 0
-    """The difference is valid."""
+    """The difference is valid. Bit 0."""
 
 
 _EVENT_SOURCE_0 = codec.Block("B", "trigger_id")
@@ -49,8 +52,10 @@ class EventSource(Data):
     """Event source (0xFF,0xD0).
 
     The event trigger that caused the packet.
-    Put it first in the format of event messages, to tell their packets from scheduled ones.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    Put it first in the format of event messages, to tell their packets from scheduled ones.
 
     - 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0)
     """
@@ -62,7 +67,7 @@ class EventSource(Data):
 
     trigger_id: int
     """Id of the trigger; 0 means that the packet was scheduled by the message format
-    (0x0C,0x0F).
+    `mip_3dm.MessageFormat` (0x0C,0x0F).
     """
 
     @classmethod
@@ -77,6 +82,80 @@ class EventSource(Data):
         return codec.finished(out)
 
 
+_TICKS_0 = codec.Block("I", "ticks")
+
+
+@dataclass(slots=True)
+class Ticks(Data):
+    """Ticks (0xFF,0xD1).
+
+    Base periods since power-up.
+
+    Uncertain: The SDK has the counter return to 0 after about 50 days. That fits 2^32 ticks at 1000
+    Hz; at other rates it would take longer or shorter.
+
+    One tick is one period of the base rate.
+
+    - mip-sdk-4: Ticks (0xFF,0xD1)
+    """
+
+    SET = 0xFF
+    DESCRIPTOR = 0xD1
+    NAME = "shared.ticks"
+    ROLE = "data"
+
+    ticks: int
+    """Ticks. Unit: 1."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Ticks, int]:
+        v = _TICKS_0.read(raw, at)
+        at += 4
+        ticks = v[0]
+        return cls(ticks), at
+
+    def _write(self) -> bytes:
+        out = _TICKS_0.write(self.ticks)
+        return codec.finished(out)
+
+
+_DELTA_TICKS_0 = codec.Block("I", "ticks")
+
+
+@dataclass(slots=True)
+class DeltaTicks(Data):
+    """Delta ticks (0xFF,0xD2).
+
+    Base periods since this field was last sent.
+
+    Uncertain: Whether each set and each event instance counts for itself, as with delta time
+    `DeltaTime` (0xFF,0xD4).
+
+    One tick is one period of the base rate.
+
+    - mip-sdk-4: Delta Ticks (0xFF,0xD2)
+    """
+
+    SET = 0xFF
+    DESCRIPTOR = 0xD2
+    NAME = "shared.delta_ticks"
+    ROLE = "data"
+
+    ticks: int
+    """Ticks. Unit: 1."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DeltaTicks, int]:
+        v = _DELTA_TICKS_0.read(raw, at)
+        at += 4
+        ticks = v[0]
+        return cls(ticks), at
+
+    def _write(self) -> bytes:
+        out = _DELTA_TICKS_0.write(self.ticks)
+        return codec.finished(out)
+
+
 _GPS_TIMESTAMP_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
 
 
@@ -85,11 +164,12 @@ class GpsTimestamp(Data):
     """GPS timestamp (0xFF,0xD3).
 
     External time of the data as GPS time of week and week number.
-    In event messages it is the time of the trigger.
-    It becomes valid after the PPS is locked and (0x01,0x72) has set the time of week and the week
-    number.
-    An internal GNSS receiver as PPS source sets the time by itself.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    In event messages it is the time of the trigger. It becomes valid after the PPS is locked and
+    `base.GpsTimeUpdate` (0x01,0x72) has set the time of week and the week number. An internal GNSS
+    receiver as PPS source sets the time by itself.
 
     - 3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3)
     """
@@ -100,9 +180,11 @@ class GpsTimestamp(Data):
     ROLE = "data"
 
     tow: float
-    """GPS time of week. [s] Valid if valid_flags.tow."""
+    """GPS time of week. Unit: s. Valid if `GpsTimestampFlags.TOW` of `valid_flags` is set."""
     week_number: int
-    """GPS week number. [week] Valid if valid_flags.week_number."""
+    """GPS week number. Unit: week. Valid if `GpsTimestampFlags.WEEK_NUMBER` of `valid_flags` is
+    set.
+    """
     valid_flags: GpsTimestampFlags
     """Which parts are valid."""
 
@@ -128,9 +210,11 @@ class DeltaTime(Data):
     """Delta time (0xFF,0xD4).
 
     External time since this field was last sent in the same set and event instance.
-    It is the same as external time delta (0xFF,0xD8), in other units.
-    Sending either restarts the counter that both share, so use only one of them.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    It is the same as external time delta `ExternalTimeDelta` (0xFF,0xD8), in other units. Sending
+    either restarts the counter that both share, so use only one of them.
 
     - 3dm-cv7-gnss-ins: Delta Time (0xFF,0xD4)
     """
@@ -141,7 +225,7 @@ class DeltaTime(Data):
     ROLE = "data"
 
     seconds: float
-    """Time since the last output. [s]"""
+    """Time since the last output. Unit: s."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeltaTime, int]:
@@ -163,9 +247,11 @@ class ReferenceTimestamp(Data):
     """Reference timestamp (0xFF,0xD5).
 
     Time of the data by the internal reference clock.
-    The clock starts at power-on, only moves forward and never jumps; the value is always valid.
-    In event messages it is the time of the trigger.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    The clock starts at power-on, only moves forward and never jumps; the value is always valid. In
+    event messages it is the time of the trigger.
 
     - 3dm-cv7-gnss-ins: Reference Timestamp (0xFF,0xD5)
     """
@@ -176,7 +262,7 @@ class ReferenceTimestamp(Data):
     ROLE = "data"
 
     nanoseconds: int
-    """Time since initialization. [ns]"""
+    """Time since initialization. Unit: ns."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferenceTimestamp, int]:
@@ -198,8 +284,10 @@ class ReferenceTimeDelta(Data):
     """Reference time delta (0xFF,0xD6).
 
     Reference time since this field was last sent in the same set and event instance.
-    The value is always valid.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    The value is always valid.
 
     - 3dm-cv7-gnss-ins: Reference Time Delta (0xFF,0xD6)
     """
@@ -210,7 +298,7 @@ class ReferenceTimeDelta(Data):
     ROLE = "data"
 
     dt_nanos: int
-    """Time since the last output. [ns]"""
+    """Time since the last output. Unit: ns."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferenceTimeDelta, int]:
@@ -232,10 +320,11 @@ class ExternalTimestamp(Data):
     """External timestamp (0xFF,0xD7).
 
     Time of the data in the external clock domain.
-    It is the GPS timestamp (0xFF,0xD3) in nanoseconds.
-    In event messages it is the time of the trigger.
-    It becomes valid when the external clock is synchronized through the PPS.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    It is the GPS timestamp `GpsTimestamp` (0xFF,0xD3) in nanoseconds. In event messages it is the
+    time of the trigger. It becomes valid when the external clock is synchronized through the PPS.
 
     - 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7)
     """
@@ -246,7 +335,9 @@ class ExternalTimestamp(Data):
     ROLE = "data"
 
     nanoseconds: int
-    """External time. [ns] Valid if valid_flags.nanoseconds."""
+    """External time. Unit: ns. Valid if `ExternalTimestampFlags.NANOSECONDS` of `valid_flags` is
+    set.
+    """
     valid_flags: ExternalTimestampFlags
     """Whether the time is valid."""
 
@@ -271,9 +362,11 @@ class ExternalTimeDelta(Data):
     """External time delta (0xFF,0xD8).
 
     External time since this field was last sent in the same set and event instance.
-    It is the same as delta time (0xFF,0xD4), in other units.
-    Sending either restarts the counter that both share, so use only one of them.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    It is the same as delta time `DeltaTime` (0xFF,0xD4), in other units. Sending either restarts
+    the counter that both share, so use only one of them.
 
     - 3dm-cv7-gnss-ins: External Time Delta (0xFF,0xD8)
     """
@@ -284,7 +377,9 @@ class ExternalTimeDelta(Data):
     ROLE = "data"
 
     dt_nanos: int
-    """Time since the last output. [ns] Valid if valid_flags.dt_nanos."""
+    """Time since the last output. Unit: ns. Valid if `ExternalTimeDeltaFlags.DT_NANOS` of
+    `valid_flags` is set.
+    """
     valid_flags: ExternalTimeDeltaFlags
     """Whether the difference is valid."""
 
@@ -304,6 +399,8 @@ class ExternalTimeDelta(Data):
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0xD0: (EventSource,),
+    0xD1: (Ticks,),
+    0xD2: (DeltaTicks,),
     0xD3: (GpsTimestamp,),
     0xD4: (DeltaTime,),
     0xD5: (ReferenceTimestamp,),

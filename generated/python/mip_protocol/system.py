@@ -1,16 +1,58 @@
 """System (0x7F).
 
 Advanced commands of devices that are built from several intelligent parts.
+
+- 3dm-gx5-15: 4.4 System Commands
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import IntFlag
 
 from . import codec
 from .errors import Truncated
-from .field import Command, Field, Response
+from .field import Command, Field, Response, ResponseClass
 from .protocol import FunctionSelector
+
+
+class CommInterface(codec.OpenEnum):
+    """A port of a device.
+
+    - mip-sdk-4: Interface Control (0x7F,0x02)
+    """
+
+    ALL = 0
+    """All ports."""
+    MAIN = 1
+    """The main port: USB while it is connected, else the main UART."""
+    UART_1 = 17
+    """The first port that is a UART or can be one."""
+    UART_2 = 18
+    """The second UART."""
+    UART_3 = 19
+    """The third UART."""
+    USB_1 = 33
+    """First virtual serial port of USB."""
+    USB_2 = 34
+    """Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM."""
+
+
+@codec.open_flag(32)
+class CommProtocols(IntFlag):
+    """Protocols of a port.
+
+    - mip-sdk-4: Interface Control (0x7F,0x02)
+    """
+
+    MIP = 1 << 0
+    """MIP. Bit 0."""
+    NMEA = 1 << 8
+    """NMEA-0183. Bit 8."""
+    RTCM = 1 << 9
+    """RTCM corrections. Bit 9."""
+    SPARTN = 1 << 24
+    """SPARTN corrections. Bit 24."""
 
 
 class ProtocolMode(codec.OpenEnum):
@@ -24,105 +66,174 @@ class ProtocolMode(codec.OpenEnum):
     """The GNSS receiver inside, NMEA and UBX; only on models that have one."""
 
 
-_COMMUNICATION_MODE_RESPONSE_0 = codec.Block("B", "mode")
+_INTERFACE_CONTROL_RESPONSE_0 = codec.Block(
+    "BII", "port", "protocols_incoming", "protocols_outgoing"
+)
 
 
 @dataclass(slots=True)
-class CommunicationModeResponse(Response):
+class InterfaceControlResponse(Response):
+    """Interface control response (0x7F,0x82).
+
+    Answers `InterfaceControl`.
+
+    - mip-sdk-4: Interface Control (0x7F,0x02)
+    - 3dm-cv7-gnss-ins: Ports
+    """
+
+    SET = 0x7F
+    DESCRIPTOR = 0x82
+    NAME = "system.interface_control_response"
+    ROLE = "response"
+
+    port: CommInterface
+    """The port. Uncertain: Whether write and read take `all`."""
+    protocols_incoming: CommProtocols
+    """Protocols that it takes in."""
+    protocols_outgoing: CommProtocols
+    """Protocols that it gives out."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControlResponse, int]:
+        v = _INTERFACE_CONTROL_RESPONSE_0.read(raw, at)
+        at += 9
+        port = CommInterface(v[0])
+        protocols_incoming = CommProtocols(v[1])
+        protocols_outgoing = CommProtocols(v[2])
+        return cls(port, protocols_incoming, protocols_outgoing), at
+
+    def _write(self) -> bytes:
+        out = _INTERFACE_CONTROL_RESPONSE_0.write(
+            self.port, self.protocols_incoming, self.protocols_outgoing
+        )
+        return codec.finished(out)
+
+
+_COMM_MODE_RESPONSE_0 = codec.Block("B", "mode")
+
+
+@dataclass(slots=True)
+class CommModeResponse(Response):
     """Communication mode response (0x7F,0x90).
 
-    Answers Communication mode (0x7F,0x10).
-    Supported by 3DM-GX5-15.
+    Answers `CommMode`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
 
     SET = 0x7F
     DESCRIPTOR = 0x90
-    NAME = "system.communication_mode_response"
+    NAME = "system.comm_mode_response"
     ROLE = "response"
 
     mode: ProtocolMode
-    """Communication mode. Factory default: standard."""
+    """Communication mode. Default: `ProtocolMode.STANDARD`."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommunicationModeResponse, int]:
-        v = _COMMUNICATION_MODE_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[CommModeResponse, int]:
+        v = _COMM_MODE_RESPONSE_0.read(raw, at)
         at += 1
         mode = ProtocolMode(v[0])
         return cls(mode), at
 
     def _write(self) -> bytes:
-        out = _COMMUNICATION_MODE_RESPONSE_0.write(self.mode)
+        out = _COMM_MODE_RESPONSE_0.write(self.mode)
         return codec.finished(out)
 
 
-_COMMUNICATION_MODE_0 = codec.Block("B", "function")
-_COMMUNICATION_MODE_1 = codec.Block("B", "mode")
-_COMMUNICATION_MODE_GROUPS = ((1, ("mode",), False),)
+_INTERFACE_CONTROL_0 = codec.Block("B", "function")
+_INTERFACE_CONTROL_1 = codec.Block("B", "port")
+_INTERFACE_CONTROL_2 = codec.Block("I", "protocols_incoming")
+_INTERFACE_CONTROL_3 = codec.Block("I", "protocols_outgoing")
+_INTERFACE_CONTROL_GROUPS = (
+    (1, ("port",), False),
+    (2, ("protocols_incoming",), False),
+    (3, ("protocols_outgoing",), False),
+)
 
 
 @dataclass(slots=True)
-class CommunicationMode(Command):
-    """Communication mode (0x7F,0x10).
+class InterfaceControl(Command):
+    """Interface control (0x7F,0x02).
 
-    Switches the port between the device and one of the sensors inside it.
-    The acknowledge is sent in the old mode, just before the switch.
-    In a direct mode only this command and device status (0x0C,0x64) of the device itself are
-    answered.
-    For advanced use.
-    Supported by 3DM-GX5-15.
+    Protocols that a port takes in and gives out.
 
-    - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `InterfaceControlResponse`.
+
+    Accepted on the main port only. The main port always keeps MIP in both directions. The
+    acknowledge comes on that port after the change; what arrives meanwhile may be lost. The device
+    refuses protocols that it or the port does not have, and more parsers than it has; then nothing
+    is changed. Answers in an incoming protocol leave by the same port, even if the protocol is not
+    an outgoing one. How many parsers and streams there are depends on the device.
+
+    - mip-sdk-4: Interface Control (0x7F,0x02)
+    - 3dm-cv7-gnss-ins: Ports
     """
 
     SET = 0x7F
-    DESCRIPTOR = 0x10
-    NAME = "system.communication_mode"
+    DESCRIPTOR = 0x02
+    NAME = "system.interface_control"
     ROLE = "command"
-    RESPONSES = (CommunicationModeResponse,)
-    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    RESPONSES = (InterfaceControlResponse,)
+    REQUIRED = {1: 3, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
     """What to do with the setting."""
-    mode: ProtocolMode | None = None
-    """Communication mode. Factory default: standard."""
+    port: CommInterface | None = None
+    """The port. Uncertain: Whether write and read take `all`."""
+    protocols_incoming: CommProtocols | None = None
+    """Protocols that it takes in. Required for `write`."""
+    protocols_outgoing: CommProtocols | None = None
+    """Protocols that it gives out. Required for `write`."""
 
     @classmethod
-    def write(cls, mode: ProtocolMode) -> CommunicationMode:
+    def write(
+        cls,
+        port: CommInterface,
+        protocols_incoming: CommProtocols,
+        protocols_outgoing: CommProtocols,
+    ) -> InterfaceControl:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, mode=mode)
+        return cls(
+            FunctionSelector.WRITE,
+            port=port,
+            protocols_incoming=protocols_incoming,
+            protocols_outgoing=protocols_outgoing,
+        )
 
     @classmethod
-    def read(cls) -> CommunicationMode:
+    def read(cls, port: CommInterface) -> InterfaceControl:
         """Send the current setting back in a response."""
-        return cls(FunctionSelector.READ)
+        return cls(FunctionSelector.READ, port=port)
 
     @classmethod
-    def save(cls) -> CommunicationMode:
+    def save(cls, port: CommInterface) -> InterfaceControl:
         """Save the current setting to non-volatile memory."""
-        return cls(FunctionSelector.SAVE)
+        return cls(FunctionSelector.SAVE, port=port)
 
     @classmethod
-    def load(cls) -> CommunicationMode:
+    def load(cls, port: CommInterface) -> InterfaceControl:
         """Load the saved setting."""
-        return cls(FunctionSelector.LOAD)
+        return cls(FunctionSelector.LOAD, port=port)
 
     @classmethod
-    def default(cls) -> CommunicationMode:
+    def default(cls, port: CommInterface) -> InterfaceControl:
         """Load the factory default setting."""
-        return cls(FunctionSelector.DEFAULT)
+        return cls(FunctionSelector.DEFAULT, port=port)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
-            return CommunicationModeResponse
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return InterfaceControlResponse
         return None
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommunicationMode, int]:
-        mode: ProtocolMode | None = None
-        v = _COMMUNICATION_MODE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControl, int]:
+        port: CommInterface | None = None
+        protocols_incoming: CommProtocols | None = None
+        protocols_outgoing: CommProtocols | None = None
+        v = _INTERFACE_CONTROL_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -130,7 +241,116 @@ class CommunicationMode(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _COMMUNICATION_MODE_1.read(raw, at)
+            v = _INTERFACE_CONTROL_1.read(raw, at)
+            at += 1
+            port = CommInterface(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _INTERFACE_CONTROL_2.read(raw, at)
+            at += 4
+            protocols_incoming = CommProtocols(v[0])
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _INTERFACE_CONTROL_3.read(raw, at)
+            at += 4
+            protocols_outgoing = CommProtocols(v[0])
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, port, protocols_incoming, protocols_outgoing), at
+
+    def _write(self) -> bytes:
+        out = _INTERFACE_CONTROL_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _INTERFACE_CONTROL_GROUPS)
+        if there >= 1:
+            out += _INTERFACE_CONTROL_1.write(self.port)
+        if there >= 2:
+            out += _INTERFACE_CONTROL_2.write(self.protocols_incoming)
+        if there >= 3:
+            out += _INTERFACE_CONTROL_3.write(self.protocols_outgoing)
+        return codec.finished(out)
+
+
+_COMM_MODE_0 = codec.Block("B", "function")
+_COMM_MODE_1 = codec.Block("B", "mode")
+_COMM_MODE_GROUPS = ((1, ("mode",), False),)
+
+
+@dataclass(slots=True)
+class CommMode(Command):
+    """Communication mode (0x7F,0x10).
+
+    Switches the port between the device and one of the sensors inside it.
+
+    For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `CommModeResponse`. Supported by 3DM-GX5-15.
+
+    The acknowledge is sent in the old mode, just before the switch. In a direct mode only this
+    command and device status `mip_3dm.DeviceStatus` (0x0C,0x64) of the device itself are answered.
+
+    - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
+    """
+
+    SET = 0x7F
+    DESCRIPTOR = 0x10
+    NAME = "system.comm_mode"
+    ROLE = "command"
+    RESPONSES = (CommModeResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    mode: ProtocolMode | None = None
+    """Communication mode. Default: `ProtocolMode.STANDARD`. Required for `write`."""
+
+    @classmethod
+    def write(cls, mode: ProtocolMode) -> CommMode:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, mode=mode)
+
+    @classmethod
+    def read(cls) -> CommMode:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> CommMode:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> CommMode:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> CommMode:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return CommModeResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[CommMode, int]:
+        mode: ProtocolMode | None = None
+        v = _COMM_MODE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _COMM_MODE_1.read(raw, at)
             at += 1
             mode = ProtocolMode(v[0])
             done, end = 1, at
@@ -141,19 +361,21 @@ class CommunicationMode(Command):
         return cls(function, mode), at
 
     def _write(self) -> bytes:
-        out = _COMMUNICATION_MODE_0.write(self.function)
+        out = _COMM_MODE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _COMMUNICATION_MODE_GROUPS)
+        there = codec.present(self, required, _COMM_MODE_GROUPS)
         if there >= 1:
-            out += _COMMUNICATION_MODE_1.write(self.mode)
+            out += _COMM_MODE_1.write(self.mode)
         return codec.finished(out)
 
 
-CommunicationModeResponse.COMMANDS = (CommunicationMode,)
-
+InterfaceControlResponse.COMMANDS = (InterfaceControl,)
+CommModeResponse.COMMANDS = (CommMode,)
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0x10: (CommunicationMode,),
-    0x90: (CommunicationModeResponse,),
+    0x02: (InterfaceControl,),
+    0x10: (CommMode,),
+    0x82: (InterfaceControlResponse,),
+    0x90: (CommModeResponse,),
 }

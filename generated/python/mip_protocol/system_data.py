@@ -1,6 +1,8 @@
 """System data (0xA0).
 
 State of the device as a whole.
+
+- 3dm-cv7-gnss-ins: System (0xA0)
 """
 
 from __future__ import annotations
@@ -17,34 +19,16 @@ class GpioPinStates(IntFlag):
     """Level of each GPIO pin, set for high. Bits of pins that do not exist read 0."""
 
     PIN_1 = 1 << 0
-    """GPIO pin 1."""
+    """GPIO pin 1. Bit 0."""
     PIN_2 = 1 << 1
-    """GPIO pin 2."""
+    """GPIO pin 2. Bit 1."""
     PIN_3 = 1 << 2
-    """GPIO pin 3."""
+    """GPIO pin 3. Bit 2."""
     PIN_4 = 1 << 3
-    """GPIO pin 4."""
+    """GPIO pin 4. Bit 3."""
 
 
-_BUILT_IN_TEST_0 = codec.Block(
-    "BBBBBBBBBBBBBBBB",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-)
+_BUILT_IN_TEST_0 = codec.Block("BBBBBBBBBBBBBBBB", *["result"] * 16)
 
 
 @dataclass(slots=True)
@@ -52,13 +36,13 @@ class BuiltInTest(Data):
     """Built-in test (0xA0,0x01).
 
     Flags of the tests that run all the time.
-    The field is long; stream it at a low rate or poll it.
-    A flag stays set until it is sent, so a short fault between two messages or during idle is not
-    lost.
-    Each stream and each event action keeps its own copy of the flags.
-    Some flags may be set without a fault, for instance a receiver without a position fix.
-    Unnamed bits are reserved and must be ignored.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    The field is long; stream it at a low rate or poll it. A flag stays set until it is sent, so a
+    short fault between two messages or during idle is not lost. Each stream and each event action
+    keeps its own copy of the flags. Some flags may be set without a fault, for instance a receiver
+    without a position fix. Unnamed bits are reserved and must be ignored.
 
     - 3dm-cv7-gnss-ins: Built In Test (0xA0,0x01)
     """
@@ -67,16 +51,13 @@ class BuiltInTest(Data):
     DESCRIPTOR = 0x01
     NAME = "system_data.built_in_test"
     ROLE = "data"
-    READINGS = {
-        "result": (
-            "device",
-            {"3dm-cv7-gnss-ins": types.Cv7ContinuousBuiltInTest},
-        ),
-    }
+    READINGS = {"result": ("device", {"3dm-cv7-gnss-ins": types.Cv7ContinuousBuiltInTest})}
 
     result: tuple[int, ...]
     """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
     byte.
+
+    - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
     """
 
     @classmethod
@@ -91,7 +72,7 @@ class BuiltInTest(Data):
         return codec.finished(out)
 
 
-_TIME_SYNC_STATUS_0 = codec.Block("BB", "time_sync", "last_pps_rcvd")
+_TIME_SYNC_STATUS_0 = codec.Block("BB", "time_sync", "last_pps_received")
 
 
 @dataclass(slots=True)
@@ -99,6 +80,7 @@ class TimeSyncStatus(Data):
     """Time sync status (0xA0,0x02).
 
     Whether the device time is locked to the pulse per second.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
@@ -111,19 +93,19 @@ class TimeSyncStatus(Data):
 
     time_sync: bool
     """True while the lock is valid; false if the PPS is disabled or no pulse is found."""
-    last_pps_rcvd: int
-    """Time since the last pulse, at most 255. [s]"""
+    last_pps_received: int
+    """Time since the last pulse, at most 255. Unit: s."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TimeSyncStatus, int]:
         v = _TIME_SYNC_STATUS_0.read(raw, at)
         at += 2
         time_sync = codec.truth(v[0])
-        last_pps_rcvd = v[1]
-        return cls(time_sync, last_pps_rcvd), at
+        last_pps_received = v[1]
+        return cls(time_sync, last_pps_received), at
 
     def _write(self) -> bytes:
-        out = _TIME_SYNC_STATUS_0.write(self.time_sync, self.last_pps_rcvd)
+        out = _TIME_SYNC_STATUS_0.write(self.time_sync, self.last_pps_received)
         return codec.finished(out)
 
 
@@ -135,10 +117,12 @@ class GpioState(Data):
     """GPIO state (0xA0,0x03).
 
     Levels of all user GPIO pins.
-    The pins are sampled within one base period of this set; shorter pulses can be missed.
-    Only pins that are configured to the GPIO feature by (0x0C,0x41) are sure to give valid levels.
-    For fast signals and exact times use the timestamp feature and the event system.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    The pins are sampled within one base period of this set; shorter pulses can be missed. Only pins
+    that are configured to the GPIO feature by `mip_3dm.GpioConfig` (0x0C,0x41) are sure to give
+    valid levels. For fast signals and exact times use the timestamp feature and the event system.
 
     - 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03)
     """
@@ -163,9 +147,47 @@ class GpioState(Data):
         return codec.finished(out)
 
 
+_GPIO_ANALOG_VALUE_0 = codec.Block("Bf", "gpio_id", "value")
+
+
+@dataclass(slots=True)
+class GpioAnalogValue(Data):
+    """GPIO analog value (0xA0,0x04).
+
+    Voltage at one GPIO pin.
+
+    Only for pins that are configured as analog inputs.
+
+    - mip-sdk-4: Gpio Analog Value (0xA0,0x04)
+    """
+
+    SET = 0xA0
+    DESCRIPTOR = 0x04
+    NAME = "system_data.gpio_analog_value"
+    ROLE = "data"
+
+    gpio_id: int
+    """GPIO pin, counted from 1. Range: at least 1."""
+    value: float
+    """Scaled voltage. Unit: V."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioAnalogValue, int]:
+        v = _GPIO_ANALOG_VALUE_0.read(raw, at)
+        at += 5
+        gpio_id = v[0]
+        value = v[1]
+        return cls(gpio_id, value), at
+
+    def _write(self) -> bytes:
+        out = _GPIO_ANALOG_VALUE_0.write(self.gpio_id, self.value)
+        return codec.finished(out)
+
+
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (BuiltInTest,),
     0x02: (TimeSyncStatus,),
     0x03: (GpioState,),
+    0x04: (GpioAnalogValue,),
 }

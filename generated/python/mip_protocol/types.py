@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+if __name__ == "types":
+    raise ImportError(
+        "this is mip_protocol/types.py, not Python's own types: run Python in another folder"
+    )
+
 from dataclasses import dataclass
 from enum import IntFlag
 from typing import TypeAlias
@@ -12,144 +17,156 @@ from .field import Structure
 
 @codec.open_flag(32)
 class Gx5BuiltInTest(IntFlag):
-    """Result of the built-in test of the 3DM-GX5-15: processor board, sensor board, filter."""
+    """Result of the built-in test of the 3DM-GX5-15: processor board, sensor board, filter.
+
+    - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
+    """
 
     WATCHDOG_RESET = 1 << 0
-    """The watchdog has reset the processor; cleared by the first commanded test."""
-    IMU_COMMUNICATION_FAULT = 1 << 8
-    """No communication with the inertial sensor."""
-    MAGNETOMETER_FAULT = 1 << 9
-    """Magnetometer fault, on devices that have one."""
+    """The watchdog has reset the processor; cleared by the first commanded test. Bit 0."""
+    IMU_COMM_FAULT = 1 << 8
+    """No communication with the inertial sensor. Bit 8."""
+    MAG_FAULT = 1 << 9
+    """Magnetometer fault, on devices that have one. Bit 9."""
     PRESSURE_SENSOR_FAULT = 1 << 10
-    """Pressure sensor fault, on devices that have one."""
+    """Pressure sensor fault, on devices that have one. Bit 10."""
     SOLUTION_FAULT = 1 << 24
-    """Fault of the estimation filter solution."""
+    """Fault of the estimation filter solution. Bit 24."""
 
 
 @codec.open_flag(32)
 class Cv7BuiltInTest(IntFlag):
-    """Result of the commanded built-in test of the 3DM-CV7-GNSS/INS."""
+    """Result of the commanded built-in test of the 3DM-CV7-GNSS/INS.
+
+    - 3dm-cv7-gnss-ins: Commanded Built-in Test
+    """
 
     GENERAL_HARDWARE_FAULT = 1 << 0
-    """A vital part, such as the oscillator, has failed."""
+    """A vital part, such as the oscillator, has failed. Bit 0."""
     GENERAL_FIRMWARE_FAULT = 1 << 1
-    """The firmware met a serious or unexpected condition."""
+    """The firmware met a serious or unexpected condition. Bit 1."""
     TIMING_OVERLOAD = 1 << 2
-    """The processor cannot keep up; cleared by reading the result."""
+    """The processor cannot keep up; cleared by reading the result. Bit 2."""
     BUFFER_OVERRUN = 1 << 3
-    """A data buffer was full, mostly because too much is streamed."""
-    ACCELEROMETER_FAULT = 1 << 12
-    """The accelerometer is damaged or does not work."""
-    GYROSCOPE_FAULT = 1 << 13
-    """The gyroscope is damaged or does not work."""
-    MAGNETOMETER_FAULT = 1 << 14
-    """The magnetometer is damaged or does not work."""
+    """A data buffer was full, mostly because too much is streamed. Bit 3."""
+    ACCEL_FAULT = 1 << 12
+    """The accelerometer is damaged or does not work. Bit 12."""
+    GYRO_FAULT = 1 << 13
+    """The gyroscope is damaged or does not work. Bit 13."""
+    MAG_FAULT = 1 << 14
+    """The magnetometer is damaged or does not work. Bit 14."""
     PRESSURE_SENSOR_FAULT = 1 << 15
-    """The pressure sensor is damaged or does not work."""
+    """The pressure sensor is damaged or does not work. Bit 15."""
     CALIBRATION_ERROR = 1 << 18
-    """At least one calibration table of the sensors is invalid."""
+    """At least one calibration table of the sensors is invalid. Bit 18."""
     GENERAL_IMU_FAULT = 1 << 19
-    """A fault of the inertial sensor subsystem that no other bit names."""
+    """A fault of the inertial sensor subsystem that no other bit names. Bit 19."""
     FILTER_SOLUTION_FAULT = 1 << 22
-    """The filter output is invalid (not a number); reset the filter."""
+    """The filter output is invalid (not a number); reset the filter. Bit 22."""
     GENERAL_FILTER_FAULT = 1 << 23
-    """A fault of the filter subsystem that no other bit names."""
+    """A fault of the filter subsystem that no other bit names. Bit 23."""
 
 
 @codec.open_flag(128)
 class Cv7ContinuousBuiltInTest(IntFlag):
     """Flags of the continuous built-in test of the 3DM-CV7-GNSS/INS: bits 0-31 system, 32-63
     inertial sensors, 64-95 navigation, 96-127 GNSS.
+
+    - 3dm-cv7-gnss-ins: Continuous Built-in Test
     """
 
     SYSTEM_CLOCK_FAILURE = 1 << 0
-    """The system clock does not work properly."""
+    """The system clock does not work properly. Bit 0."""
     POWER_FAULT = 1 << 1
-    """The supply voltage is out of range, or an internal supply has failed."""
+    """The supply voltage is out of range, or an internal supply has failed. Bit 1."""
     FIRMWARE_FAULT = 1 << 4
-    """The firmware met an unexpected condition."""
+    """The firmware met an unexpected condition. Bit 4."""
     TIMING_OVERLOAD = 1 << 5
-    """The processor cannot keep up."""
+    """The processor cannot keep up. Bit 5."""
     BUFFER_OVERRUN = 1 << 6
-    """A data buffer was full and data may be lost."""
+    """A data buffer was full and data may be lost. Bit 6."""
     IMU_PROCESS_FAULT = 1 << 16
-    """The inertial sensor subsystem does not run or did not start."""
+    """The inertial sensor subsystem does not run or did not start. Bit 16."""
     IMU_DATA_PROCESS_TIME_EXCEEDED = 1 << 17
-    """The processing of sensor data took too long."""
+    """The processing of sensor data took too long. Bit 17."""
     IMU_DATA_RATE_ERROR = 1 << 18
-    """Sensor data does not come at its base rate."""
+    """Sensor data does not come at its base rate. Bit 18."""
     IMU_STALL = 1 << 19
-    """The inertial sensor subsystem produces no data."""
+    """The inertial sensor subsystem produces no data. Bit 19."""
     FILTER_PROCESS_FAULT = 0xF00000
-    """Any of these: the filter does not work normally."""
+    """Any of these: the filter does not work normally. Bits 20 to 23. Overlaps other bits."""
     FILTER_MAJOR_CYCLE_FAULT = 1 << 20
-    """Major cycle of the filter; bits 22 and 23 say what."""
+    """Major cycle of the filter; bits 22 and 23 say what. Bit 20."""
     FILTER_MINOR_CYCLE_FAULT = 1 << 21
-    """Minor cycle of the filter; bits 22 and 23 say what."""
+    """Minor cycle of the filter; bits 22 and 23 say what. Bit 21."""
     FILTER_DATA_RATE_ERROR = 1 << 22
-    """A filter process misses its base rate; bits 20 and 21 say which."""
+    """A filter process misses its base rate; bits 20 and 21 say which. Bit 22."""
     FILTER_PROCESS_STALL = 1 << 23
-    """A filter process produces no data; bits 20 and 21 say which."""
+    """A filter process produces no data; bits 20 and 21 say which. Bit 23."""
     GNSS_SUBSYSTEM_FAULT = 0xF000000
-    """Any of these: GNSS does not work normally."""
+    """Any of these: GNSS does not work normally. Bits 24 to 27. Overlaps other bits."""
     GNSS_MAIN_PROCESS_FAULT = 1 << 24
-    """The main GNSS process did not run in time."""
+    """The main GNSS process did not run in time. Bit 24."""
     GNSS_RECEIVER_1_STALL = 1 << 25
-    """No data from internal receiver 1 in time."""
+    """No data from internal receiver 1 in time. Bit 25."""
     GNSS_RECEIVER_2_STALL = 1 << 26
-    """No data from internal receiver 2 in time."""
-    IMU_COMMUNICATION_FAULT = 1 << 33
-    """No communication with the inertial sensors."""
+    """No data from internal receiver 2 in time. Bit 26."""
+    IMU_COMM_FAULT = 1 << 33
+    """No communication with the inertial sensors. Bit 33."""
     IMU_TIMING_OVERRUN = 1 << 34
-    """Inertial sensor processes take longer than their time."""
-    IMU_CALIBRATION_ERROR_ACCELEROMETER = 1 << 36
-    """Fault of the accelerometer calibration."""
-    IMU_CALIBRATION_ERROR_GYROSCOPE = 1 << 37
-    """Fault of the gyroscope calibration."""
-    IMU_CALIBRATION_ERROR_MAGNETOMETER = 1 << 38
-    """Fault of the magnetometer calibration."""
-    ACCELEROMETER_GENERAL_FAULT = 1 << 40
-    """The accelerometer does not initialize."""
-    ACCELEROMETER_OVER_RANGE = 1 << 41
-    """An axis is near or outside the selected range."""
-    ACCELEROMETER_SELF_TEST_FAIL = 1 << 42
-    """The self test failed; updated by the commanded test."""
-    GYROSCOPE_GENERAL_FAULT = 1 << 44
-    """The gyroscope does not initialize."""
-    GYROSCOPE_OVER_RANGE = 1 << 45
-    """An axis is near or outside the selected range."""
-    GYROSCOPE_SELF_TEST_FAIL = 1 << 46
-    """The self test failed; updated by the commanded test."""
-    MAGNETOMETER_GENERAL_FAULT = 1 << 48
-    """The magnetometer does not initialize."""
-    MAGNETOMETER_OVER_RANGE = 1 << 49
-    """An axis is near or outside the supported range."""
-    MAGNETOMETER_SELF_TEST_FAIL = 1 << 50
-    """The self test failed; updated by the commanded test."""
+    """Inertial sensor processes take longer than their time. Bit 34."""
+    IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
+    """Fault of the accelerometer calibration. Bit 36."""
+    IMU_CALIBRATION_ERROR_GYRO = 1 << 37
+    """Fault of the gyroscope calibration. Bit 37."""
+    IMU_CALIBRATION_ERROR_MAG = 1 << 38
+    """Fault of the magnetometer calibration. Bit 38."""
+    ACCEL_GENERAL_FAULT = 1 << 40
+    """The accelerometer does not initialize. Bit 40."""
+    ACCEL_OVER_RANGE = 1 << 41
+    """An axis is near or outside the selected range. Bit 41."""
+    ACCEL_SELF_TEST_FAIL = 1 << 42
+    """The self test failed; updated by the commanded test. Bit 42."""
+    GYRO_GENERAL_FAULT = 1 << 44
+    """The gyroscope does not initialize. Bit 44."""
+    GYRO_OVER_RANGE = 1 << 45
+    """An axis is near or outside the selected range. Bit 45."""
+    GYRO_SELF_TEST_FAIL = 1 << 46
+    """The self test failed; updated by the commanded test. Bit 46."""
+    MAG_GENERAL_FAULT = 1 << 48
+    """The magnetometer does not initialize. Bit 48."""
+    MAG_OVER_RANGE = 1 << 49
+    """An axis is near or outside the supported range. Bit 49."""
+    MAG_SELF_TEST_FAIL = 1 << 50
+    """The self test failed; updated by the commanded test. Bit 50."""
     PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
-    """The pressure sensor does not initialize."""
+    """The pressure sensor does not initialize. Bit 52."""
     PRESSURE_SENSOR_OVER_RANGE = 1 << 53
-    """The pressure is outside the supported range."""
+    """The pressure is outside the supported range. Bit 53."""
     PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
-    """The self test failed; updated by the commanded test."""
+    """The self test failed; updated by the commanded test. Bit 54."""
     FACTORY_BITS_INVALID = 1 << 56
-    """The device has lost its factory configuration."""
+    """The device has lost its factory configuration. Bit 56."""
     FILTER_TIMING_OVERRUN = 1 << 66
-    """Filter processes take longer than their time."""
+    """Filter processes take longer than their time. Bit 66."""
     FILTER_TIMING_UNDERRUN = 1 << 67
-    """Filter processes are skipped."""
+    """Filter processes are skipped. Bit 67."""
     RECEIVER_1_FAULT = 1 << 105
-    """No communication with internal receiver 1."""
+    """No communication with internal receiver 1. Bit 105."""
     RECEIVER_1_NO_SOLUTION = 1 << 108
-    """Internal receiver 1 has no valid solution; mostly no sky view."""
+    """Internal receiver 1 has no valid solution; mostly no sky view. Bit 108."""
     RECEIVER_2_FAULT = 1 << 110
-    """No communication with internal receiver 2."""
+    """No communication with internal receiver 2. Bit 110."""
     RECEIVER_2_NO_SOLUTION = 1 << 113
-    """Internal receiver 2 has no valid solution; mostly no sky view."""
+    """Internal receiver 2 has no valid solution; mostly no sky view. Bit 113."""
 
 
 class EventTriggerType(codec.OpenEnum):
-    """Kind of an event trigger."""
+    """Kind of an event trigger.
+
+    - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
+    - 3dm-cv7-gnss-ins: Types of triggers
+    """
 
     NONE = 0
     """The slot is free. It is never active and cannot be enabled."""
@@ -162,7 +179,11 @@ class EventTriggerType(codec.OpenEnum):
 
 
 class EventActionType(codec.OpenEnum):
-    """Kind of an event action."""
+    """Kind of an event action.
+
+    - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+    - 3dm-cv7-gnss-ins: Types of actions
+    """
 
     NONE = 0
     """The slot is free."""
@@ -173,7 +194,11 @@ class EventActionType(codec.OpenEnum):
 
 
 class EventTriggerMode(codec.OpenEnum):
-    """Whether an event trigger works."""
+    """Whether an event trigger works.
+
+    - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
+    - 3dm-cv7-gnss-ins: Enabling & Disabling Triggers
+    """
 
     DISABLED = 0
     """The trigger is never active; so it is after configuration."""
@@ -187,18 +212,25 @@ class EventTriggerMode(codec.OpenEnum):
 
 @codec.open_flag(8)
 class EventTriggerStatus(IntFlag):
-    """State of an event trigger."""
+    """State of an event trigger.
+
+    - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
+    """
 
     ACTIVE = 1 << 0
-    """Active now, by its condition or by a test mode."""
+    """Active now, by its condition or by a test mode. Bit 0."""
     ENABLED = 1 << 1
-    """Enabled."""
+    """Enabled. Bit 1."""
     TEST = 1 << 2
-    """In a test mode."""
+    """In a test mode. Bit 2."""
 
 
 class EventTriggerGpioMode(codec.OpenEnum):
-    """How a GPIO pin activates a trigger."""
+    """How a GPIO pin activates a trigger.
+
+    - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
+    - 3dm-cv7-gnss-ins: Trigger: GPIO
+    """
 
     DISABLED = 0
     """The trigger is never active."""
@@ -207,13 +239,16 @@ class EventTriggerGpioMode(codec.OpenEnum):
     WHILE_LOW = 2
     """Active while the pin is low. The pin needs the gpio feature."""
     EDGE = 4
-    """Active for one event cycle after an edge. The pin needs the timestamp feature, whose
-    behavior selects the edge.
+    """Active for one event cycle after an edge. The pin needs the timestamp feature, whose behavior
+    selects the edge.
     """
 
 
 class EventThresholdType(codec.OpenEnum):
-    """How a threshold trigger compares."""
+    """How a threshold trigger compares.
+
+    - 3dm-cv7-gnss-ins: ThresholdParams
+    """
 
     WINDOW = 1
     """The value lies between two thresholds."""
@@ -222,7 +257,11 @@ class EventThresholdType(codec.OpenEnum):
 
 
 class EventActionGpioMode(codec.OpenEnum):
-    """How an action controls a GPIO pin."""
+    """How an action controls a GPIO pin.
+
+    - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+    - 3dm-cv7-gnss-ins: Action: GPIO
+    """
 
     DISABLED = 0
     """The pin is left alone."""
@@ -243,10 +282,13 @@ _EVENT_TRIGGER_GPIO_0 = codec.Block("BB", "pin", "mode")
 
 @dataclass(slots=True)
 class EventTriggerGpio(Structure):
-    """A trigger on a GPIO pin."""
+    """A trigger on a GPIO pin.
+
+    - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
+    """
 
     pin: int
-    """GPIO pin, counted from 1. Range: 1 to …."""
+    """GPIO pin, counted from 1. Range: at least 1."""
     mode: EventTriggerGpioMode
     """How the pin activates the trigger."""
 
@@ -263,102 +305,109 @@ class EventTriggerGpio(Structure):
         return out
 
 
-_EVENT_THRESHOLD_WINDOW_0 = codec.Block("dd", "low_thres", "high_thres")
+_EVENT_THRESHOLD_WINDOW_0 = codec.Block("dd", "low_threshold", "high_threshold")
 
 
 @dataclass(slots=True)
 class EventThresholdWindow(Structure):
     """Two thresholds with a window between them."""
 
-    low_thres: float
+    low_threshold: float
     """Lower threshold, in the unit of the watched value."""
-    high_thres: float
-    """Upper threshold, in the unit of the watched value. If it is below the lower one, the
-    trigger is active outside of the window.
+    high_threshold: float
+    """Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger
+    is active outside of the window.
     """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventThresholdWindow, int]:
         v = _EVENT_THRESHOLD_WINDOW_0.read(raw, at)
         at += 16
-        low_thres = v[0]
-        high_thres = v[1]
-        return cls(low_thres, high_thres), at
+        low_threshold = v[0]
+        high_threshold = v[1]
+        return cls(low_threshold, high_threshold), at
 
     def _write(self) -> bytes:
-        out = _EVENT_THRESHOLD_WINDOW_0.write(self.low_thres, self.high_thres)
+        out = _EVENT_THRESHOLD_WINDOW_0.write(self.low_threshold, self.high_threshold)
         return out
 
 
-_EVENT_THRESHOLD_INTERVAL_0 = codec.Block("dd", "int_thres", "interval")
+_EVENT_THRESHOLD_INTERVAL_0 = codec.Block("dd", "interval_threshold", "interval")
 
 
 @dataclass(slots=True)
 class EventThresholdInterval(Structure):
     """A threshold inside a repeating interval."""
 
-    int_thres: float
-    """The trigger is active while the remainder is at most this, in the unit of the watched
-    value.
+    interval_threshold: float
+    """The trigger is active while the remainder is at most this, in the unit of the watched value.
     """
     interval: float
-    """Divisor of the remainder, in the unit of the watched value. If it is below the threshold,
-    the two swap roles: the trigger is active while the value modulo int_thres is above this.
+    """Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the
+    two swap roles: the trigger is active while the value modulo interval_threshold is above this.
     """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventThresholdInterval, int]:
         v = _EVENT_THRESHOLD_INTERVAL_0.read(raw, at)
         at += 16
-        int_thres = v[0]
+        interval_threshold = v[0]
         interval = v[1]
-        return cls(int_thres, interval), at
+        return cls(interval_threshold, interval), at
 
     def _write(self) -> bytes:
-        out = _EVENT_THRESHOLD_INTERVAL_0.write(self.int_thres, self.interval)
+        out = _EVENT_THRESHOLD_INTERVAL_0.write(self.interval_threshold, self.interval)
         return out
 
 
-_EVENT_TRIGGER_THRESHOLD_0 = codec.Block("BBBB", "desc_set", "field_desc", "param_id", "type")
+_EVENT_TRIGGER_THRESHOLD_0 = codec.Block(
+    "BBBB", "descriptor_set", "field_descriptor", "parameter_id", "type"
+)
 
 
 @dataclass(slots=True)
 class EventTriggerThreshold(Structure):
     """A trigger on one value of a data field. The value is converted to double before it is
     compared.
+
+    - 3dm-cv7-gnss-ins: ThresholdParams
     """
 
-    desc_set: int
+    descriptor_set: int
     """Data descriptor set of the watched value."""
-    field_desc: int
+    field_descriptor: int
     """Field descriptor of the watched value."""
-    param_id: int
-    """Number of the value in its field, counted from 1; each element of a vector counts. Range:
-    1 to ….
+    parameter_id: int
+    """Number of the value in its field, counted from 1; each element of a vector counts. Range: at
+    least 1.
     """
     type: EventThresholdType
     """Kind of comparison."""
     thresholds: EventThresholdWindow | EventThresholdInterval | None = None
-    """What the value is compared with."""
+    """What the value is compared with. Selected by `type`.
+
+    - If `type` is `EventThresholdType.WINDOW`: `EventThresholdWindow`.
+    - If `type` is `EventThresholdType.INTERVAL`: `EventThresholdInterval`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerThreshold, int]:
         thresholds: EventThresholdWindow | EventThresholdInterval | None = None
         v = _EVENT_TRIGGER_THRESHOLD_0.read(raw, at)
         at += 4
-        desc_set = v[0]
-        field_desc = v[1]
-        param_id = v[2]
+        descriptor_set = v[0]
+        field_descriptor = v[1]
+        parameter_id = v[2]
         type = EventThresholdType(v[3])
         if type == 1:
             thresholds, at = EventThresholdWindow._read(raw, at)
         elif type == 2:
             thresholds, at = EventThresholdInterval._read(raw, at)
-        return cls(desc_set, field_desc, param_id, type, thresholds), at
+        return cls(descriptor_set, field_descriptor, parameter_id, type, thresholds), at
 
     def _write(self) -> bytes:
         out = _EVENT_TRIGGER_THRESHOLD_0.write(
-            self.desc_set, self.field_desc, self.param_id, self.type
+            self.descriptor_set, self.field_descriptor, self.parameter_id, self.type
         )
         if self.type == 1:
             if not isinstance(self.thresholds, EventThresholdWindow):
@@ -373,22 +422,24 @@ class EventTriggerThreshold(Structure):
         return out
 
 
-_EVENT_TRIGGER_COMBINATION_0 = codec.Block(
-    "HBBBB", "logic_table", "input_triggers", "input_triggers", "input_triggers", "input_triggers"
-)
+_EVENT_TRIGGER_COMBINATION_0 = codec.Block("HBBBB", "logic_table", *["input_triggers"] * 4)
 
 
 @dataclass(slots=True)
 class EventTriggerCombination(Structure):
-    """A trigger that combines up to four others."""
+    """A trigger that combines up to four others.
+
+    - 3dm-cv7-gnss-ins: CombinationParams
+    - 3dm-cv7-gnss-ins: Logical Truth Table
+    """
 
     logic_table: int
     """Bit n is the output when n = a + 2b + 4c + 8d, with a to d the states (0 or 1) of the four
     inputs.
     """
     input_triggers: tuple[int, int, int, int]
-    """Trigger instances for the inputs a to d; 0 is always inactive. An input may name the
-    trigger itself; it is then the output of the event cycle before.
+    """Trigger instances for the inputs a to d; 0 is always inactive. An input may name the trigger
+    itself; it is then the output of the event cycle before.
     """
 
     @classmethod
@@ -411,10 +462,13 @@ _EVENT_ACTION_GPIO_0 = codec.Block("BB", "pin", "mode")
 
 @dataclass(slots=True)
 class EventActionGpio(Structure):
-    """An action on a GPIO pin, which needs the gpio feature and an output behavior."""
+    """An action on a GPIO pin, which needs the gpio feature and an output behavior.
+
+    - 3dm-cv7-gnss-ins: GpioParams
+    """
 
     pin: int
-    """GPIO pin, counted from 1. Range: 1 to …."""
+    """GPIO pin, counted from 1. Range: at least 1."""
     mode: EventActionGpioMode
     """What happens to the pin."""
 
@@ -431,19 +485,24 @@ class EventActionGpio(Structure):
         return out
 
 
-_EVENT_ACTION_MESSAGE_0 = codec.Block("BHB", "desc_set", "decimation", "num_fields")
+_EVENT_ACTION_MESSAGE_0 = codec.Block("BHB", "descriptor_set", "decimation", "num_fields")
 
 
 @dataclass(slots=True)
 class EventActionMessage(Structure):
-    """An action that sends data packets."""
+    """An action that sends data packets.
 
-    desc_set: int
+    - 3dm-cv7-gnss-ins: MessageParams
+    """
+
+    descriptor_set: int
     """Data descriptor set of the packet."""
     decimation: int
     """0 sends one packet per activation. Any other value streams while the trigger is active, at
     the base rate of the descriptor set divided by it.
     """
+    # On the wire: num_fields. Number of fields in the packet. The number of elements of
+    # `descriptors`. Range: 0 to 12.
     descriptors: tuple[int, ...]
     """Field descriptors, in order."""
 
@@ -451,17 +510,17 @@ class EventActionMessage(Structure):
     def _read(cls, raw: bytes, at: int) -> tuple[EventActionMessage, int]:
         v = _EVENT_ACTION_MESSAGE_0.read(raw, at)
         at += 4
-        desc_set = v[0]
+        descriptor_set = v[0]
         decimation = v[1]
         num_fields = v[2]
         n = codec.counted(raw, at, num_fields, 1, 249)
         descriptors = codec.read_numbers("B", raw, at, n)
         at += n
-        return cls(desc_set, decimation, descriptors), at
+        return cls(descriptor_set, decimation, descriptors), at
 
     def _write(self) -> bytes:
         out = _EVENT_ACTION_MESSAGE_0.write(
-            self.desc_set, self.decimation, codec.count("descriptors", self.descriptors, 249)
+            self.descriptor_set, self.decimation, codec.count("descriptors", self.descriptors, 249)
         )
         out += codec.write_numbers(
             "descriptors", "B", codec.at_most("descriptors", self.descriptors, 249)
@@ -470,7 +529,11 @@ class EventActionMessage(Structure):
 
 
 class GnssConstellation(codec.OpenEnum):
-    """Satellite constellation. QZSS has no value."""
+    """Satellite constellation. QZSS has no value.
+
+    - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
+    - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
+    """
 
     UNKNOWN = 0
     """Not known."""
@@ -487,7 +550,10 @@ class GnssConstellation(codec.OpenEnum):
 
 
 class GnssFixType(codec.OpenEnum):
-    """Type of a GNSS position fix."""
+    """Type of a GNSS position fix.
+
+    - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
+    """
 
     FIX_3D = 0
     """Fix in three dimensions."""
@@ -508,7 +574,10 @@ class GnssFixType(codec.OpenEnum):
 
 
 class GnssSignal(codec.OpenEnum):
-    """Signal of a satellite."""
+    """Signal of a satellite.
+
+    - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
+    """
 
     UNKNOWN = 0
     """Not known."""
@@ -645,7 +714,11 @@ class GnssSignal(codec.OpenEnum):
 
 
 class GpioFeature(codec.OpenEnum):
-    """What a GPIO pin is used for."""
+    """What a GPIO pin is used for.
+
+    - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
+    - 3dm-cv7-gnss-ins: GPIO Features
+    """
 
     UNUSED = 0
     """Not connected. Reading the pin may work but is not guaranteed."""
@@ -725,20 +798,26 @@ class GpioUartBehavior(codec.OpenEnum):
 class GpioPinMode(IntFlag):
     """Electrical options of a GPIO pin; which are allowed depends on device, pin, feature and
     behavior.
+
+    - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
+    - 3dm-cv7-gnss-ins: Pin Mode
     """
 
     OPEN_DRAIN = 1 << 0
-    """The output drives low or floats. It usually needs a pull-up."""
+    """The output drives low or floats. It usually needs a pull-up. Bit 0."""
     PULLDOWN = 1 << 1
-    """Internal pull-down resistor; not together with the pull-up."""
+    """Internal pull-down resistor; not together with the pull-up. Bit 1."""
     PULLUP = 1 << 2
     """Internal pull-up resistor; not together with the pull-down. May lower the allowed input
-    voltage.
+    voltage. Bit 2.
     """
 
 
 class NmeaMessageId(codec.OpenEnum):
-    """An NMEA-0183 sentence that a device can send."""
+    """An NMEA-0183 sentence that a device can send.
+
+    - 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
+    """
 
     GGA = 1
     """GNSS fix. From a GNSS or the filter data set."""
@@ -763,7 +842,10 @@ class NmeaMessageId(codec.OpenEnum):
 
 
 class NmeaTalkerId(codec.OpenEnum):
-    """The first letters of an NMEA-0183 sentence, which name its talker."""
+    """The first letters of an NMEA-0183 sentence, which name its talker.
+
+    - 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
+    """
 
     IGNORED = 0
     """For sentences whose talker is not free (GSV and the proprietary ones)."""
@@ -777,18 +859,23 @@ class NmeaTalkerId(codec.OpenEnum):
     """GL."""
 
 
-_NMEA_MESSAGE_0 = codec.Block("BBBH", "message_id", "talker_id", "source_desc_set", "decimation")
+_NMEA_MESSAGE_0 = codec.Block(
+    "BBBH", "message_id", "talker_id", "source_descriptor_set", "decimation"
+)
 
 
 @dataclass(slots=True)
 class NmeaMessage(Structure):
-    """An NMEA-0183 sentence with its talker, its data source and how often it is sent."""
+    """An NMEA-0183 sentence with its talker, its data source and how often it is sent.
+
+    - 3dm-cv7-gnss-ins: Sources and Talker IDs
+    """
 
     message_id: NmeaMessageId
     """The sentence."""
     talker_id: NmeaTalkerId
     """The talker that the sentence names."""
-    source_desc_set: int
+    source_descriptor_set: int
     """Data descriptor set that the contents are taken from."""
     decimation: int
     """Base rate of the source descriptor set divided by the wanted rate; a poll ignores it."""
@@ -799,35 +886,277 @@ class NmeaMessage(Structure):
         at += 5
         message_id = NmeaMessageId(v[0])
         talker_id = NmeaTalkerId(v[1])
-        source_desc_set = v[2]
+        source_descriptor_set = v[2]
         decimation = v[3]
-        return cls(message_id, talker_id, source_desc_set, decimation), at
+        return cls(message_id, talker_id, source_descriptor_set, decimation), at
 
     def _write(self) -> bytes:
         out = _NMEA_MESSAGE_0.write(
-            self.message_id, self.talker_id, self.source_desc_set, self.decimation
+            self.message_id, self.talker_id, self.source_descriptor_set, self.decimation
         )
         return out
 
 
+@codec.open_flag(32)
+class RtkStatusFlags(IntFlag):
+    """State of the modem and of the corrections. Models of another kind send
+    rtk_status_flags_legacy. Uncertain: Which model sends which of the two forms. The SDK says only
+    that the model number decides it. Uncertain: Other software of the vendor looks at `version`: 0
+    is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits are `sinr`.
+    Uncertain: The SDK gives the names only; the descriptions follow from them. What the values mean
+    is open.
+
+    - mip-sdk-4: Get Status Flags (0x0F,0x01)
+    """
+
+    MODEM_STATE = 0xF
+    """State of the modem. Bits 0 to 3."""
+    CONNECTION_TYPE = 0xF0
+    """Kind of the cellular connection. Bits 4 to 7."""
+    RSSI = 0xFF00
+    """Received signal strength. Bits 8 to 15. Uncertain: Its unit and sign; other software of the
+    vendor takes it as negative.
+    """
+    SIGNAL_QUALITY = 0xF0000
+    """Signal quality. Bits 16 to 19."""
+    TOWER_CHANGE_INDICATOR = 0xF00000
+    """Changes of the cell tower. Bits 20 to 23."""
+    NMEA_TIMEOUT = 1 << 24
+    """No NMEA came from the device in time. Bit 24."""
+    SERVER_TIMEOUT = 1 << 25
+    """The server did not answer in time. Bit 25."""
+    CORRECTIONS_TIMEOUT = 1 << 26
+    """No corrections came in time. Bit 26."""
+    DEVICE_OUT_OF_RANGE = 1 << 27
+    """The device is outside of the area of the service. Bit 27."""
+    CORRECTIONS_UNAVAILABLE = 1 << 28
+    """There are no corrections. Bit 28."""
+    VERSION = 0xC0000000
+    """Form of these flags. Bits 30 to 31."""
+
+    @property
+    def modem_state(self) -> int:
+        """Bits 0 to 3 as a number."""
+        return int((self >> 0) & 0xF)
+
+    def with_modem_state(self, value: int) -> RtkStatusFlags:
+        """The same with bits 0 to 3 set to a number."""
+        value = codec.fits("modem_state", value, 4)
+        return RtkStatusFlags(int(self) & ~0xF | value << 0)
+
+    @property
+    def connection_type(self) -> int:
+        """Bits 4 to 7 as a number."""
+        return int((self >> 4) & 0xF)
+
+    def with_connection_type(self, value: int) -> RtkStatusFlags:
+        """The same with bits 4 to 7 set to a number."""
+        value = codec.fits("connection_type", value, 4)
+        return RtkStatusFlags(int(self) & ~0xF0 | value << 4)
+
+    @property
+    def rssi(self) -> int:
+        """Bits 8 to 15 as a number."""
+        return int((self >> 8) & 0xFF)
+
+    def with_rssi(self, value: int) -> RtkStatusFlags:
+        """The same with bits 8 to 15 set to a number."""
+        value = codec.fits("rssi", value, 8)
+        return RtkStatusFlags(int(self) & ~0xFF00 | value << 8)
+
+    @property
+    def signal_quality(self) -> int:
+        """Bits 16 to 19 as a number."""
+        return int((self >> 16) & 0xF)
+
+    def with_signal_quality(self, value: int) -> RtkStatusFlags:
+        """The same with bits 16 to 19 set to a number."""
+        value = codec.fits("signal_quality", value, 4)
+        return RtkStatusFlags(int(self) & ~0xF0000 | value << 16)
+
+    @property
+    def tower_change_indicator(self) -> int:
+        """Bits 20 to 23 as a number."""
+        return int((self >> 20) & 0xF)
+
+    def with_tower_change_indicator(self, value: int) -> RtkStatusFlags:
+        """The same with bits 20 to 23 set to a number."""
+        value = codec.fits("tower_change_indicator", value, 4)
+        return RtkStatusFlags(int(self) & ~0xF00000 | value << 20)
+
+    @property
+    def version(self) -> int:
+        """Bits 30 to 31 as a number."""
+        return int((self >> 30) & 0x3)
+
+    def with_version(self, value: int) -> RtkStatusFlags:
+        """The same with bits 30 to 31 set to a number."""
+        value = codec.fits("version", value, 2)
+        return RtkStatusFlags(int(self) & ~0xC0000000 | value << 30)
+
+
+@codec.open_flag(32)
+class RtkStatusFlagsLegacy(IntFlag):
+    """State of the modem and of the corrections, in its older form. Uncertain: Which model sends
+    which of the two forms; see rtk_status_flags. Uncertain: The SDK calls bits 20-31 reserved, and
+    puts the four last numbers there too. Uncertain: The SDK gives the names only; the descriptions
+    follow from them. What the values mean is open.
+
+    - mip-sdk-4: Get Status Flags (0x0F,0x01)
+    """
+
+    CONTROLLER_STATE = 0x7
+    """State of the controller. Bits 0 to 2."""
+    PLATFORM_STATE = 0xF8
+    """State of the platform. Bits 3 to 7."""
+    CONTROLLER_STATUS_CODE = 0x700
+    """Status code of the controller. Bits 8 to 10."""
+    PLATFORM_STATUS_CODE = 0x3800
+    """Status code of the platform. Bits 11 to 13."""
+    RESET_CODE = 0xC000
+    """Reason of the last reset. Bits 14 to 15."""
+    SIGNAL_QUALITY = 0xF0000
+    """Signal quality. Bits 16 to 19."""
+    RSSI = 0x3F00000
+    """Received signal strength. Bits 20 to 25."""
+    RSRP = 0xC000000
+    """Received power of the reference signal. Bits 26 to 27."""
+    RSRQ = 0x30000000
+    """Received quality of the reference signal. Bits 28 to 29."""
+    SINR = 0xC0000000
+    """Signal to interference and noise ratio. Bits 30 to 31."""
+
+    @property
+    def controller_state(self) -> int:
+        """Bits 0 to 2 as a number."""
+        return int((self >> 0) & 0x7)
+
+    def with_controller_state(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 0 to 2 set to a number."""
+        value = codec.fits("controller_state", value, 3)
+        return RtkStatusFlagsLegacy(int(self) & ~0x7 | value << 0)
+
+    @property
+    def platform_state(self) -> int:
+        """Bits 3 to 7 as a number."""
+        return int((self >> 3) & 0x1F)
+
+    def with_platform_state(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 3 to 7 set to a number."""
+        value = codec.fits("platform_state", value, 5)
+        return RtkStatusFlagsLegacy(int(self) & ~0xF8 | value << 3)
+
+    @property
+    def controller_status_code(self) -> int:
+        """Bits 8 to 10 as a number."""
+        return int((self >> 8) & 0x7)
+
+    def with_controller_status_code(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 8 to 10 set to a number."""
+        value = codec.fits("controller_status_code", value, 3)
+        return RtkStatusFlagsLegacy(int(self) & ~0x700 | value << 8)
+
+    @property
+    def platform_status_code(self) -> int:
+        """Bits 11 to 13 as a number."""
+        return int((self >> 11) & 0x7)
+
+    def with_platform_status_code(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 11 to 13 set to a number."""
+        value = codec.fits("platform_status_code", value, 3)
+        return RtkStatusFlagsLegacy(int(self) & ~0x3800 | value << 11)
+
+    @property
+    def reset_code(self) -> int:
+        """Bits 14 to 15 as a number."""
+        return int((self >> 14) & 0x3)
+
+    def with_reset_code(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 14 to 15 set to a number."""
+        value = codec.fits("reset_code", value, 2)
+        return RtkStatusFlagsLegacy(int(self) & ~0xC000 | value << 14)
+
+    @property
+    def signal_quality(self) -> int:
+        """Bits 16 to 19 as a number."""
+        return int((self >> 16) & 0xF)
+
+    def with_signal_quality(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 16 to 19 set to a number."""
+        value = codec.fits("signal_quality", value, 4)
+        return RtkStatusFlagsLegacy(int(self) & ~0xF0000 | value << 16)
+
+    @property
+    def rssi(self) -> int:
+        """Bits 20 to 25 as a number."""
+        return int((self >> 20) & 0x3F)
+
+    def with_rssi(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 20 to 25 set to a number."""
+        value = codec.fits("rssi", value, 6)
+        return RtkStatusFlagsLegacy(int(self) & ~0x3F00000 | value << 20)
+
+    @property
+    def rsrp(self) -> int:
+        """Bits 26 to 27 as a number."""
+        return int((self >> 26) & 0x3)
+
+    def with_rsrp(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 26 to 27 set to a number."""
+        value = codec.fits("rsrp", value, 2)
+        return RtkStatusFlagsLegacy(int(self) & ~0xC000000 | value << 26)
+
+    @property
+    def rsrq(self) -> int:
+        """Bits 28 to 29 as a number."""
+        return int((self >> 28) & 0x3)
+
+    def with_rsrq(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 28 to 29 set to a number."""
+        value = codec.fits("rsrq", value, 2)
+        return RtkStatusFlagsLegacy(int(self) & ~0x30000000 | value << 28)
+
+    @property
+    def sinr(self) -> int:
+        """Bits 30 to 31 as a number."""
+        return int((self >> 30) & 0x3)
+
+    def with_sinr(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 30 to 31 set to a number."""
+        value = codec.fits("sinr", value, 2)
+        return RtkStatusFlagsLegacy(int(self) & ~0xC0000000 | value << 30)
+
+
 Vector3f: TypeAlias = tuple[float, float, float]
-"""Three floats. Order: x, y, z."""
+"""Three floats. Elements: x, y, z."""
+
 Vector3d: TypeAlias = tuple[float, float, float]
-"""Three doubles. Order: x, y, z."""
+"""Three doubles. Elements: x, y, z."""
+
 Vector4f: TypeAlias = tuple[float, float, float, float]
-"""Four floats. Order: x, y, z, w."""
+"""Four floats. Elements: x, y, z, w."""
+
 Vector4d: TypeAlias = tuple[float, float, float, float]
-"""Four doubles. Order: x, y, z, w."""
+"""Four doubles. Elements: x, y, z, w."""
+
 Matrix3f: TypeAlias = tuple[float, float, float, float, float, float, float, float, float]
-"""Three by three floats in row-major order. Order: m11, m12, m13, m21, m22, m23, m31, m32, m33."""
+"""Three by three floats in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+"""
+
 Matrix3d: TypeAlias = tuple[float, float, float, float, float, float, float, float, float]
-"""Three by three doubles in row-major order. Order: m11, m12, m13, m21, m22, m23, m31, m32, m33."""
+"""Three by three doubles in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+"""
+
 Quatf: TypeAlias = tuple[float, float, float, float]
-"""A quaternion, scalar part first. Order: w, x, y, z."""
+"""A quaternion, scalar part first. Elements: w, x, y, z."""
 
 
 class AckCode(codec.OpenEnum):
-    """The result of a command."""
+    """The result of a command.
+
+    - 3dm-gx5-15: 4.5 Error Codes
+    - 3dm-cv7-gnss-ins: Ack/Nack Codes
+    """
 
     OK = 0
     """The command was carried out."""
@@ -872,29 +1201,34 @@ class DescriptorRate(Structure):
 
 @codec.open_flag(16)
 class SensorGpsTimestampFlags(IntFlag):
-    """State of the GPS time of sensor data."""
+    """State of the GPS time of sensor data.
+
+    - 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
+    """
 
     PPS_VALID = 1 << 0
-    """The PPS signal is present."""
+    """The PPS signal is present. Bit 0."""
     TIME_REFRESH = 1 << 1
-    """Toggles each time that the time is updated."""
+    """Toggles each time that the time is updated. Bit 1."""
     TIME_INITIALIZED = 1 << 2
-    """The time has been set at least once."""
+    """The time has been set at least once. Bit 2."""
     TOW_VALID = 1 << 3
-    """The time of week is valid."""
+    """The time of week is valid. Bit 3."""
     WEEK_NUMBER_VALID = 1 << 4
-    """The week number is valid."""
+    """The week number is valid. Bit 4."""
 
 
 @codec.open_flag(16)
 class Gx5SensorGpsTimestampFlags(IntFlag):
-    """State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits that vouch for
-    the values.
+    """State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits that vouch for the
+    values.
+
+    - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
     """
 
     PPS_VALID = 1 << 0
-    """The PPS signal is present; without it, the internal clock drives the time."""
+    """The PPS signal is present; without it, the internal clock drives the time. Bit 0."""
     TIME_REFRESH = 1 << 1
-    """Toggles each time that the time is updated."""
+    """Toggles each time that the time is updated. Bit 1."""
     TIME_INITIALIZED = 1 << 2
-    """The time has been set at least once."""
+    """The time has been set at least once. Bit 2."""

@@ -125,6 +125,20 @@ static void refused(void) {
     CHECK(mip_more_own_encode(&own, b) == MIP_OK);
 }
 
+static void sets(void) {
+    /* Data goes into data packets only, and commands into those of their own set. */
+    struct mip_more_own own = {MIP_MODE_FAST};
+    struct mip_protocol_acknowledge ack = {1, MIP_ACK_CODE_OK};
+    CHECK(mip_more_own_encode(&own, fresh(MIP_TOOLS_SET)) == MIP_ERROR_SET);
+    CHECK(packet.length == MIP_HEADER_SIZE && mip_builder_finish(&packet).size == 6);
+    CHECK(mip_more_own_encode(&own, fresh(0x7F)) == MIP_ERROR_SET);
+    CHECK(mip_more_own_encode(&own, fresh(0x80)) == MIP_OK);
+    CHECK(mip_tools_ping_encode(NULL, fresh(MIP_MEASUREMENTS_SET)) == MIP_ERROR_SET);
+    CHECK(mip_tools_ping_encode(NULL, fresh(MIP_TOOLS_SET + 1)) == MIP_ERROR_SET);
+    CHECK(mip_protocol_acknowledge_encode(&ack, fresh(0x7F)) == MIP_OK);
+    CHECK(mip_protocol_acknowledge_encode(&ack, fresh(0x80)) == MIP_ERROR_SET);
+}
+
 static void unions(void) {
     union mip_tools_choice_parameters u;
     memset(&u, 0, sizeof(u));
@@ -181,6 +195,7 @@ int main(void) {
     presence();
     counts();
     refused();
+    sets();
     unions();
     strings();
     constants();

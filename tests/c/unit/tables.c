@@ -101,7 +101,9 @@ static void devices(void) {
     CHECK(mip_device_supports(b, MIP_TOOLS_SET, MIP_TOOLS_CHOICE_DESCRIPTOR) == NULL);
     CHECK(mip_device_base_rate(a, 0x80) > 999 && mip_device_base_rate(a, 0x80) < 1001);
     CHECK(mip_device_base_rate(b, 0x81) < 0);
-    CHECK(is(mip_device_reading_of(b, "ack_code"), "mode") && mip_device_reading_of(a, "ack_code") == NULL);
+    CHECK(is(mip_device_reading_of(b, "protocol.acknowledge.code"), "mode"));
+    CHECK(mip_device_reading_of(a, "protocol.acknowledge.code") == NULL);
+    CHECK(mip_device_reading_of(b, "measurements.accel.scaled_accel") == NULL); /* another unit, but no type */
     CHECK(is(mip_device_reading_of(a, "tools.status_short.flags"), "tools.model_a_faults"));
     CHECK(a->port_count == 2 && a->ports[0].id == 0x11 && a->ports[0].baud_rates[1] == 115200);
     CHECK(is(a->ports[0].protocols, "MIP, NMEA") && a->ports[1].baud_rate_count == 0);

@@ -9,13 +9,14 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/3dm.h and mip/core.h are not of one version"
+#error "mip/3dm.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_3DM_SET 0x0C
 
 /**
@@ -26,7 +27,7 @@ extern "C" {
 struct mip_3dm_poll_entry {
     /** Field descriptor. */
     uint8_t descriptor;
-    /** In place of a decimation. */
+    /** In place of a decimation. Reserved: send 0. */
     uint16_t reserved;
 };
 
@@ -47,19 +48,56 @@ typedef uint8_t mip_3dm_factory_streaming_action;
 #define MIP_3DM_FACTORY_STREAMING_ACTION_ADD 2
 
 /**
- * A data stream of a 5-series device.
+ * Constellation in the settings of a receiver. The values are not those of gnss_constellation,
+ * which GNSS data use.
  *
- * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
+ * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  */
-typedef uint8_t mip_3dm_legacy_data_stream;
-/** All streams; for save, load and default only. */
-#define MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS 0
-/** Sensor data (0x80). */
-#define MIP_3DM_LEGACY_DATA_STREAM_IMU 1
-/** GNSS data. */
-#define MIP_3DM_LEGACY_DATA_STREAM_GNSS 2
-/** Estimation filter data (0x82). */
-#define MIP_3DM_LEGACY_DATA_STREAM_FILTER 3
+typedef uint8_t mip_3dm_constellation_id;
+/** GPS, satellites G1 to G32. */
+#define MIP_3DM_CONSTELLATION_ID_GPS 0
+/** SBAS, satellites S120 to S158. */
+#define MIP_3DM_CONSTELLATION_ID_SBAS 1
+/** Galileo, satellites E1 to E36. */
+#define MIP_3DM_CONSTELLATION_ID_GALILEO 2
+/** BeiDou, satellites B1 to B37. */
+#define MIP_3DM_CONSTELLATION_ID_BEIDOU 3
+/** QZSS, satellites Q1 to Q5. */
+#define MIP_3DM_CONSTELLATION_ID_QZSS 5
+/** GLONASS, satellites R1 to R32. */
+#define MIP_3DM_CONSTELLATION_ID_GLONASS 6
+
+/**
+ * Options of a constellation.
+ *
+ * - mip-sdk-4: Constellation Settings (0x0C,0x21)
+ */
+typedef uint16_t mip_3dm_constellation_options;
+/** Bit 0. The L1-SAIF signal; QZSS only. */
+#define MIP_3DM_CONSTELLATION_OPTIONS_L1SAIF 0x0001U
+
+/**
+ * How a receiver tracks one constellation.
+ *
+ * - mip-sdk-4: Constellation Settings (0x0C,0x21)
+ */
+struct mip_3dm_constellation_settings_entry {
+    /** Constellation. */
+    mip_3dm_constellation_id constellation_id;
+    /** 1 switches it on, 0 off. Range: 0 to 1. */
+    uint8_t enable;
+    /** Channels that are kept for it. Unit: 1. Range: 0 to 32. */
+    uint8_t reserved_channels;
+    /** Channels that it takes at most. Unit: 1. Range: 0 to 32. */
+    uint8_t max_channels;
+    /** Options. */
+    mip_3dm_constellation_options option_flags;
+};
+
+void mip_3dm_constellation_settings_entry_read(struct mip_reader *r,
+                                               struct mip_3dm_constellation_settings_entry *v);
+void mip_3dm_constellation_settings_entry_write(
+    struct mip_writer *w, const struct mip_3dm_constellation_settings_entry *v);
 
 /**
  * How SBAS is used.
@@ -67,12 +105,23 @@ typedef uint8_t mip_3dm_legacy_data_stream;
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
 typedef uint16_t mip_3dm_sbas_options;
-/** Bit 0: SBAS pseudoranges take part in the position solution. */
+/** Bit 0. SBAS pseudoranges take part in the position solution. */
 #define MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING 0x0001U
-/** Bit 1: SBAS differential corrections are applied. */
+/** Bit 1. SBAS differential corrections are applied. */
 #define MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS 0x0002U
-/** Bit 2: Only GPS satellites with SBAS integrity information are used. */
+/** Bit 2. Only GPS satellites with SBAS integrity information are used. */
 #define MIP_3DM_SBAS_OPTIONS_APPLY_INTEGRITY 0x0004U
+
+/**
+ * Whether a receiver keeps its last fix.
+ *
+ * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+ */
+typedef uint8_t mip_3dm_assisted_fix_option;
+/** The receiver starts without it. */
+#define MIP_3DM_ASSISTED_FIX_OPTION_NONE 0
+/** The receiver starts from its last fix. */
+#define MIP_3DM_ASSISTED_FIX_OPTION_ENABLED 1
 
 /**
  * Where the pulse per second comes from.
@@ -96,28 +145,27 @@ typedef uint8_t mip_3dm_pps_source;
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
-typedef uint8_t mip_3dm_supported_events_query;
+typedef uint8_t mip_3dm_event_support_query;
 /** Triggers. */
-#define MIP_3DM_SUPPORTED_EVENTS_QUERY_TRIGGER_TYPES 1
+#define MIP_3DM_EVENT_SUPPORT_QUERY_TRIGGER_TYPES 1
 /** Actions. */
-#define MIP_3DM_SUPPORTED_EVENTS_QUERY_ACTION_TYPES 2
+#define MIP_3DM_EVENT_SUPPORT_QUERY_ACTION_TYPES 2
 
 /**
  * How many instances of one trigger or action type a device can have.
  *
  * - 3dm-cv7-gnss-ins: Info
  */
-struct mip_3dm_supported_event_info {
+struct mip_3dm_event_support_info {
     /** A value of event_trigger_type if triggers were asked about, else of event_action_type. */
     uint8_t type;
     /** Instances of this type at most. Unit: 1. */
     uint8_t count;
 };
 
-void mip_3dm_supported_event_info_read(struct mip_reader *r,
-                                       struct mip_3dm_supported_event_info *v);
-void mip_3dm_supported_event_info_write(struct mip_writer *w,
-                                        const struct mip_3dm_supported_event_info *v);
+void mip_3dm_event_support_info_read(struct mip_reader *r, struct mip_3dm_event_support_info *v);
+void mip_3dm_event_support_info_write(struct mip_writer *w,
+                                      const struct mip_3dm_event_support_info *v);
 
 /**
  * Type and state of one trigger.
@@ -179,7 +227,7 @@ typedef uint8_t mip_3dm_sensor_range_type;
 /** Magnetometer; gauss. */
 #define MIP_3DM_SENSOR_RANGE_TYPE_MAG 3
 /** Pressure sensor; hectopascals, that is millibars. */
-#define MIP_3DM_SENSOR_RANGE_TYPE_PRESS 4
+#define MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE 4
 
 /**
  * A range that a sensor supports.
@@ -209,9 +257,27 @@ typedef uint8_t mip_3dm_device_status_selector;
 #define MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC 2
 
 /**
+ * A data stream of a 5-series device.
+ *
+ * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
+ */
+typedef uint8_t mip_3dm_legacy_data_stream;
+/** All streams; for save, load and default only. */
+#define MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS 0
+/** Sensor data (0x80). */
+#define MIP_3DM_LEGACY_DATA_STREAM_IMU 1
+/** GNSS data. */
+#define MIP_3DM_LEGACY_DATA_STREAM_GNSS 2
+/** Estimation filter data (0x82). */
+#define MIP_3DM_LEGACY_DATA_STREAM_FILTER 3
+
+/**
  * Poll IMU Data: command (0x0C,0x01).
  *
  * Asks for one sensor data packet (0x80) with the fields listed, in their order.
+ *
+ * Also called `poll_imu_message`. Not acknowledged if suppress_ack is true. Supported by
+ * 3DM-GX5-15.
  *
  * An empty list polls the stored message format; without one the device refuses.
  *
@@ -219,14 +285,12 @@ typedef uint8_t mip_3dm_device_status_selector;
  *
  * The data comes in a packet of its own behind the reply.
  *
- * Not acknowledged if suppress_ack is true. Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
  */
 struct mip_3dm_poll_imu_data {
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of fields. */
+    /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields to send. */
     struct mip_3dm_poll_entry descriptors[83];
@@ -245,9 +309,51 @@ struct mip_3dm_poll_imu_data mip_3dm_poll_imu_data_make(
     mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]);
 
 /**
+ * Poll GNSS Data: command (0x0C,0x02).
+ *
+ * Asks for one GNSS data packet with the fields listed, in their order.
+ *
+ * Also called `poll_gnss_message`. Not acknowledged if suppress_ack is true.
+ *
+ * An empty list polls the stored GNSS message format (0x0C,0x09); without one the device refuses.
+ *
+ * Descriptors that the device does not know are left out.
+ *
+ * The data comes in a packet of its own behind the reply.
+ *
+ * - mip-sdk-4: Poll Gnss Message (0x0C,0x02)
+ */
+struct mip_3dm_poll_gnss_data {
+    /** Send no acknowledge. */
+    mip_bool suppress_ack;
+    /** Number of fields. The number of elements of descriptors. Range: 0 to 83. */
+    uint8_t num_descriptors;
+    /**
+     * Fields to send. Uncertain: The SDK has a decimation in place of the reserved number and does
+     * not say what a poll does with it.
+     */
+    struct mip_3dm_poll_entry descriptors[83];
+};
+
+#define MIP_3DM_POLL_GNSS_DATA_DESCRIPTOR 0x02
+#define MIP_3DM_POLL_GNSS_DATA_NAME "3dm.poll_gnss_data"
+
+extern const struct mip_codec mip_3dm_poll_gnss_data_codec;
+mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_data *value,
+                                        const struct mip_field *field);
+mip_error mip_3dm_poll_gnss_data_encode(const struct mip_3dm_poll_gnss_data *value,
+                                        struct mip_builder *builder);
+/** Poll GNSS Data. */
+struct mip_3dm_poll_gnss_data mip_3dm_poll_gnss_data_make(
+    mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]);
+
+/**
  * Poll Estimation Filter Data: command (0x0C,0x03).
  *
  * Asks for one filter data packet (0x82) with the fields listed, in their order.
+ *
+ * Also called `poll_filter_message`. Not acknowledged if suppress_ack is true. Supported by
+ * 3DM-GX5-15.
  *
  * An empty list polls the stored message format; without one the device refuses.
  *
@@ -255,35 +361,36 @@ struct mip_3dm_poll_imu_data mip_3dm_poll_imu_data_make(
  *
  * The data comes in a packet of its own behind the reply.
  *
- * Not acknowledged if suppress_ack is true. Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
  */
-struct mip_3dm_poll_estimation_filter_data {
+struct mip_3dm_poll_filter_data {
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of fields. */
+    /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields to send. */
     struct mip_3dm_poll_entry descriptors[83];
 };
 
-#define MIP_3DM_POLL_ESTIMATION_FILTER_DATA_DESCRIPTOR 0x03
-#define MIP_3DM_POLL_ESTIMATION_FILTER_DATA_NAME "3dm.poll_estimation_filter_data"
+#define MIP_3DM_POLL_FILTER_DATA_DESCRIPTOR 0x03
+#define MIP_3DM_POLL_FILTER_DATA_NAME "3dm.poll_filter_data"
 
-extern const struct mip_codec mip_3dm_poll_estimation_filter_data_codec;
-mip_error mip_3dm_poll_estimation_filter_data_decode(
-    struct mip_3dm_poll_estimation_filter_data *value, const struct mip_field *field);
-mip_error mip_3dm_poll_estimation_filter_data_encode(
-    const struct mip_3dm_poll_estimation_filter_data *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_poll_filter_data_codec;
+mip_error mip_3dm_poll_filter_data_decode(struct mip_3dm_poll_filter_data *value,
+                                          const struct mip_field *field);
+mip_error mip_3dm_poll_filter_data_encode(const struct mip_3dm_poll_filter_data *value,
+                                          struct mip_builder *builder);
 /** Poll Estimation Filter Data. */
-struct mip_3dm_poll_estimation_filter_data mip_3dm_poll_estimation_filter_data_make(
+struct mip_3dm_poll_filter_data mip_3dm_poll_filter_data_make(
     mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]);
 
 /**
  * Poll NMEA Data: command (0x0C,0x04).
  *
  * Asks for the NMEA sentences listed, once.
+ *
+ * Also called `nmea_poll_data`. Not acknowledged if suppress_ack is true. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * An empty list polls the stored NMEA format; without one the device refuses.
  *
@@ -292,14 +399,12 @@ struct mip_3dm_poll_estimation_filter_data mip_3dm_poll_estimation_filter_data_m
  *
  * A sentence is sent only if its data is valid.
  *
- * Not acknowledged if suppress_ack is true. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04)
  */
 struct mip_3dm_poll_nmea_data {
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of sentences. */
+    /** Number of sentences. The number of elements of format_entries. */
     uint8_t count;
     /** Sentences to send. */
     struct mip_nmea_message format_entries[50];
@@ -322,51 +427,98 @@ struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
  *
  * Asks for the rate that the decimations of the IMU message format divide.
  *
- * Answered by mip_3dm_get_imu_data_base_rate_response. Supported by 3DM-GX5-15.
+ * Also called `imu_get_base_rate`. Answered by mip_3dm_get_imu_base_rate_response. Supported by
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
-struct mip_3dm_get_imu_data_base_rate {
+struct mip_3dm_get_imu_base_rate {
     /** Not used: there are no parameters. */
     uint8_t empty;
 };
 
-#define MIP_3DM_GET_IMU_DATA_BASE_RATE_DESCRIPTOR 0x06
-#define MIP_3DM_GET_IMU_DATA_BASE_RATE_NAME "3dm.get_imu_data_base_rate"
+#define MIP_3DM_GET_IMU_BASE_RATE_DESCRIPTOR 0x06
+#define MIP_3DM_GET_IMU_BASE_RATE_NAME "3dm.get_imu_base_rate"
 
-extern const struct mip_codec mip_3dm_get_imu_data_base_rate_codec;
-mip_error mip_3dm_get_imu_data_base_rate_decode(struct mip_3dm_get_imu_data_base_rate *value,
-                                                const struct mip_field *field);
-mip_error mip_3dm_get_imu_data_base_rate_encode(const struct mip_3dm_get_imu_data_base_rate *value,
-                                                struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_imu_base_rate_codec;
+mip_error mip_3dm_get_imu_base_rate_decode(struct mip_3dm_get_imu_base_rate *value,
+                                           const struct mip_field *field);
+mip_error mip_3dm_get_imu_base_rate_encode(const struct mip_3dm_get_imu_base_rate *value,
+                                           struct mip_builder *builder);
 
 /**
  * Get IMU Data Base Rate response: response (0x0C,0x83).
  *
- * Answers Get IMU Data Base Rate (0x0C,0x06).
- *
- * Supported by 3DM-GX5-15.
+ * Also called `imu_get_base_rate_response`. Answers mip_3dm_get_imu_base_rate. Supported by
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
-struct mip_3dm_get_imu_data_base_rate_response {
+struct mip_3dm_get_imu_base_rate_response {
     /** Base rate of the sensor data. Unit: Hz. */
     uint16_t rate;
 };
 
-#define MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_DESCRIPTOR 0x83
-#define MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_NAME "3dm.get_imu_data_base_rate_response"
+#define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_DESCRIPTOR 0x83
+#define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_NAME "3dm.get_imu_base_rate_response"
 
-extern const struct mip_codec mip_3dm_get_imu_data_base_rate_response_codec;
-mip_error mip_3dm_get_imu_data_base_rate_response_decode(
-    struct mip_3dm_get_imu_data_base_rate_response *value, const struct mip_field *field);
-mip_error mip_3dm_get_imu_data_base_rate_response_encode(
-    const struct mip_3dm_get_imu_data_base_rate_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_imu_base_rate_response_codec;
+mip_error mip_3dm_get_imu_base_rate_response_decode(
+    struct mip_3dm_get_imu_base_rate_response *value, const struct mip_field *field);
+mip_error mip_3dm_get_imu_base_rate_response_encode(
+    const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder);
+
+/**
+ * Get GNSS Data Base Rate: command (0x0C,0x07).
+ *
+ * Asks for the rate that the decimations of the GNSS message format divide.
+ *
+ * Also called `gnss_get_base_rate`. Answered by mip_3dm_get_gnss_base_rate_response.
+ *
+ * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
+ */
+struct mip_3dm_get_gnss_base_rate {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_3DM_GET_GNSS_BASE_RATE_DESCRIPTOR 0x07
+#define MIP_3DM_GET_GNSS_BASE_RATE_NAME "3dm.get_gnss_base_rate"
+
+extern const struct mip_codec mip_3dm_get_gnss_base_rate_codec;
+mip_error mip_3dm_get_gnss_base_rate_decode(struct mip_3dm_get_gnss_base_rate *value,
+                                            const struct mip_field *field);
+mip_error mip_3dm_get_gnss_base_rate_encode(const struct mip_3dm_get_gnss_base_rate *value,
+                                            struct mip_builder *builder);
+
+/**
+ * Get GNSS Data Base Rate response: response (0x0C,0x84).
+ *
+ * Also called `gnss_get_base_rate_response`. Answers mip_3dm_get_gnss_base_rate.
+ *
+ * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
+ */
+struct mip_3dm_get_gnss_base_rate_response {
+    /** Base rate of the GNSS data. Unit: Hz. */
+    uint16_t rate;
+};
+
+#define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_DESCRIPTOR 0x84
+#define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_NAME "3dm.get_gnss_base_rate_response"
+
+extern const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec;
+mip_error mip_3dm_get_gnss_base_rate_response_decode(
+    struct mip_3dm_get_gnss_base_rate_response *value, const struct mip_field *field);
+mip_error mip_3dm_get_gnss_base_rate_response_encode(
+    const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder);
 
 /**
  * IMU Message Format: command (0x0C,0x08).
  *
  * Fields of the sensor data packets (0x80), in order, with their decimations.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_imu_message_format_response.
+ * Supported by 3DM-GX5-15.
  *
  * The decimation is the base rate, as the get IMU data base rate command reports it, divided by the
  * wanted rate.
@@ -374,19 +526,16 @@ mip_error mip_3dm_get_imu_data_base_rate_response_encode(
  * The list replaces the one before. If any descriptor is unknown the device refuses and changes
  * nothing.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_imu_message_format_response.
- * Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
 struct mip_3dm_imu_message_format {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Number of fields. For write. */
+    /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
-    /** Fields and decimations. For write. */
+    /** Fields and decimations. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -413,14 +562,12 @@ struct mip_3dm_imu_message_format mip_3dm_imu_message_format_default(void);
 /**
  * IMU Message Format response: response (0x0C,0x80).
  *
- * Answers IMU Message Format (0x0C,0x08).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_3dm_imu_message_format. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
 struct mip_3dm_imu_message_format_response {
-    /** Number of fields. */
+    /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields and decimations. */
     struct mip_descriptor_rate descriptors[84];
@@ -436,9 +583,82 @@ mip_error mip_3dm_imu_message_format_response_encode(
     const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder);
 
 /**
+ * GNSS Message Format: command (0x0C,0x09).
+ *
+ * Fields of the GNSS data packets, in order, with their decimations.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_message_format_response.
+ *
+ * The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
+ * the wanted rate.
+ *
+ * - mip-sdk-4: Gnss Message Format (0x0C,0x09)
+ * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
+ */
+struct mip_3dm_gnss_message_format {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * Number of fields. The number of elements of descriptors. Range: 0 to 82. Required for write.
+     */
+    uint8_t num_descriptors;
+    /** Fields and decimations. Required for write. */
+    struct mip_descriptor_rate descriptors[83];
+};
+
+#define MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR 0x09
+#define MIP_3DM_GNSS_MESSAGE_FORMAT_NAME "3dm.gnss_message_format"
+
+extern const struct mip_codec mip_3dm_gnss_message_format_codec;
+mip_error mip_3dm_gnss_message_format_decode(struct mip_3dm_gnss_message_format *value,
+                                             const struct mip_field *field);
+mip_error mip_3dm_gnss_message_format_encode(const struct mip_3dm_gnss_message_format *value,
+                                             struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_write(
+    uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]);
+/** Send the current setting back in a response. */
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_save(void);
+/** Load the saved setting. */
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_default(void);
+
+/**
+ * GNSS Message Format response: response (0x0C,0x81).
+ *
+ * Answers mip_3dm_gnss_message_format.
+ *
+ * - mip-sdk-4: Gnss Message Format (0x0C,0x09)
+ * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
+ */
+struct mip_3dm_gnss_message_format_response {
+    /** Number of fields. The number of elements of descriptors. Range: 0 to 82. */
+    uint8_t num_descriptors;
+    /** Fields and decimations. */
+    struct mip_descriptor_rate descriptors[84];
+};
+
+#define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x81
+#define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_NAME "3dm.gnss_message_format_response"
+
+extern const struct mip_codec mip_3dm_gnss_message_format_response_codec;
+mip_error mip_3dm_gnss_message_format_response_decode(
+    struct mip_3dm_gnss_message_format_response *value, const struct mip_field *field);
+mip_error mip_3dm_gnss_message_format_response_encode(
+    const struct mip_3dm_gnss_message_format_response *value, struct mip_builder *builder);
+
+/**
  * Estimation Filter Message Format: command (0x0C,0x0A).
  *
  * Fields of the filter data packets (0x82), in order, with their decimations.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_filter_message_format_response. Supported by 3DM-GX5-15.
  *
  * The decimation is the base rate, as the get estimation filter data base rate command reports it,
  * divided by the wanted rate.
@@ -446,141 +666,130 @@ mip_error mip_3dm_imu_message_format_response_encode(
  * The list replaces the one before. If any descriptor is unknown the device refuses and changes
  * nothing.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_estimation_filter_message_format_response. Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
-struct mip_3dm_estimation_filter_message_format {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_filter_message_format {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Number of fields. For write. */
+    /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
-    /** Fields and decimations. For write. */
+    /** Fields and decimations. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
-#define MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_DESCRIPTOR 0x0A
-#define MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_NAME "3dm.estimation_filter_message_format"
+#define MIP_3DM_FILTER_MESSAGE_FORMAT_DESCRIPTOR 0x0A
+#define MIP_3DM_FILTER_MESSAGE_FORMAT_NAME "3dm.filter_message_format"
 
-extern const struct mip_codec mip_3dm_estimation_filter_message_format_codec;
-mip_error mip_3dm_estimation_filter_message_format_decode(
-    struct mip_3dm_estimation_filter_message_format *value, const struct mip_field *field);
-mip_error mip_3dm_estimation_filter_message_format_encode(
-    const struct mip_3dm_estimation_filter_message_format *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_filter_message_format_codec;
+mip_error mip_3dm_filter_message_format_decode(struct mip_3dm_filter_message_format *value,
+                                               const struct mip_field *field);
+mip_error mip_3dm_filter_message_format_encode(const struct mip_3dm_filter_message_format *value,
+                                               struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_estimation_filter_message_format mip_3dm_estimation_filter_message_format_write(
+struct mip_3dm_filter_message_format mip_3dm_filter_message_format_write(
     uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]);
 /** Send the current setting back in a response. */
-struct mip_3dm_estimation_filter_message_format mip_3dm_estimation_filter_message_format_read(void);
+struct mip_3dm_filter_message_format mip_3dm_filter_message_format_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_estimation_filter_message_format mip_3dm_estimation_filter_message_format_save(void);
+struct mip_3dm_filter_message_format mip_3dm_filter_message_format_save(void);
 /** Load the saved setting. */
-struct mip_3dm_estimation_filter_message_format mip_3dm_estimation_filter_message_format_load(void);
+struct mip_3dm_filter_message_format mip_3dm_filter_message_format_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_estimation_filter_message_format
-mip_3dm_estimation_filter_message_format_default(void);
+struct mip_3dm_filter_message_format mip_3dm_filter_message_format_default(void);
 
 /**
  * Estimation Filter Message Format response: response (0x0C,0x82).
  *
- * Answers Estimation Filter Message Format (0x0C,0x0A).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_3dm_filter_message_format. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
-struct mip_3dm_estimation_filter_message_format_response {
-    /** Number of fields. */
+struct mip_3dm_filter_message_format_response {
+    /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields and decimations. */
     struct mip_descriptor_rate descriptors[84];
 };
 
-#define MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x82
-#define MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_NAME \
-    "3dm.estimation_filter_message_format_response"
+#define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x82
+#define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_NAME "3dm.filter_message_format_response"
 
-extern const struct mip_codec mip_3dm_estimation_filter_message_format_response_codec;
-mip_error mip_3dm_estimation_filter_message_format_response_decode(
-    struct mip_3dm_estimation_filter_message_format_response *value, const struct mip_field *field);
-mip_error mip_3dm_estimation_filter_message_format_response_encode(
-    const struct mip_3dm_estimation_filter_message_format_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_filter_message_format_response_codec;
+mip_error mip_3dm_filter_message_format_response_decode(
+    struct mip_3dm_filter_message_format_response *value, const struct mip_field *field);
+mip_error mip_3dm_filter_message_format_response_encode(
+    const struct mip_3dm_filter_message_format_response *value, struct mip_builder *builder);
 
 /**
  * Get Estimation Filter Data Base Rate: command (0x0C,0x0B).
  *
  * Asks for the rate that the decimations of the estimation filter message format divide.
  *
- * Answered by mip_3dm_get_estimation_filter_data_base_rate_response. Supported by 3DM-GX5-15.
+ * Also called `filter_get_base_rate`. Answered by mip_3dm_get_filter_base_rate_response. Supported
+ * by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
-struct mip_3dm_get_estimation_filter_data_base_rate {
+struct mip_3dm_get_filter_base_rate {
     /** Not used: there are no parameters. */
     uint8_t empty;
 };
 
-#define MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_DESCRIPTOR 0x0B
-#define MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_NAME "3dm.get_estimation_filter_data_base_rate"
+#define MIP_3DM_GET_FILTER_BASE_RATE_DESCRIPTOR 0x0B
+#define MIP_3DM_GET_FILTER_BASE_RATE_NAME "3dm.get_filter_base_rate"
 
-extern const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_codec;
-mip_error mip_3dm_get_estimation_filter_data_base_rate_decode(
-    struct mip_3dm_get_estimation_filter_data_base_rate *value, const struct mip_field *field);
-mip_error mip_3dm_get_estimation_filter_data_base_rate_encode(
-    const struct mip_3dm_get_estimation_filter_data_base_rate *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_filter_base_rate_codec;
+mip_error mip_3dm_get_filter_base_rate_decode(struct mip_3dm_get_filter_base_rate *value,
+                                              const struct mip_field *field);
+mip_error mip_3dm_get_filter_base_rate_encode(const struct mip_3dm_get_filter_base_rate *value,
+                                              struct mip_builder *builder);
 
 /**
  * Get Estimation Filter Data Base Rate response: response (0x0C,0x8A).
  *
- * Answers Get Estimation Filter Data Base Rate (0x0C,0x0B).
- *
- * Supported by 3DM-GX5-15.
+ * Also called `filter_get_base_rate_response`. Answers mip_3dm_get_filter_base_rate. Supported by
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
-struct mip_3dm_get_estimation_filter_data_base_rate_response {
+struct mip_3dm_get_filter_base_rate_response {
     /** Base rate of the filter data. Unit: Hz. */
     uint16_t rate;
 };
 
-#define MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_DESCRIPTOR 0x8A
-#define MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_NAME \
-    "3dm.get_estimation_filter_data_base_rate_response"
+#define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_DESCRIPTOR 0x8A
+#define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_NAME "3dm.get_filter_base_rate_response"
 
-extern const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_response_codec;
-mip_error mip_3dm_get_estimation_filter_data_base_rate_response_decode(
-    struct mip_3dm_get_estimation_filter_data_base_rate_response *value,
-    const struct mip_field *field);
-mip_error mip_3dm_get_estimation_filter_data_base_rate_response_encode(
-    const struct mip_3dm_get_estimation_filter_data_base_rate_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_filter_base_rate_response_codec;
+mip_error mip_3dm_get_filter_base_rate_response_decode(
+    struct mip_3dm_get_filter_base_rate_response *value, const struct mip_field *field);
+mip_error mip_3dm_get_filter_base_rate_response_encode(
+    const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder);
 
 /**
  * NMEA Message Format: command (0x0C,0x0C).
  *
  * NMEA sentences that the device streams.
  *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_nmea_message_format_response.
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * A sentence may be listed several times with different talkers or sources.
  *
  * A sentence is sent only while the device is not idle and the data of the source is valid.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_nmea_message_format_response.
- * Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
 struct mip_3dm_nmea_message_format {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Number of sentences. For write. */
+    /** Number of sentences. The number of elements of format_entries. Required for write. */
     uint8_t count;
-    /** Sentences to stream. For write. */
+    /** Sentences to stream. Required for write. */
     struct mip_nmea_message format_entries[50];
 };
 
@@ -593,8 +802,8 @@ mip_error mip_3dm_nmea_message_format_decode(struct mip_3dm_nmea_message_format 
 mip_error mip_3dm_nmea_message_format_encode(const struct mip_3dm_nmea_message_format *value,
                                              struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_write(
-    uint8_t count, const struct mip_nmea_message format_entries[]);
+struct mip_3dm_nmea_message_format
+mip_3dm_nmea_message_format_write(uint8_t count, const struct mip_nmea_message format_entries[]);
 /** Send the current setting back in a response. */
 struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -607,14 +816,12 @@ struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_default(void);
 /**
  * NMEA Message Format response: response (0x0C,0x8C).
  *
- * Answers NMEA Message Format (0x0C,0x0C).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_nmea_message_format. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
 struct mip_3dm_nmea_message_format_response {
-    /** Number of sentences. */
+    /** Number of sentences. The number of elements of format_entries. */
     uint8_t count;
     /** Sentences to stream. */
     struct mip_nmea_message format_entries[50];
@@ -634,6 +841,8 @@ mip_error mip_3dm_nmea_message_format_response_encode(
  *
  * Asks for one data packet of the descriptor set with the fields listed, in their order.
  *
+ * Not acknowledged if suppress_ack is true. Supported by 3DM-CV7-GNSS/INS.
+ *
  * An empty list polls the stored message format; without one the device refuses.
  *
  * Descriptors that the device does not know are ignored.
@@ -642,16 +851,14 @@ mip_error mip_3dm_nmea_message_format_response_encode(
  *
  * Shared descriptors (0xD0 and up) belong in front of the others.
  *
- * Not acknowledged if suppress_ack is true. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
  */
 struct mip_3dm_poll_data {
     /** Data descriptor set. Range: 128 to 254. */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of fields. */
+    /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
     /** Field descriptors. */
     uint8_t descriptors[250];
@@ -665,7 +872,7 @@ mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value, const struct
 mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
                                    struct mip_builder *builder);
 /** Poll Data. */
-struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t desc_set, mip_bool suppress_ack,
+struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t descriptor_set, mip_bool suppress_ack,
                                                 uint8_t num_descriptors,
                                                 const uint8_t descriptors[]);
 
@@ -674,55 +881,56 @@ struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t desc_set, mip_bool suppr
  *
  * Asks for the rate that the decimations of a descriptor set divide.
  *
- * Answered by mip_3dm_get_data_base_rate_response. Supported by 3DM-CV7-GNSS/INS.
+ * Answered by mip_3dm_get_base_rate_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
-struct mip_3dm_get_data_base_rate {
+struct mip_3dm_get_base_rate {
     /** Data descriptor set. Range: 128 to 254. */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
 };
 
-#define MIP_3DM_GET_DATA_BASE_RATE_DESCRIPTOR 0x0E
-#define MIP_3DM_GET_DATA_BASE_RATE_NAME "3dm.get_data_base_rate"
+#define MIP_3DM_GET_BASE_RATE_DESCRIPTOR 0x0E
+#define MIP_3DM_GET_BASE_RATE_NAME "3dm.get_base_rate"
 
-extern const struct mip_codec mip_3dm_get_data_base_rate_codec;
-mip_error mip_3dm_get_data_base_rate_decode(struct mip_3dm_get_data_base_rate *value,
-                                            const struct mip_field *field);
-mip_error mip_3dm_get_data_base_rate_encode(const struct mip_3dm_get_data_base_rate *value,
-                                            struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_base_rate_codec;
+mip_error mip_3dm_get_base_rate_decode(struct mip_3dm_get_base_rate *value,
+                                       const struct mip_field *field);
+mip_error mip_3dm_get_base_rate_encode(const struct mip_3dm_get_base_rate *value,
+                                       struct mip_builder *builder);
 /** Get Data Base Rate. */
-struct mip_3dm_get_data_base_rate mip_3dm_get_data_base_rate_make(uint8_t desc_set);
+struct mip_3dm_get_base_rate mip_3dm_get_base_rate_make(uint8_t descriptor_set);
 
 /**
  * Get Data Base Rate response: response (0x0C,0x8E).
  *
- * Answers Get Data Base Rate (0x0C,0x0E).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_get_base_rate. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
-struct mip_3dm_get_data_base_rate_response {
+struct mip_3dm_get_base_rate_response {
     /** Data descriptor set of the command. */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /** Base rate; 0 if the rate is variable or unknown and data is sent as it comes. Unit: Hz. */
     uint16_t rate;
 };
 
-#define MIP_3DM_GET_DATA_BASE_RATE_RESPONSE_DESCRIPTOR 0x8E
-#define MIP_3DM_GET_DATA_BASE_RATE_RESPONSE_NAME "3dm.get_data_base_rate_response"
+#define MIP_3DM_GET_BASE_RATE_RESPONSE_DESCRIPTOR 0x8E
+#define MIP_3DM_GET_BASE_RATE_RESPONSE_NAME "3dm.get_base_rate_response"
 
-extern const struct mip_codec mip_3dm_get_data_base_rate_response_codec;
-mip_error mip_3dm_get_data_base_rate_response_decode(
-    struct mip_3dm_get_data_base_rate_response *value, const struct mip_field *field);
-mip_error mip_3dm_get_data_base_rate_response_encode(
-    const struct mip_3dm_get_data_base_rate_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_base_rate_response_codec;
+mip_error mip_3dm_get_base_rate_response_decode(struct mip_3dm_get_base_rate_response *value,
+                                                const struct mip_field *field);
+mip_error mip_3dm_get_base_rate_response_encode(const struct mip_3dm_get_base_rate_response *value,
+                                                struct mip_builder *builder);
 
 /**
  * Message Format: command (0x0C,0x0F).
  *
  * Fields of the data packets of a descriptor set, in order, with their decimations.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_message_format_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * The decimation is the base rate, as the get data base rate command reports it, divided by the
  * wanted rate.
@@ -730,21 +938,18 @@ mip_error mip_3dm_get_data_base_rate_response_encode(
  * Shared descriptors (0xD0 and up) are listed under the set that they shall be sent with, in front
  * of the others.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_message_format_response.
- * Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
 struct mip_3dm_message_format {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Data descriptor set; 0 means all of them (save, load, default). */
-    uint8_t desc_set;
-    /** Number of fields. For write. */
+    uint8_t descriptor_set;
+    /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
-    /** Fields and decimations. For write. */
+    /** Fields and decimations. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -757,30 +962,29 @@ mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
 mip_error mip_3dm_message_format_encode(const struct mip_3dm_message_format *value,
                                         struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_message_format mip_3dm_message_format_write(
-    uint8_t desc_set, uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]);
+struct mip_3dm_message_format
+mip_3dm_message_format_write(uint8_t descriptor_set, uint8_t num_descriptors,
+                             const struct mip_descriptor_rate descriptors[]);
 /** Send the current setting back in a response. */
-struct mip_3dm_message_format mip_3dm_message_format_read(uint8_t desc_set);
+struct mip_3dm_message_format mip_3dm_message_format_read(uint8_t descriptor_set);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_message_format mip_3dm_message_format_save(uint8_t desc_set);
+struct mip_3dm_message_format mip_3dm_message_format_save(uint8_t descriptor_set);
 /** Load the saved setting. */
-struct mip_3dm_message_format mip_3dm_message_format_load(uint8_t desc_set);
+struct mip_3dm_message_format mip_3dm_message_format_load(uint8_t descriptor_set);
 /** Load the factory default setting. */
-struct mip_3dm_message_format mip_3dm_message_format_default(uint8_t desc_set);
+struct mip_3dm_message_format mip_3dm_message_format_default(uint8_t descriptor_set);
 
 /**
  * Message Format response: response (0x0C,0x8F).
  *
- * Answers Message Format (0x0C,0x0F).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_message_format. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
 struct mip_3dm_message_format_response {
     /** Data descriptor set; 0 means all of them (save, load, default). */
-    uint8_t desc_set;
-    /** Number of fields. */
+    uint8_t descriptor_set;
+    /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields and decimations. */
     struct mip_descriptor_rate descriptors[83];
@@ -807,7 +1011,7 @@ mip_error mip_3dm_message_format_response_encode(
 struct mip_3dm_factory_streaming {
     /** What happens to the present formats. */
     mip_3dm_factory_streaming_action action;
-    /**  */
+    /** Reserved: send 0. */
     uint8_t reserved;
 };
 
@@ -820,34 +1024,34 @@ mip_error mip_3dm_factory_streaming_decode(struct mip_3dm_factory_streaming *val
 mip_error mip_3dm_factory_streaming_encode(const struct mip_3dm_factory_streaming *value,
                                            struct mip_builder *builder);
 /** Factory Streaming. */
-struct mip_3dm_factory_streaming mip_3dm_factory_streaming_make(
-    mip_3dm_factory_streaming_action action);
+struct mip_3dm_factory_streaming
+mip_3dm_factory_streaming_make(mip_3dm_factory_streaming_action action);
 
 /**
  * Data Stream Control: command (0x0C,0x11).
  *
  * Switches a data stream on or off.
  *
+ * Also called `datastream_control`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_data_stream_control_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * 5-series devices name the stream by a number of their own (legacy_data_stream), others by its
  * descriptor set.
- *
- * Functions: write, read, save, load and default. Answered by mip_3dm_data_stream_control_response.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
  */
 struct mip_3dm_data_stream_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
-     * Data descriptor set; 0 means all streams (save, load, default). On the 3dm-gx5-15:
+     * Data descriptor set; 0 means all streams (save, load, default). On the 3DM-GX5-15: values of
      * mip_3dm_legacy_data_stream.
      */
-    uint8_t desc_set;
-    /** Whether the stream is sent. Default: true. For write. */
+    uint8_t descriptor_set;
+    /** Whether the stream is sent. Default: true. Required for write. */
     mip_bool enable;
 };
 
@@ -860,30 +1064,29 @@ mip_error mip_3dm_data_stream_control_decode(struct mip_3dm_data_stream_control 
 mip_error mip_3dm_data_stream_control_encode(const struct mip_3dm_data_stream_control *value,
                                              struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_write(uint8_t desc_set,
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_write(uint8_t descriptor_set,
                                                                      mip_bool enable);
 /** Send the current setting back in a response. */
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_read(uint8_t desc_set);
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_read(uint8_t descriptor_set);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_save(uint8_t desc_set);
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_save(uint8_t descriptor_set);
 /** Load the saved setting. */
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_load(uint8_t desc_set);
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_load(uint8_t descriptor_set);
 /** Load the factory default setting. */
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_default(uint8_t desc_set);
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_default(uint8_t descriptor_set);
 
 /**
  * Data Stream Control response: response (0x0C,0x85).
  *
- * Answers Data Stream Control (0x0C,0x11).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `datastream_control_response`. Answers mip_3dm_data_stream_control. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
  */
 struct mip_3dm_data_stream_control_response {
-    /** Stream of the command. On the 3dm-gx5-15: mip_3dm_legacy_data_stream. */
-    uint8_t desc_set;
+    /** Stream of the command. On the 3DM-GX5-15: values of mip_3dm_legacy_data_stream. */
+    uint8_t descriptor_set;
     /** Whether the stream is sent. */
     mip_bool enabled;
 };
@@ -898,6 +1101,100 @@ mip_error mip_3dm_data_stream_control_response_encode(
     const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder);
 
 /**
+ * Constellation Settings: command (0x0C,0x21).
+ *
+ * Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_constellation_settings_response. Uncertain: The factory default, as the SDK gives it,
+ * names GPS and GLONASS alone as enabled but has channels for SBAS and QZSS too.
+ *
+ * The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
+ * channels at most than it reserves.
+ *
+ * GLONASS and BeiDou exclude each other.
+ *
+ * If the antenna or its filter is made for GPS alone, leave GLONASS and BeiDou off.
+ *
+ * SBAS and QZSS improve the accuracy of GPS. SBAS does not make the device fit for safety-of-life
+ * use.
+ *
+ * Factory default: GPS and GLONASS are enabled. Channels reserved and at most: GPS 8 and 16,
+ * GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3.
+ *
+ * - mip-sdk-4: Constellation Settings (0x0C,0x21)
+ * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
+ */
+struct mip_3dm_constellation_settings {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * Tracking channels in use at most; no more than the response reports as available. Unit: 1.
+     * Required for write.
+     */
+    uint16_t max_channels;
+    /**
+     * Number of entries. The number of elements of settings. Range: 0 to 41. Required for write.
+     */
+    uint8_t config_count;
+    /** One entry for each constellation. Required for write. */
+    struct mip_3dm_constellation_settings_entry settings[41];
+};
+
+#define MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR 0x21
+#define MIP_3DM_CONSTELLATION_SETTINGS_NAME "3dm.constellation_settings"
+
+extern const struct mip_codec mip_3dm_constellation_settings_codec;
+mip_error mip_3dm_constellation_settings_decode(struct mip_3dm_constellation_settings *value,
+                                                const struct mip_field *field);
+mip_error mip_3dm_constellation_settings_encode(const struct mip_3dm_constellation_settings *value,
+                                                struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_constellation_settings
+mip_3dm_constellation_settings_write(uint16_t max_channels, uint8_t config_count,
+                                     const struct mip_3dm_constellation_settings_entry settings[]);
+/** Send the current setting back in a response. */
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_save(void);
+/** Load the saved setting. */
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_default(void);
+
+/**
+ * Constellation Settings response: response (0x0C,0xA0).
+ *
+ * Tracking channels of the receiver and the setting of each constellation.
+ *
+ * Answers mip_3dm_constellation_settings.
+ *
+ * - mip-sdk-4: Constellation Settings (0x0C,0x21)
+ * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
+ */
+struct mip_3dm_constellation_settings_response {
+    /** Channels that the receiver has. Unit: 1. */
+    uint16_t max_channels_available;
+    /** Channels in use at most. Unit: 1. */
+    uint16_t max_channels_use;
+    /** Number of entries. The number of elements of settings. Range: 0 to 41. */
+    uint8_t config_count;
+    /** One entry for each constellation. */
+    struct mip_3dm_constellation_settings_entry settings[41];
+};
+
+#define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_DESCRIPTOR 0xA0
+#define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_NAME "3dm.constellation_settings_response"
+
+extern const struct mip_codec mip_3dm_constellation_settings_response_codec;
+mip_error mip_3dm_constellation_settings_response_decode(
+    struct mip_3dm_constellation_settings_response *value, const struct mip_field *field);
+mip_error mip_3dm_constellation_settings_response_encode(
+    const struct mip_3dm_constellation_settings_response *value, struct mip_builder *builder);
+
+/**
  * GNSS SBAS Settings: command (0x0C,0x22).
  *
  * How the GNSS receivers use satellite based augmentation.
@@ -908,17 +1205,20 @@ mip_error mip_3dm_data_stream_control_response_encode(
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
 struct mip_3dm_gnss_sbas_settings {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 1 switches SBAS on, 0 off. Range: 0 to 1. For write. */
+    /** 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. */
     uint8_t enable_sbas;
-    /** What SBAS is used for. For write. */
+    /** What SBAS is used for. Required for write. */
     mip_3dm_sbas_options sbas_options;
-    /** Number of satellites listed; 0 searches for all. For write. */
+    /**
+     * Number of satellites listed; 0 searches for all. The number of elements of included_prns.
+     * Required for write.
+     */
     uint8_t num_included_prns;
-    /** PRN numbers of the SBAS satellites to search for. For write. */
+    /** PRN numbers of the SBAS satellites to search for. Required for write. */
     uint16_t included_prns[124];
 };
 
@@ -931,9 +1231,9 @@ mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *v
 mip_error mip_3dm_gnss_sbas_settings_encode(const struct mip_3dm_gnss_sbas_settings *value,
                                             struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_write(
-    uint8_t enable_sbas, mip_3dm_sbas_options sbas_options, uint8_t num_included_prns,
-    const uint16_t included_prns[]);
+struct mip_3dm_gnss_sbas_settings
+mip_3dm_gnss_sbas_settings_write(uint8_t enable_sbas, mip_3dm_sbas_options sbas_options,
+                                 uint8_t num_included_prns, const uint16_t included_prns[]);
 /** Send the current setting back in a response. */
 struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -946,9 +1246,7 @@ struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_default(void);
 /**
  * GNSS SBAS Settings response: response (0x0C,0xA1).
  *
- * Answers GNSS SBAS Settings (0x0C,0x22).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_gnss_sbas_settings. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -957,7 +1255,7 @@ struct mip_3dm_gnss_sbas_settings_response {
     uint8_t enable_sbas;
     /** What SBAS is used for. */
     mip_3dm_sbas_options sbas_options;
-    /** Number of satellites listed; 0 searches for all. */
+    /** Number of satellites listed; 0 searches for all. The number of elements of included_prns. */
     uint8_t num_included_prns;
     /** PRN numbers of the SBAS satellites to search for. */
     uint16_t included_prns[124];
@@ -973,25 +1271,162 @@ mip_error mip_3dm_gnss_sbas_settings_response_encode(
     const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder);
 
 /**
+ * GNSS Assisted Fix: command (0x0C,0x23).
+ *
+ * Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_assisted_fix_response.
+ *
+ * The last fix is kept in the flash memory and the FRAM of the receiver.
+ *
+ * With the time of GNSS time assistance (0x0C,0x24) right after power-up, the first fix takes 1 s
+ * at best.
+ *
+ * A change from enabled to none erases the flash memory of the receiver, which stands 100 000
+ * erasures.
+ *
+ * It takes slightly more power.
+ *
+ * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+ */
+struct mip_3dm_gnss_assisted_fix {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Assisted fix. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. */
+    mip_3dm_assisted_fix_option option;
+    /** Reserved: send 255. Required for write. */
+    uint8_t flags;
+};
+
+#define MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR 0x23
+#define MIP_3DM_GNSS_ASSISTED_FIX_NAME "3dm.gnss_assisted_fix"
+
+extern const struct mip_codec mip_3dm_gnss_assisted_fix_codec;
+mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *value,
+                                           const struct mip_field *field);
+mip_error mip_3dm_gnss_assisted_fix_encode(const struct mip_3dm_gnss_assisted_fix *value,
+                                           struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_gnss_assisted_fix
+mip_3dm_gnss_assisted_fix_write(mip_3dm_assisted_fix_option option);
+/** Send the current setting back in a response. */
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_save(void);
+/** Load the saved setting. */
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_default(void);
+
+/**
+ * GNSS Assisted Fix response: response (0x0C,0xA2).
+ *
+ * Answers mip_3dm_gnss_assisted_fix.
+ *
+ * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+ */
+struct mip_3dm_gnss_assisted_fix_response {
+    /** Assisted fix. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. */
+    mip_3dm_assisted_fix_option option;
+    /** Reserved. */
+    uint8_t flags;
+};
+
+#define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_DESCRIPTOR 0xA2
+#define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_NAME "3dm.gnss_assisted_fix_response"
+
+extern const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec;
+mip_error mip_3dm_gnss_assisted_fix_response_decode(
+    struct mip_3dm_gnss_assisted_fix_response *value, const struct mip_field *field);
+mip_error mip_3dm_gnss_assisted_fix_response_encode(
+    const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder);
+
+/**
+ * GNSS Time Assistance: command (0x0C,0x24).
+ *
+ * Tells the GNSS receiver the present GPS time.
+ *
+ * Functions: write and read. Answered by mip_3dm_gnss_time_assistance_response.
+ *
+ * It is needed right after power-up if the assisted fix (0x0C,0x23) was on at power-off.
+ *
+ * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+ */
+struct mip_3dm_gnss_time_assistance {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** GPS time of week. Unit: s. Required for write. */
+    double tow;
+    /** GPS week number since 1980. Unit: week. Required for write. */
+    uint16_t week_number;
+    /** Accuracy of the time. Unit: s. Required for write. */
+    float accuracy;
+};
+
+#define MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR 0x24
+#define MIP_3DM_GNSS_TIME_ASSISTANCE_NAME "3dm.gnss_time_assistance"
+
+extern const struct mip_codec mip_3dm_gnss_time_assistance_codec;
+mip_error mip_3dm_gnss_time_assistance_decode(struct mip_3dm_gnss_time_assistance *value,
+                                              const struct mip_field *field);
+mip_error mip_3dm_gnss_time_assistance_encode(const struct mip_3dm_gnss_time_assistance *value,
+                                              struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_gnss_time_assistance mip_3dm_gnss_time_assistance_write(double tow,
+                                                                       uint16_t week_number,
+                                                                       float accuracy);
+/** Send the current setting back in a response. */
+struct mip_3dm_gnss_time_assistance mip_3dm_gnss_time_assistance_read(void);
+
+/**
+ * GNSS Time Assistance response: response (0x0C,0xA3).
+ *
+ * Answers mip_3dm_gnss_time_assistance.
+ *
+ * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+ */
+struct mip_3dm_gnss_time_assistance_response {
+    /** GPS time of week. Unit: s. */
+    double tow;
+    /** GPS week number since 1980. Unit: week. */
+    uint16_t week_number;
+    /** Accuracy of the time. Unit: s. */
+    float accuracy;
+};
+
+#define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_DESCRIPTOR 0xA3
+#define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_NAME "3dm.gnss_time_assistance_response"
+
+extern const struct mip_codec mip_3dm_gnss_time_assistance_response_codec;
+mip_error mip_3dm_gnss_time_assistance_response_decode(
+    struct mip_3dm_gnss_time_assistance_response *value, const struct mip_field *field);
+mip_error mip_3dm_gnss_time_assistance_response_encode(
+    const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder);
+
+/**
  * PPS Source Control: command (0x0C,0x28).
  *
  * Where the device takes its pulse per second from.
+ *
+ * Also called `pps_source`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_pps_source_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The pins are configured apart from this by the GPIO configuration command.
  *
  * The filter needs a valid pulse. disabled and generated are seldom what is wanted.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_pps_source_control_response.
- * Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
 struct mip_3dm_pps_source_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the pulse. Default: receiver_1. For write. */
+    /** Source of the pulse. Default: MIP_3DM_PPS_SOURCE_RECEIVER_1. Required for write. */
     mip_3dm_pps_source source;
 };
 
@@ -1017,14 +1452,13 @@ struct mip_3dm_pps_source_control mip_3dm_pps_source_control_default(void);
 /**
  * PPS Source Control response: response (0x0C,0xA8).
  *
- * Answers PPS Source Control (0x0C,0x28).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `pps_source_response`. Answers mip_3dm_pps_source_control. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
 struct mip_3dm_pps_source_control_response {
-    /** Source of the pulse. Default: receiver_1. */
+    /** Source of the pulse. Default: MIP_3DM_PPS_SOURCE_RECEIVER_1. */
     mip_3dm_pps_source source;
 };
 
@@ -1042,78 +1476,75 @@ mip_error mip_3dm_pps_source_control_response_encode(
  *
  * Asks which types of event triggers or actions there are and how many of each.
  *
- * Answered by mip_3dm_get_supported_events_response. Supported by 3DM-CV7-GNSS/INS.
+ * Answered by mip_3dm_get_event_support_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
-struct mip_3dm_get_supported_events {
+struct mip_3dm_get_event_support {
     /** Triggers or actions. */
-    mip_3dm_supported_events_query query;
+    mip_3dm_event_support_query query;
 };
 
-#define MIP_3DM_GET_SUPPORTED_EVENTS_DESCRIPTOR 0x2A
-#define MIP_3DM_GET_SUPPORTED_EVENTS_NAME "3dm.get_supported_events"
+#define MIP_3DM_GET_EVENT_SUPPORT_DESCRIPTOR 0x2A
+#define MIP_3DM_GET_EVENT_SUPPORT_NAME "3dm.get_event_support"
 
-extern const struct mip_codec mip_3dm_get_supported_events_codec;
-mip_error mip_3dm_get_supported_events_decode(struct mip_3dm_get_supported_events *value,
-                                              const struct mip_field *field);
-mip_error mip_3dm_get_supported_events_encode(const struct mip_3dm_get_supported_events *value,
-                                              struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_event_support_codec;
+mip_error mip_3dm_get_event_support_decode(struct mip_3dm_get_event_support *value,
+                                           const struct mip_field *field);
+mip_error mip_3dm_get_event_support_encode(const struct mip_3dm_get_event_support *value,
+                                           struct mip_builder *builder);
 /** Get Supported Events. */
-struct mip_3dm_get_supported_events mip_3dm_get_supported_events_make(
-    mip_3dm_supported_events_query query);
+struct mip_3dm_get_event_support mip_3dm_get_event_support_make(mip_3dm_event_support_query query);
 
 /**
  * Get Supported Events response: response (0x0C,0xB4).
  *
- * Answers Get Supported Events (0x0C,0x2A).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_get_event_support. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
-struct mip_3dm_get_supported_events_response {
+struct mip_3dm_get_event_support_response {
     /** Query of the command. */
-    mip_3dm_supported_events_query query;
+    mip_3dm_event_support_query query;
     /** Number of slots; instances go from 1 to this. Unit: 1. */
     uint8_t max_instances;
-    /** Number of types. */
+    /** Number of types. The number of elements of entries. */
     uint8_t num_entries;
     /** The types. */
-    struct mip_3dm_supported_event_info entries[125];
+    struct mip_3dm_event_support_info entries[125];
 };
 
-#define MIP_3DM_GET_SUPPORTED_EVENTS_RESPONSE_DESCRIPTOR 0xB4
-#define MIP_3DM_GET_SUPPORTED_EVENTS_RESPONSE_NAME "3dm.get_supported_events_response"
+#define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_DESCRIPTOR 0xB4
+#define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_NAME "3dm.get_event_support_response"
 
-extern const struct mip_codec mip_3dm_get_supported_events_response_codec;
-mip_error mip_3dm_get_supported_events_response_decode(
-    struct mip_3dm_get_supported_events_response *value, const struct mip_field *field);
-mip_error mip_3dm_get_supported_events_response_encode(
-    const struct mip_3dm_get_supported_events_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_event_support_response_codec;
+mip_error mip_3dm_get_event_support_response_decode(
+    struct mip_3dm_get_event_support_response *value, const struct mip_field *field);
+mip_error mip_3dm_get_event_support_response_encode(
+    const struct mip_3dm_get_event_support_response *value, struct mip_builder *builder);
 
 /**
  * Event Control: command (0x0C,0x2B).
  *
  * Enables, disables or tests an event trigger.
  *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_event_control_response.
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * Triggers are disabled by default and after configuration.
  *
  * A trigger of type none cannot be enabled.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_event_control_response.
- * Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
 struct mip_3dm_event_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Trigger instance; 0 means all configured triggers, except for read. */
     uint8_t instance;
-    /** New mode. Default: disabled. For write. */
+    /** New mode. Default: MIP_EVENT_TRIGGER_MODE_DISABLED. Required for write. */
     mip_event_trigger_mode mode;
 };
 
@@ -1140,16 +1571,14 @@ struct mip_3dm_event_control mip_3dm_event_control_default(uint8_t instance);
 /**
  * Event Control response: response (0x0C,0xB5).
  *
- * Answers Event Control (0x0C,0x2B).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_event_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
 struct mip_3dm_event_control_response {
     /** Trigger instance; 0 means all configured triggers, except for read. */
     uint8_t instance;
-    /** New mode. Default: disabled. */
+    /** New mode. Default: MIP_EVENT_TRIGGER_MODE_DISABLED. */
     mip_event_trigger_mode mode;
 };
 
@@ -1172,7 +1601,10 @@ mip_error mip_3dm_event_control_response_encode(const struct mip_3dm_event_contr
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
 struct mip_3dm_get_event_trigger_status {
-    /** Number of triggers asked for; 0 asks for all slots. */
+    /**
+     * Number of triggers asked for; 0 asks for all slots. The number of elements of
+     * requested_instances.
+     */
     uint8_t requested_count;
     /** Trigger instances. */
     uint8_t requested_instances[252];
@@ -1187,20 +1619,18 @@ mip_error mip_3dm_get_event_trigger_status_decode(struct mip_3dm_get_event_trigg
 mip_error mip_3dm_get_event_trigger_status_encode(
     const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder);
 /** Get Event Trigger Status. */
-struct mip_3dm_get_event_trigger_status mip_3dm_get_event_trigger_status_make(
-    uint8_t requested_count, const uint8_t requested_instances[]);
+struct mip_3dm_get_event_trigger_status
+mip_3dm_get_event_trigger_status_make(uint8_t requested_count, const uint8_t requested_instances[]);
 
 /**
  * Get Event Trigger Status response: response (0x0C,0xB6).
  *
- * Answers Get Event Trigger Status (0x0C,0x2C).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_get_event_trigger_status. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
 struct mip_3dm_get_event_trigger_status_response {
-    /** Number of entries. */
+    /** Number of entries. The number of elements of triggers. */
     uint8_t count;
     /** One entry per trigger, in the order asked for, or by instance if all were asked for. */
     struct mip_3dm_event_trigger_status_entry triggers[126];
@@ -1225,7 +1655,10 @@ mip_error mip_3dm_get_event_trigger_status_response_encode(
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
 struct mip_3dm_get_event_action_status {
-    /** Number of actions asked for; 0 asks for all slots. */
+    /**
+     * Number of actions asked for; 0 asks for all slots. The number of elements of
+     * requested_instances.
+     */
     uint8_t requested_count;
     /** Action instances. */
     uint8_t requested_instances[252];
@@ -1240,20 +1673,18 @@ mip_error mip_3dm_get_event_action_status_decode(struct mip_3dm_get_event_action
 mip_error mip_3dm_get_event_action_status_encode(
     const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder);
 /** Get Event Action Status. */
-struct mip_3dm_get_event_action_status mip_3dm_get_event_action_status_make(
-    uint8_t requested_count, const uint8_t requested_instances[]);
+struct mip_3dm_get_event_action_status
+mip_3dm_get_event_action_status_make(uint8_t requested_count, const uint8_t requested_instances[]);
 
 /**
  * Get Event Action Status response: response (0x0C,0xB7).
  *
- * Answers Get Event Action Status (0x0C,0x2D).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_get_event_action_status. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
 struct mip_3dm_get_event_action_status_response {
-    /** Number of entries. */
+    /** Number of entries. The number of elements of actions. */
     uint8_t count;
     /** One entry per action, in the order asked for, or by instance if all were asked for. */
     struct mip_3dm_event_action_status_entry actions[126];
@@ -1268,13 +1699,19 @@ mip_error mip_3dm_get_event_action_status_response_decode(
 mip_error mip_3dm_get_event_action_status_response_encode(
     const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder);
 
-/** The member of mip_3dm_event_trigger_configuration that `type` selects. */
-union mip_3dm_event_trigger_configuration_parameters {
-    /** If type is gpio. */
+/** The member of mip_3dm_event_trigger_config that `type` selects. */
+union mip_3dm_event_trigger_config_parameters {
+    /** If type is MIP_EVENT_TRIGGER_TYPE_GPIO. Watches a GPIO pin. */
     struct mip_event_trigger_gpio gpio;
-    /** If type is threshold. */
+    /**
+     * If type is MIP_EVENT_TRIGGER_TYPE_THRESHOLD. Compares one value of a data field with
+     * thresholds.
+     */
     struct mip_event_trigger_threshold threshold;
-    /** If type is combination. */
+    /**
+     * If type is MIP_EVENT_TRIGGER_TYPE_COMBINATION. Combines up to four other triggers by a truth
+     * table.
+     */
     struct mip_event_trigger_combination combination;
 };
 
@@ -1283,95 +1720,99 @@ union mip_3dm_event_trigger_configuration_parameters {
  *
  * Kind and condition of an event trigger.
  *
+ * Also called `event_trigger`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_event_trigger_config_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * The trigger is disabled afterwards; the event control command enables it.
  *
  * A GPIO trigger needs its pin configured by the GPIO configuration command.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_event_trigger_configuration_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
-struct mip_3dm_event_trigger_configuration {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_event_trigger_config {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Trigger instance; 0 means all (save, load, default). */
     uint8_t instance;
-    /** Kind of trigger. Default: none. For write. */
+    /** Kind of trigger. Default: MIP_EVENT_TRIGGER_TYPE_NONE. Required for write. */
     mip_event_trigger_type type;
-    /** The condition. For write. */
-    union mip_3dm_event_trigger_configuration_parameters parameters;
+    /**
+     * The condition. Selected by type. Required for write. Empty if type is
+     * MIP_EVENT_TRIGGER_TYPE_NONE.
+     */
+    union mip_3dm_event_trigger_config_parameters parameters;
 };
 
-#define MIP_3DM_EVENT_TRIGGER_CONFIGURATION_DESCRIPTOR 0x2E
-#define MIP_3DM_EVENT_TRIGGER_CONFIGURATION_NAME "3dm.event_trigger_configuration"
+#define MIP_3DM_EVENT_TRIGGER_CONFIG_DESCRIPTOR 0x2E
+#define MIP_3DM_EVENT_TRIGGER_CONFIG_NAME "3dm.event_trigger_config"
 
-extern const struct mip_codec mip_3dm_event_trigger_configuration_codec;
-mip_error mip_3dm_event_trigger_configuration_decode(
-    struct mip_3dm_event_trigger_configuration *value, const struct mip_field *field);
-mip_error mip_3dm_event_trigger_configuration_encode(
-    const struct mip_3dm_event_trigger_configuration *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_event_trigger_config_codec;
+mip_error mip_3dm_event_trigger_config_decode(struct mip_3dm_event_trigger_config *value,
+                                              const struct mip_field *field);
+mip_error mip_3dm_event_trigger_config_encode(const struct mip_3dm_event_trigger_config *value,
+                                              struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_write(
-    uint8_t instance, mip_event_trigger_type type,
-    const union mip_3dm_event_trigger_configuration_parameters *parameters);
+struct mip_3dm_event_trigger_config
+mip_3dm_event_trigger_config_write(uint8_t instance, mip_event_trigger_type type,
+                                   const union mip_3dm_event_trigger_config_parameters *parameters);
 /** Send the current setting back in a response. */
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_read(
-    uint8_t instance);
+struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_read(uint8_t instance);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_save(
-    uint8_t instance);
+struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_save(uint8_t instance);
 /** Load the saved setting. */
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_load(
-    uint8_t instance);
+struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_load(uint8_t instance);
 /** Load the factory default setting. */
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_default(
-    uint8_t instance);
+struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_default(uint8_t instance);
 
-/** The member of mip_3dm_event_trigger_configuration_response that `type` selects. */
-union mip_3dm_event_trigger_configuration_response_parameters {
-    /** If type is gpio. */
+/** The member of mip_3dm_event_trigger_config_response that `type` selects. */
+union mip_3dm_event_trigger_config_response_parameters {
+    /** If type is MIP_EVENT_TRIGGER_TYPE_GPIO. Watches a GPIO pin. */
     struct mip_event_trigger_gpio gpio;
-    /** If type is threshold. */
+    /**
+     * If type is MIP_EVENT_TRIGGER_TYPE_THRESHOLD. Compares one value of a data field with
+     * thresholds.
+     */
     struct mip_event_trigger_threshold threshold;
-    /** If type is combination. */
+    /**
+     * If type is MIP_EVENT_TRIGGER_TYPE_COMBINATION. Combines up to four other triggers by a truth
+     * table.
+     */
     struct mip_event_trigger_combination combination;
 };
 
 /**
  * Event Trigger Configuration response: response (0x0C,0xB8).
  *
- * Answers Event Trigger Configuration (0x0C,0x2E).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `event_trigger_response`. Answers mip_3dm_event_trigger_config. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
-struct mip_3dm_event_trigger_configuration_response {
+struct mip_3dm_event_trigger_config_response {
     /** Trigger instance; 0 means all (save, load, default). */
     uint8_t instance;
-    /** Kind of trigger. Default: none. */
+    /** Kind of trigger. Default: MIP_EVENT_TRIGGER_TYPE_NONE. */
     mip_event_trigger_type type;
-    /** The condition. */
-    union mip_3dm_event_trigger_configuration_response_parameters parameters;
+    /** The condition. Selected by type. Empty if type is MIP_EVENT_TRIGGER_TYPE_NONE. */
+    union mip_3dm_event_trigger_config_response_parameters parameters;
 };
 
-#define MIP_3DM_EVENT_TRIGGER_CONFIGURATION_RESPONSE_DESCRIPTOR 0xB8
-#define MIP_3DM_EVENT_TRIGGER_CONFIGURATION_RESPONSE_NAME "3dm.event_trigger_configuration_response"
+#define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_DESCRIPTOR 0xB8
+#define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_NAME "3dm.event_trigger_config_response"
 
-extern const struct mip_codec mip_3dm_event_trigger_configuration_response_codec;
-mip_error mip_3dm_event_trigger_configuration_response_decode(
-    struct mip_3dm_event_trigger_configuration_response *value, const struct mip_field *field);
-mip_error mip_3dm_event_trigger_configuration_response_encode(
-    const struct mip_3dm_event_trigger_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_event_trigger_config_response_codec;
+mip_error mip_3dm_event_trigger_config_response_decode(
+    struct mip_3dm_event_trigger_config_response *value, const struct mip_field *field);
+mip_error mip_3dm_event_trigger_config_response_encode(
+    const struct mip_3dm_event_trigger_config_response *value, struct mip_builder *builder);
 
-/** The member of mip_3dm_event_action_configuration that `type` selects. */
-union mip_3dm_event_action_configuration_parameters {
-    /** If type is gpio. */
+/** The member of mip_3dm_event_action_config that `type` selects. */
+union mip_3dm_event_action_config_parameters {
+    /** If type is MIP_EVENT_ACTION_TYPE_GPIO. Controls a GPIO pin. */
     struct mip_event_action_gpio gpio;
-    /** If type is message. */
+    /** If type is MIP_EVENT_ACTION_TYPE_MESSAGE. Sends a data packet. */
     struct mip_event_action_message message;
 };
 
@@ -1380,126 +1821,130 @@ union mip_3dm_event_action_configuration_parameters {
  *
  * Trigger and effect of an event action.
  *
+ * Also called `event_action`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_event_action_config_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * A packet holds one descriptor set; for several sets use several actions with the same trigger.
  *
  * A GPIO action needs its pin configured as an output with the gpio feature.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_event_action_configuration_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  */
-struct mip_3dm_event_action_configuration {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_event_action_config {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Action instance; 0 means all (save, load, default). */
     uint8_t instance;
-    /** Trigger instance that the action follows. For write. */
+    /** Trigger instance that the action follows. Required for write. */
     uint8_t trigger;
-    /** Kind of action. Default: none. For write. */
+    /** Kind of action. Default: MIP_EVENT_ACTION_TYPE_NONE. Required for write. */
     mip_event_action_type type;
-    /** The effect. For write. */
-    union mip_3dm_event_action_configuration_parameters parameters;
+    /**
+     * The effect. Selected by type. Required for write. Empty if type is
+     * MIP_EVENT_ACTION_TYPE_NONE.
+     */
+    union mip_3dm_event_action_config_parameters parameters;
 };
 
-#define MIP_3DM_EVENT_ACTION_CONFIGURATION_DESCRIPTOR 0x2F
-#define MIP_3DM_EVENT_ACTION_CONFIGURATION_NAME "3dm.event_action_configuration"
+#define MIP_3DM_EVENT_ACTION_CONFIG_DESCRIPTOR 0x2F
+#define MIP_3DM_EVENT_ACTION_CONFIG_NAME "3dm.event_action_config"
 
-extern const struct mip_codec mip_3dm_event_action_configuration_codec;
-mip_error mip_3dm_event_action_configuration_decode(
-    struct mip_3dm_event_action_configuration *value, const struct mip_field *field);
-mip_error mip_3dm_event_action_configuration_encode(
-    const struct mip_3dm_event_action_configuration *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_event_action_config_codec;
+mip_error mip_3dm_event_action_config_decode(struct mip_3dm_event_action_config *value,
+                                             const struct mip_field *field);
+mip_error mip_3dm_event_action_config_encode(const struct mip_3dm_event_action_config *value,
+                                             struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_write(
-    uint8_t instance, uint8_t trigger, mip_event_action_type type,
-    const union mip_3dm_event_action_configuration_parameters *parameters);
+struct mip_3dm_event_action_config
+mip_3dm_event_action_config_write(uint8_t instance, uint8_t trigger, mip_event_action_type type,
+                                  const union mip_3dm_event_action_config_parameters *parameters);
 /** Send the current setting back in a response. */
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_read(uint8_t instance);
+struct mip_3dm_event_action_config mip_3dm_event_action_config_read(uint8_t instance);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_save(uint8_t instance);
+struct mip_3dm_event_action_config mip_3dm_event_action_config_save(uint8_t instance);
 /** Load the saved setting. */
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_load(uint8_t instance);
+struct mip_3dm_event_action_config mip_3dm_event_action_config_load(uint8_t instance);
 /** Load the factory default setting. */
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_default(
-    uint8_t instance);
+struct mip_3dm_event_action_config mip_3dm_event_action_config_default(uint8_t instance);
 
-/** The member of mip_3dm_event_action_configuration_response that `type` selects. */
-union mip_3dm_event_action_configuration_response_parameters {
-    /** If type is gpio. */
+/** The member of mip_3dm_event_action_config_response that `type` selects. */
+union mip_3dm_event_action_config_response_parameters {
+    /** If type is MIP_EVENT_ACTION_TYPE_GPIO. Controls a GPIO pin. */
     struct mip_event_action_gpio gpio;
-    /** If type is message. */
+    /** If type is MIP_EVENT_ACTION_TYPE_MESSAGE. Sends a data packet. */
     struct mip_event_action_message message;
 };
 
 /**
  * Event Action Configuration response: response (0x0C,0xB9).
  *
- * Answers Event Action Configuration (0x0C,0x2F).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `event_action_response`. Answers mip_3dm_event_action_config. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  */
-struct mip_3dm_event_action_configuration_response {
+struct mip_3dm_event_action_config_response {
     /** Action instance; 0 means all (save, load, default). */
     uint8_t instance;
     /** Trigger instance that the action follows. */
     uint8_t trigger;
-    /** Kind of action. Default: none. */
+    /** Kind of action. Default: MIP_EVENT_ACTION_TYPE_NONE. */
     mip_event_action_type type;
-    /** The effect. */
-    union mip_3dm_event_action_configuration_response_parameters parameters;
+    /** The effect. Selected by type. Empty if type is MIP_EVENT_ACTION_TYPE_NONE. */
+    union mip_3dm_event_action_config_response_parameters parameters;
 };
 
-#define MIP_3DM_EVENT_ACTION_CONFIGURATION_RESPONSE_DESCRIPTOR 0xB9
-#define MIP_3DM_EVENT_ACTION_CONFIGURATION_RESPONSE_NAME "3dm.event_action_configuration_response"
+#define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_DESCRIPTOR 0xB9
+#define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_NAME "3dm.event_action_config_response"
 
-extern const struct mip_codec mip_3dm_event_action_configuration_response_codec;
-mip_error mip_3dm_event_action_configuration_response_decode(
-    struct mip_3dm_event_action_configuration_response *value, const struct mip_field *field);
-mip_error mip_3dm_event_action_configuration_response_encode(
-    const struct mip_3dm_event_action_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_event_action_config_response_codec;
+mip_error mip_3dm_event_action_config_response_decode(
+    struct mip_3dm_event_action_config_response *value, const struct mip_field *field);
+mip_error mip_3dm_event_action_config_response_encode(
+    const struct mip_3dm_event_action_config_response *value, struct mip_builder *builder);
 
 /**
  * Device Start Up Settings: command (0x0C,0x30).
  *
  * Saves, loads or resets all settings of the device at once.
  *
- * A save may disturb the data output for a short time.
- *
  * Functions: save, load and default. The device may take 1 s to answer. Supported by
  * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * A save may disturb the data output for a short time.
  *
  * - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
  * - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
  */
-struct mip_3dm_device_start_up_settings {
+struct mip_3dm_device_settings {
     /** What to do with the setting. */
     mip_function_selector function;
 };
 
-#define MIP_3DM_DEVICE_START_UP_SETTINGS_DESCRIPTOR 0x30
-#define MIP_3DM_DEVICE_START_UP_SETTINGS_NAME "3dm.device_start_up_settings"
+#define MIP_3DM_DEVICE_SETTINGS_DESCRIPTOR 0x30
+#define MIP_3DM_DEVICE_SETTINGS_NAME "3dm.device_settings"
 
-extern const struct mip_codec mip_3dm_device_start_up_settings_codec;
-mip_error mip_3dm_device_start_up_settings_decode(struct mip_3dm_device_start_up_settings *value,
-                                                  const struct mip_field *field);
-mip_error mip_3dm_device_start_up_settings_encode(
-    const struct mip_3dm_device_start_up_settings *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_device_settings_codec;
+mip_error mip_3dm_device_settings_decode(struct mip_3dm_device_settings *value,
+                                         const struct mip_field *field);
+mip_error mip_3dm_device_settings_encode(const struct mip_3dm_device_settings *value,
+                                         struct mip_builder *builder);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_save(void);
+struct mip_3dm_device_settings mip_3dm_device_settings_save(void);
 /** Load the saved setting. */
-struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_load(void);
+struct mip_3dm_device_settings mip_3dm_device_settings_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_default(void);
+struct mip_3dm_device_settings mip_3dm_device_settings_default(void);
 
 /**
  * Sensor-to-Vehicle Frame Transformation Euler: command (0x0C,0x31).
  *
  * Mounting of the sensor in the vehicle as Euler angles.
+ *
+ * Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and default.
+ * Answered by mip_3dm_sensor_to_vehicle_transform_euler_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
@@ -1516,61 +1961,54 @@ struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_default
  *
  * On some older products the setting means the inverse rotation.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_sensor_to_vehicle_frame_transformation_euler_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_sensor_to_vehicle_transform_euler {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Rotation about the x axis. Unit: rad. For write. */
+    /** Rotation about the x axis. Unit: rad. Required for write. */
     float roll;
-    /** Rotation about the y axis. Unit: rad. For write. */
+    /** Rotation about the y axis. Unit: rad. Required for write. */
     float pitch;
-    /** Rotation about the z axis. Unit: rad. For write. */
+    /** Rotation about the z axis. Unit: rad. Required for write. */
     float yaw;
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_DESCRIPTOR 0x31
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_NAME \
-    "3dm.sensor_to_vehicle_frame_transformation_euler"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_DESCRIPTOR 0x31
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_NAME "3dm.sensor_to_vehicle_transform_euler"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_codec;
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *value,
-    const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec;
+mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *value, const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_transform_euler_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_euler *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
-mip_3dm_sensor_to_vehicle_frame_transformation_euler_write(float roll, float pitch, float yaw);
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_write(float roll, float pitch, float yaw);
 /** Send the current setting back in a response. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
-mip_3dm_sensor_to_vehicle_frame_transformation_euler_read(void);
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
-mip_3dm_sensor_to_vehicle_frame_transformation_euler_save(void);
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_save(void);
 /** Load the saved setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
-mip_3dm_sensor_to_vehicle_frame_transformation_euler_load(void);
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
-mip_3dm_sensor_to_vehicle_frame_transformation_euler_default(void);
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_default(void);
 
 /**
  * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
  *
- * Answers Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_euler_response`. Answers
+ * mip_3dm_sensor_to_vehicle_transform_euler. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response {
+struct mip_3dm_sensor_to_vehicle_transform_euler_response {
     /** Rotation about the x axis. Unit: rad. */
     float roll;
     /** Rotation about the y axis. Unit: rad. */
@@ -1579,16 +2017,16 @@ struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response {
     float yaw;
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_DESCRIPTOR 0xB1
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_NAME \
-    "3dm.sensor_to_vehicle_frame_transformation_euler_response"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_DESCRIPTOR 0xB1
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_NAME \
+    "3dm.sensor_to_vehicle_transform_euler_response"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_codec;
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *value,
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec;
+mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
     const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *value,
+mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
     struct mip_builder *builder);
 
 /**
@@ -1596,66 +2034,64 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_encode(
  *
  * Mounting of the sensor in the vehicle as a quaternion.
  *
+ * Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
+ * default. Answered by mip_3dm_sensor_to_vehicle_transform_quaternion_response. Supported by
+ * 3DM-CV7-GNSS/INS.
+ *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
  *
  * A change resets the low-pass filters, the complementary filter and the estimation filter.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response. Supported by
- * 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_sensor_to_vehicle_transform_quaternion {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
-     * w, x, y, z. Unit: 1. For write.
+     * w, x, y, z. Unit: 1. Required for write.
      */
     float q[4];
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_DESCRIPTOR 0x32
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_NAME \
-    "3dm.sensor_to_vehicle_frame_transformation_quaternion"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_DESCRIPTOR 0x32
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_NAME \
+    "3dm.sensor_to_vehicle_transform_quaternion"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_codec;
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *value,
-    const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *value,
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec;
+mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *value, const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *value,
     struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
-mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_write(const float q[4]);
+struct mip_3dm_sensor_to_vehicle_transform_quaternion
+mip_3dm_sensor_to_vehicle_transform_quaternion_write(const float q[4]);
 /** Send the current setting back in a response. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
-mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_read(void);
+struct mip_3dm_sensor_to_vehicle_transform_quaternion
+mip_3dm_sensor_to_vehicle_transform_quaternion_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
-mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_save(void);
+struct mip_3dm_sensor_to_vehicle_transform_quaternion
+mip_3dm_sensor_to_vehicle_transform_quaternion_save(void);
 /** Load the saved setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
-mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_load(void);
+struct mip_3dm_sensor_to_vehicle_transform_quaternion
+mip_3dm_sensor_to_vehicle_transform_quaternion_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
-mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_default(void);
+struct mip_3dm_sensor_to_vehicle_transform_quaternion
+mip_3dm_sensor_to_vehicle_transform_quaternion_default(void);
 
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion response: response (0x0C,0xB2).
  *
- * Answers Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
+ * mip_3dm_sensor_to_vehicle_transform_quaternion. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response {
+struct mip_3dm_sensor_to_vehicle_transform_quaternion_response {
     /**
      * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
      * w, x, y, z. Unit: 1.
@@ -1663,23 +2099,25 @@ struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response {
     float q[4];
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_NAME \
-    "3dm.sensor_to_vehicle_frame_transformation_quaternion_response"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_NAME \
+    "3dm.sensor_to_vehicle_transform_quaternion_response"
 
-extern const struct mip_codec
-    mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_codec;
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *value,
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec;
+mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
     const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *value,
+mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
     struct mip_builder *builder);
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: command (0x0C,0x33).
  *
  * Mounting of the sensor in the vehicle as a direction cosine matrix.
+ *
+ * Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and default.
+ * Answered by mip_3dm_sensor_to_vehicle_transform_dcm_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
@@ -1688,62 +2126,50 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_enc
  *
  * A change resets the low-pass filters, the complementary filter and the estimation filter.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response. Supported by
- * 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_sensor_to_vehicle_transform_dcm {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
-     * 1. For write.
+     * 1. Required for write.
      */
     float dcm[9];
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR 0x33
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_NAME \
-    "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_DESCRIPTOR 0x33
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_NAME "3dm.sensor_to_vehicle_transform_dcm"
 
-extern const struct mip_codec
-    mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_codec;
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *value,
-    const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec;
+mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *value, const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_transform_dcm_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_write(const float dcm[9]);
+struct mip_3dm_sensor_to_vehicle_transform_dcm
+mip_3dm_sensor_to_vehicle_transform_dcm_write(const float dcm[9]);
 /** Send the current setting back in a response. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_read(void);
+struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_save(void);
+struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_save(void);
 /** Load the saved setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_load(void);
+struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_default(void);
+struct mip_3dm_sensor_to_vehicle_transform_dcm
+mip_3dm_sensor_to_vehicle_transform_dcm_default(void);
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response: response (0x0C,0xB3).
  *
- * Answers Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_dcm_response`. Answers
+ * mip_3dm_sensor_to_vehicle_transform_dcm. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response {
+struct mip_3dm_sensor_to_vehicle_transform_dcm_response {
     /**
      * The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
      * 1.
@@ -1751,18 +2177,15 @@ struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_re
     float dcm[9];
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_DESCRIPTOR 0xB3
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_NAME \
-    "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_DESCRIPTOR 0xB3
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_NAME \
+    "3dm.sensor_to_vehicle_transform_dcm_response"
 
-extern const struct mip_codec
-    mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec;
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *value,
-    const struct mip_field *field);
-mip_error
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *value,
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec;
+mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
     struct mip_builder *builder);
 
 /**
@@ -1771,69 +2194,65 @@ mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_
  * Bias that is subtracted from the scaled acceleration.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_accelerometer_bias_configuration_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * mip_3dm_accel_bias_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+ * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
  */
-struct mip_3dm_accelerometer_bias_configuration {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_accel_bias {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. For write and apply. */
+    /**
+     * Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for write and apply.
+     */
     float bias[3];
 };
 
-#define MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_DESCRIPTOR 0x37
-#define MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_NAME "3dm.accelerometer_bias_configuration"
+#define MIP_3DM_ACCEL_BIAS_DESCRIPTOR 0x37
+#define MIP_3DM_ACCEL_BIAS_NAME "3dm.accel_bias"
 
-extern const struct mip_codec mip_3dm_accelerometer_bias_configuration_codec;
-mip_error mip_3dm_accelerometer_bias_configuration_decode(
-    struct mip_3dm_accelerometer_bias_configuration *value, const struct mip_field *field);
-mip_error mip_3dm_accelerometer_bias_configuration_encode(
-    const struct mip_3dm_accelerometer_bias_configuration *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_accel_bias_codec;
+mip_error mip_3dm_accel_bias_decode(struct mip_3dm_accel_bias *value,
+                                    const struct mip_field *field);
+mip_error mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bias *value,
+                                    struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_write(
-    const float bias[3]);
+struct mip_3dm_accel_bias mip_3dm_accel_bias_write(const float bias[3]);
 /** Send the current setting back in a response. */
-struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_read(void);
+struct mip_3dm_accel_bias mip_3dm_accel_bias_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_save(void);
+struct mip_3dm_accel_bias mip_3dm_accel_bias_save(void);
 /** Load the saved setting. */
-struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_load(void);
+struct mip_3dm_accel_bias mip_3dm_accel_bias_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_accelerometer_bias_configuration
-mip_3dm_accelerometer_bias_configuration_default(void);
+struct mip_3dm_accel_bias mip_3dm_accel_bias_default(void);
 /** Apply the new setting and send no acknowledge (5-series devices). */
-struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_apply(
-    const float bias[3]);
+struct mip_3dm_accel_bias mip_3dm_accel_bias_apply(const float bias[3]);
 
 /**
  * Accelerometer Bias Configuration response: response (0x0C,0x9A).
  *
- * Answers Accelerometer Bias Configuration (0x0C,0x37).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_3dm_accel_bias. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
  */
-struct mip_3dm_accelerometer_bias_configuration_response {
+struct mip_3dm_accel_bias_response {
     /** Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. */
     float bias[3];
 };
 
-#define MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR 0x9A
-#define MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_NAME \
-    "3dm.accelerometer_bias_configuration_response"
+#define MIP_3DM_ACCEL_BIAS_RESPONSE_DESCRIPTOR 0x9A
+#define MIP_3DM_ACCEL_BIAS_RESPONSE_NAME "3dm.accel_bias_response"
 
-extern const struct mip_codec mip_3dm_accelerometer_bias_configuration_response_codec;
-mip_error mip_3dm_accelerometer_bias_configuration_response_decode(
-    struct mip_3dm_accelerometer_bias_configuration_response *value, const struct mip_field *field);
-mip_error mip_3dm_accelerometer_bias_configuration_response_encode(
-    const struct mip_3dm_accelerometer_bias_configuration_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_accel_bias_response_codec;
+mip_error mip_3dm_accel_bias_response_decode(struct mip_3dm_accel_bias_response *value,
+                                             const struct mip_field *field);
+mip_error mip_3dm_accel_bias_response_encode(const struct mip_3dm_accel_bias_response *value,
+                                             struct mip_builder *builder);
 
 /**
  * Gyroscope Bias Configuration: command (0x0C,0x38).
@@ -1841,72 +2260,75 @@ mip_error mip_3dm_accelerometer_bias_configuration_response_encode(
  * Bias that is subtracted from the scaled angular rate.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_gyroscope_bias_configuration_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * mip_3dm_gyro_bias_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+ * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
  */
-struct mip_3dm_gyroscope_bias_configuration {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_gyro_bias {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. For write and apply. */
+    /**
+     * Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and apply.
+     */
     float bias[3];
 };
 
-#define MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_DESCRIPTOR 0x38
-#define MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_NAME "3dm.gyroscope_bias_configuration"
+#define MIP_3DM_GYRO_BIAS_DESCRIPTOR 0x38
+#define MIP_3DM_GYRO_BIAS_NAME "3dm.gyro_bias"
 
-extern const struct mip_codec mip_3dm_gyroscope_bias_configuration_codec;
-mip_error mip_3dm_gyroscope_bias_configuration_decode(
-    struct mip_3dm_gyroscope_bias_configuration *value, const struct mip_field *field);
-mip_error mip_3dm_gyroscope_bias_configuration_encode(
-    const struct mip_3dm_gyroscope_bias_configuration *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_gyro_bias_codec;
+mip_error mip_3dm_gyro_bias_decode(struct mip_3dm_gyro_bias *value, const struct mip_field *field);
+mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias *value,
+                                   struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_write(
-    const float bias[3]);
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_write(const float bias[3]);
 /** Send the current setting back in a response. */
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_read(void);
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_save(void);
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_save(void);
 /** Load the saved setting. */
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_load(void);
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_default(void);
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_default(void);
 /** Apply the new setting and send no acknowledge (5-series devices). */
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_apply(
-    const float bias[3]);
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_apply(const float bias[3]);
 
 /**
  * Gyroscope Bias Configuration response: response (0x0C,0x9B).
  *
- * The bias in use. The capture gyroscope bias command answers with it too.
+ * The bias in use.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `capture_gyro_bias_response`. Answers mip_3dm_gyro_bias and
+ * mip_3dm_capture_gyro_bias. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
  */
-struct mip_3dm_gyroscope_bias_configuration_response {
+struct mip_3dm_gyro_bias_response {
     /** Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. */
     float bias[3];
 };
 
-#define MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR 0x9B
-#define MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_NAME \
-    "3dm.gyroscope_bias_configuration_response"
+#define MIP_3DM_GYRO_BIAS_RESPONSE_DESCRIPTOR 0x9B
+#define MIP_3DM_GYRO_BIAS_RESPONSE_NAME "3dm.gyro_bias_response"
 
-extern const struct mip_codec mip_3dm_gyroscope_bias_configuration_response_codec;
-mip_error mip_3dm_gyroscope_bias_configuration_response_decode(
-    struct mip_3dm_gyroscope_bias_configuration_response *value, const struct mip_field *field);
-mip_error mip_3dm_gyroscope_bias_configuration_response_encode(
-    const struct mip_3dm_gyroscope_bias_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_gyro_bias_response_codec;
+mip_error mip_3dm_gyro_bias_response_decode(struct mip_3dm_gyro_bias_response *value,
+                                            const struct mip_field *field);
+mip_error mip_3dm_gyro_bias_response_encode(const struct mip_3dm_gyro_bias_response *value,
+                                            struct mip_builder *builder);
 
 /**
  * Capture Gyroscope Bias: command (0x0C,0x39).
  *
  * Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
+ *
+ * Answered by mip_3dm_gyro_bias_response. The device may take 31 s to answer. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The device must stand still, with as little vibration as possible, for the whole time.
  *
@@ -1916,166 +2338,152 @@ mip_error mip_3dm_gyroscope_bias_configuration_response_encode(
  *
  * The 3DM-GX5-15 also initializes its orientation from the samples.
  *
- * Answered by mip_3dm_gyroscope_bias_configuration_response. The device may take 31 s to answer.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
  * - 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
  */
-struct mip_3dm_capture_gyroscope_bias {
+struct mip_3dm_capture_gyro_bias {
     /** Time to average over. Unit: ms. Range: 1000 to 30000. */
     uint16_t averaging_time_ms;
 };
 
-#define MIP_3DM_CAPTURE_GYROSCOPE_BIAS_DESCRIPTOR 0x39
-#define MIP_3DM_CAPTURE_GYROSCOPE_BIAS_NAME "3dm.capture_gyroscope_bias"
+#define MIP_3DM_CAPTURE_GYRO_BIAS_DESCRIPTOR 0x39
+#define MIP_3DM_CAPTURE_GYRO_BIAS_NAME "3dm.capture_gyro_bias"
 
-extern const struct mip_codec mip_3dm_capture_gyroscope_bias_codec;
-mip_error mip_3dm_capture_gyroscope_bias_decode(struct mip_3dm_capture_gyroscope_bias *value,
-                                                const struct mip_field *field);
-mip_error mip_3dm_capture_gyroscope_bias_encode(const struct mip_3dm_capture_gyroscope_bias *value,
-                                                struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_capture_gyro_bias_codec;
+mip_error mip_3dm_capture_gyro_bias_decode(struct mip_3dm_capture_gyro_bias *value,
+                                           const struct mip_field *field);
+mip_error mip_3dm_capture_gyro_bias_encode(const struct mip_3dm_capture_gyro_bias *value,
+                                           struct mip_builder *builder);
 /** Capture Gyroscope Bias. */
-struct mip_3dm_capture_gyroscope_bias mip_3dm_capture_gyroscope_bias_make(
-    uint16_t averaging_time_ms);
+struct mip_3dm_capture_gyro_bias mip_3dm_capture_gyro_bias_make(uint16_t averaging_time_ms);
 
 /**
  * Magnetometer Hard Iron Offset: command (0x0C,0x3A).
  *
  * Offset that corrects the scaled magnetic field for hard iron.
  *
- * The values come from a calibration of the device as it is installed.
- *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_magnetometer_hard_iron_offset_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_mag_hard_iron_offset_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The values come from a calibration of the device as it is installed.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  */
-struct mip_3dm_magnetometer_hard_iron_offset {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_mag_hard_iron_offset {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. For write. */
+    /** Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write. */
     float offset[3];
 };
 
-#define MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_DESCRIPTOR 0x3A
-#define MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_NAME "3dm.magnetometer_hard_iron_offset"
+#define MIP_3DM_MAG_HARD_IRON_OFFSET_DESCRIPTOR 0x3A
+#define MIP_3DM_MAG_HARD_IRON_OFFSET_NAME "3dm.mag_hard_iron_offset"
 
-extern const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_codec;
-mip_error mip_3dm_magnetometer_hard_iron_offset_decode(
-    struct mip_3dm_magnetometer_hard_iron_offset *value, const struct mip_field *field);
-mip_error mip_3dm_magnetometer_hard_iron_offset_encode(
-    const struct mip_3dm_magnetometer_hard_iron_offset *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_mag_hard_iron_offset_codec;
+mip_error mip_3dm_mag_hard_iron_offset_decode(struct mip_3dm_mag_hard_iron_offset *value,
+                                              const struct mip_field *field);
+mip_error mip_3dm_mag_hard_iron_offset_encode(const struct mip_3dm_mag_hard_iron_offset *value,
+                                              struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_write(
-    const float offset[3]);
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_write(const float offset[3]);
 /** Send the current setting back in a response. */
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_read(void);
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_save(void);
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_save(void);
 /** Load the saved setting. */
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_load(void);
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_default(void);
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_default(void);
 
 /**
  * Magnetometer Hard Iron Offset response: response (0x0C,0x9C).
  *
- * Answers Magnetometer Hard Iron Offset (0x0C,0x3A).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_mag_hard_iron_offset. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  */
-struct mip_3dm_magnetometer_hard_iron_offset_response {
+struct mip_3dm_mag_hard_iron_offset_response {
     /** Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. */
     float offset[3];
 };
 
-#define MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR 0x9C
-#define MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_NAME \
-    "3dm.magnetometer_hard_iron_offset_response"
+#define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR 0x9C
+#define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_NAME "3dm.mag_hard_iron_offset_response"
 
-extern const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_response_codec;
-mip_error mip_3dm_magnetometer_hard_iron_offset_response_decode(
-    struct mip_3dm_magnetometer_hard_iron_offset_response *value, const struct mip_field *field);
-mip_error mip_3dm_magnetometer_hard_iron_offset_response_encode(
-    const struct mip_3dm_magnetometer_hard_iron_offset_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec;
+mip_error mip_3dm_mag_hard_iron_offset_response_decode(
+    struct mip_3dm_mag_hard_iron_offset_response *value, const struct mip_field *field);
+mip_error mip_3dm_mag_hard_iron_offset_response_encode(
+    const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder);
 
 /**
  * Magnetometer Soft Iron Matrix: command (0x0C,0x3B).
  *
  * Matrix that corrects the scaled magnetic field for soft iron.
  *
- * The values come from a calibration of the device as it is installed.
- *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_magnetometer_soft_iron_matrix_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_mag_soft_iron_matrix_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The values come from a calibration of the device as it is installed.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  */
-struct mip_3dm_magnetometer_soft_iron_matrix {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_mag_soft_iron_matrix {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-     * Unit: 1. Frame: sensor. For write.
+     * Unit: 1. Frame: sensor. Required for write.
      */
-    float offset[9];
+    float matrix[9];
 };
 
-#define MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_DESCRIPTOR 0x3B
-#define MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_NAME "3dm.magnetometer_soft_iron_matrix"
+#define MIP_3DM_MAG_SOFT_IRON_MATRIX_DESCRIPTOR 0x3B
+#define MIP_3DM_MAG_SOFT_IRON_MATRIX_NAME "3dm.mag_soft_iron_matrix"
 
-extern const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_codec;
-mip_error mip_3dm_magnetometer_soft_iron_matrix_decode(
-    struct mip_3dm_magnetometer_soft_iron_matrix *value, const struct mip_field *field);
-mip_error mip_3dm_magnetometer_soft_iron_matrix_encode(
-    const struct mip_3dm_magnetometer_soft_iron_matrix *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec;
+mip_error mip_3dm_mag_soft_iron_matrix_decode(struct mip_3dm_mag_soft_iron_matrix *value,
+                                              const struct mip_field *field);
+mip_error mip_3dm_mag_soft_iron_matrix_encode(const struct mip_3dm_mag_soft_iron_matrix *value,
+                                              struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_write(
-    const float offset[9]);
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_write(const float matrix[9]);
 /** Send the current setting back in a response. */
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_read(void);
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_save(void);
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_save(void);
 /** Load the saved setting. */
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_load(void);
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_default(void);
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_default(void);
 
 /**
  * Magnetometer Soft Iron Matrix response: response (0x0C,0x9D).
  *
- * Answers Magnetometer Soft Iron Matrix (0x0C,0x3B).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_mag_soft_iron_matrix. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  */
-struct mip_3dm_magnetometer_soft_iron_matrix_response {
+struct mip_3dm_mag_soft_iron_matrix_response {
     /**
      * Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
      * Unit: 1. Frame: sensor.
      */
-    float offset[9];
+    float matrix[9];
 };
 
-#define MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR 0x9D
-#define MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_NAME \
-    "3dm.magnetometer_soft_iron_matrix_response"
+#define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR 0x9D
+#define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_NAME "3dm.mag_soft_iron_matrix_response"
 
-extern const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_response_codec;
-mip_error mip_3dm_magnetometer_soft_iron_matrix_response_decode(
-    struct mip_3dm_magnetometer_soft_iron_matrix_response *value, const struct mip_field *field);
-mip_error mip_3dm_magnetometer_soft_iron_matrix_response_encode(
-    const struct mip_3dm_magnetometer_soft_iron_matrix_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec;
+mip_error mip_3dm_mag_soft_iron_matrix_response_decode(
+    struct mip_3dm_mag_soft_iron_matrix_response *value, const struct mip_field *field);
+mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
+    const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder);
 
 /**
  * Coning and Sculling Enable: command (0x0C,0x3E).
@@ -2083,65 +2491,66 @@ mip_error mip_3dm_magnetometer_soft_iron_matrix_response_encode(
  * Switches the compensation of coning and sculling on or off.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_coning_and_sculling_enable_response. Supported by 3DM-GX5-15.
+ * mip_3dm_coning_sculling_enable_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
-struct mip_3dm_coning_and_sculling_enable {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_coning_sculling_enable {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Whether the compensation is on. Default: true. For write. */
+    /** Whether the compensation is on. Default: true. Required for write. */
     mip_bool enable;
 };
 
-#define MIP_3DM_CONING_AND_SCULLING_ENABLE_DESCRIPTOR 0x3E
-#define MIP_3DM_CONING_AND_SCULLING_ENABLE_NAME "3dm.coning_and_sculling_enable"
+#define MIP_3DM_CONING_SCULLING_ENABLE_DESCRIPTOR 0x3E
+#define MIP_3DM_CONING_SCULLING_ENABLE_NAME "3dm.coning_sculling_enable"
 
-extern const struct mip_codec mip_3dm_coning_and_sculling_enable_codec;
-mip_error mip_3dm_coning_and_sculling_enable_decode(
-    struct mip_3dm_coning_and_sculling_enable *value, const struct mip_field *field);
-mip_error mip_3dm_coning_and_sculling_enable_encode(
-    const struct mip_3dm_coning_and_sculling_enable *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_coning_sculling_enable_codec;
+mip_error mip_3dm_coning_sculling_enable_decode(struct mip_3dm_coning_sculling_enable *value,
+                                                const struct mip_field *field);
+mip_error mip_3dm_coning_sculling_enable_encode(const struct mip_3dm_coning_sculling_enable *value,
+                                                struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_write(mip_bool enable);
+struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_write(mip_bool enable);
 /** Send the current setting back in a response. */
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_read(void);
+struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_save(void);
+struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_save(void);
 /** Load the saved setting. */
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_load(void);
+struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_default(void);
+struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_default(void);
 
 /**
  * Coning and Sculling Enable response: response (0x0C,0x9E).
  *
- * Answers Coning and Sculling Enable (0x0C,0x3E).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_3dm_coning_sculling_enable. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
-struct mip_3dm_coning_and_sculling_enable_response {
+struct mip_3dm_coning_sculling_enable_response {
     /** Whether the compensation is on. Default: true. */
     mip_bool enable;
 };
 
-#define MIP_3DM_CONING_AND_SCULLING_ENABLE_RESPONSE_DESCRIPTOR 0x9E
-#define MIP_3DM_CONING_AND_SCULLING_ENABLE_RESPONSE_NAME "3dm.coning_and_sculling_enable_response"
+#define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_DESCRIPTOR 0x9E
+#define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_NAME "3dm.coning_sculling_enable_response"
 
-extern const struct mip_codec mip_3dm_coning_and_sculling_enable_response_codec;
-mip_error mip_3dm_coning_and_sculling_enable_response_decode(
-    struct mip_3dm_coning_and_sculling_enable_response *value, const struct mip_field *field);
-mip_error mip_3dm_coning_and_sculling_enable_response_encode(
-    const struct mip_3dm_coning_and_sculling_enable_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_coning_sculling_enable_response_codec;
+mip_error mip_3dm_coning_sculling_enable_response_decode(
+    struct mip_3dm_coning_sculling_enable_response *value, const struct mip_field *field);
+mip_error mip_3dm_coning_sculling_enable_response_encode(
+    const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder);
 
 /**
  * UART Baud Rate: command (0x0C,0x40).
  *
  * Baud rate of the main port.
+ *
+ * Also called `uart_baudrate`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_uart_baud_rate_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
  *
@@ -2150,18 +2559,15 @@ mip_error mip_3dm_coning_and_sculling_enable_response_encode(
  *
  * Set the device to idle first, send the command in a packet of its own and wait 250 ms afterwards.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_uart_baud_rate_response.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
  */
 struct mip_3dm_uart_baud_rate {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Baud rate. Unit: Bd. For write. On 3dm-gx5-15: factory default 115200. */
+    /** Baud rate. Unit: Bd. Required for write. On the 3DM-GX5-15: default 115200. */
     uint32_t baud;
 };
 
@@ -2187,15 +2593,14 @@ struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_default(void);
 /**
  * UART Baud Rate response: response (0x0C,0x87).
  *
- * Answers UART Baud Rate (0x0C,0x40).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `uart_baudrate_response`. Answers mip_3dm_uart_baud_rate. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
  */
 struct mip_3dm_uart_baud_rate_response {
-    /** Baud rate. Unit: Bd. On 3dm-gx5-15: factory default 115200. */
+    /** Baud rate. Unit: Bd. */
     uint32_t baud;
 };
 
@@ -2213,6 +2618,9 @@ mip_error mip_3dm_uart_baud_rate_response_encode(
  *
  * What a GPIO pin is used for.
  *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_config_response.
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * Not every pin has every feature.
  *
  * Configure the function behind an output before its pin, and the pin of an input before its
@@ -2223,92 +2631,93 @@ mip_error mip_3dm_uart_baud_rate_response_encode(
  * With NMEA input at most one pin may be a UART input; set it to unused before another one takes
  * over.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_configuration_response.
- * Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
-struct mip_3dm_gpio_configuration {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_gpio_config {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** GPIO pin, counted from 1; 0 means all pins (save, load, default). */
     uint8_t pin;
-    /** Use of the pin. Default: unused. For write. */
+    /** Use of the pin. Default: MIP_GPIO_FEATURE_UNUSED. Required for write. */
     mip_gpio_feature feature;
     /**
-     * Role of the pin within the feature; 0 where the feature names none. If feature is unused:
-     * mip_gpio_unused_behavior. If feature is gpio: mip_gpio_behavior. If feature is pps:
-     * mip_gpio_pps_behavior. If feature is encoder: mip_gpio_encoder_behavior. If feature is
-     * timestamp: mip_gpio_timestamp_behavior. If feature is uart: mip_gpio_uart_behavior. For
-     * write.
+     * Role of the pin within the feature; 0 where the feature names none. Required for write. If
+     * feature is MIP_GPIO_FEATURE_UNUSED: values of mip_gpio_unused_behavior. If feature is
+     * MIP_GPIO_FEATURE_GPIO: values of mip_gpio_behavior. If feature is MIP_GPIO_FEATURE_PPS:
+     * values of mip_gpio_pps_behavior. If feature is MIP_GPIO_FEATURE_ENCODER: values of
+     * mip_gpio_encoder_behavior. If feature is MIP_GPIO_FEATURE_TIMESTAMP: values of
+     * mip_gpio_timestamp_behavior. If feature is MIP_GPIO_FEATURE_UART: values of
+     * mip_gpio_uart_behavior.
      */
     uint8_t behavior;
-    /** Electrical options. For write. */
+    /** Electrical options. Required for write. */
     mip_gpio_pin_mode pin_mode;
 };
 
-#define MIP_3DM_GPIO_CONFIGURATION_DESCRIPTOR 0x41
-#define MIP_3DM_GPIO_CONFIGURATION_NAME "3dm.gpio_configuration"
+#define MIP_3DM_GPIO_CONFIG_DESCRIPTOR 0x41
+#define MIP_3DM_GPIO_CONFIG_NAME "3dm.gpio_config"
 
-extern const struct mip_codec mip_3dm_gpio_configuration_codec;
-mip_error mip_3dm_gpio_configuration_decode(struct mip_3dm_gpio_configuration *value,
-                                            const struct mip_field *field);
-mip_error mip_3dm_gpio_configuration_encode(const struct mip_3dm_gpio_configuration *value,
-                                            struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_gpio_config_codec;
+mip_error mip_3dm_gpio_config_decode(struct mip_3dm_gpio_config *value,
+                                     const struct mip_field *field);
+mip_error mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_config *value,
+                                     struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_write(uint8_t pin,
-                                                                   mip_gpio_feature feature,
-                                                                   uint8_t behavior,
-                                                                   mip_gpio_pin_mode pin_mode);
+struct mip_3dm_gpio_config mip_3dm_gpio_config_write(uint8_t pin, mip_gpio_feature feature,
+                                                     uint8_t behavior, mip_gpio_pin_mode pin_mode);
 /** Send the current setting back in a response. */
-struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_read(uint8_t pin);
+struct mip_3dm_gpio_config mip_3dm_gpio_config_read(uint8_t pin);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_save(uint8_t pin);
+struct mip_3dm_gpio_config mip_3dm_gpio_config_save(uint8_t pin);
 /** Load the saved setting. */
-struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_load(uint8_t pin);
+struct mip_3dm_gpio_config mip_3dm_gpio_config_load(uint8_t pin);
 /** Load the factory default setting. */
-struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_default(uint8_t pin);
+struct mip_3dm_gpio_config mip_3dm_gpio_config_default(uint8_t pin);
 
 /**
  * GPIO Configuration response: response (0x0C,0xC1).
  *
- * Answers GPIO Configuration (0x0C,0x41).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_gpio_config. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
-struct mip_3dm_gpio_configuration_response {
+struct mip_3dm_gpio_config_response {
     /** GPIO pin, counted from 1; 0 means all pins (save, load, default). */
     uint8_t pin;
-    /** Use of the pin. Default: unused. */
+    /** Use of the pin. Default: MIP_GPIO_FEATURE_UNUSED. */
     mip_gpio_feature feature;
     /**
-     * Role of the pin within the feature; 0 where the feature names none. If feature is unused:
-     * mip_gpio_unused_behavior. If feature is gpio: mip_gpio_behavior. If feature is pps:
-     * mip_gpio_pps_behavior. If feature is encoder: mip_gpio_encoder_behavior. If feature is
-     * timestamp: mip_gpio_timestamp_behavior. If feature is uart: mip_gpio_uart_behavior.
+     * Role of the pin within the feature; 0 where the feature names none. If feature is
+     * MIP_GPIO_FEATURE_UNUSED: values of mip_gpio_unused_behavior. If feature is
+     * MIP_GPIO_FEATURE_GPIO: values of mip_gpio_behavior. If feature is MIP_GPIO_FEATURE_PPS:
+     * values of mip_gpio_pps_behavior. If feature is MIP_GPIO_FEATURE_ENCODER: values of
+     * mip_gpio_encoder_behavior. If feature is MIP_GPIO_FEATURE_TIMESTAMP: values of
+     * mip_gpio_timestamp_behavior. If feature is MIP_GPIO_FEATURE_UART: values of
+     * mip_gpio_uart_behavior.
      */
     uint8_t behavior;
     /** Electrical options. */
     mip_gpio_pin_mode pin_mode;
 };
 
-#define MIP_3DM_GPIO_CONFIGURATION_RESPONSE_DESCRIPTOR 0xC1
-#define MIP_3DM_GPIO_CONFIGURATION_RESPONSE_NAME "3dm.gpio_configuration_response"
+#define MIP_3DM_GPIO_CONFIG_RESPONSE_DESCRIPTOR 0xC1
+#define MIP_3DM_GPIO_CONFIG_RESPONSE_NAME "3dm.gpio_config_response"
 
-extern const struct mip_codec mip_3dm_gpio_configuration_response_codec;
-mip_error mip_3dm_gpio_configuration_response_decode(
-    struct mip_3dm_gpio_configuration_response *value, const struct mip_field *field);
-mip_error mip_3dm_gpio_configuration_response_encode(
-    const struct mip_3dm_gpio_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_gpio_config_response_codec;
+mip_error mip_3dm_gpio_config_response_decode(struct mip_3dm_gpio_config_response *value,
+                                              const struct mip_field *field);
+mip_error mip_3dm_gpio_config_response_encode(const struct mip_3dm_gpio_config_response *value,
+                                              struct mip_builder *builder);
 
 /**
  * GPIO State: command (0x0C,0x42).
  *
  * Sets or reads the state of a GPIO pin.
+ *
+ * Functions: write and read. Answered by mip_3dm_gpio_state_response. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * What is read is the level of the pin itself.
  *
@@ -2320,19 +2729,16 @@ mip_error mip_3dm_gpio_configuration_response_encode(
  *
  * The state at power-up is a matter of the GPIO configuration command.
  *
- * Functions: write and read. Answered by mip_3dm_gpio_state_response. Supported by
- * 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
 struct mip_3dm_gpio_state {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** GPIO pin, counted from 1. At least 1. */
+    /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
-    /** True is high. For write. */
+    /** True is high. Required for write. */
     mip_bool state;
 };
 
@@ -2352,14 +2758,12 @@ struct mip_3dm_gpio_state mip_3dm_gpio_state_read(uint8_t pin);
 /**
  * GPIO State response: response (0x0C,0xC2).
  *
- * Answers GPIO State (0x0C,0x42).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_gpio_state. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
 struct mip_3dm_gpio_state_response {
-    /** GPIO pin, counted from 1. At least 1. */
+    /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
     /** True is high. */
     mip_bool state;
@@ -2379,61 +2783,62 @@ mip_error mip_3dm_gpio_state_response_encode(const struct mip_3dm_gpio_state_res
  *
  * Input from a wheel encoder.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_odometer_configuration_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `odometer`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_odometer_config_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
-struct mip_3dm_odometer_configuration {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_odometer_config {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** How the input works. For write. */
+    /** How the input works. Required for write. */
     mip_3dm_odometer_mode mode;
     /**
      * Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
-     * For write. Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
+     * Required for write.
+     *
+     * Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
      */
     float scaling;
-    /** Relative uncertainty of the scaling, 1 sigma. Unit: 1. For write. */
+    /** Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for write. */
     float uncertainty;
 };
 
-#define MIP_3DM_ODOMETER_CONFIGURATION_DESCRIPTOR 0x43
-#define MIP_3DM_ODOMETER_CONFIGURATION_NAME "3dm.odometer_configuration"
+#define MIP_3DM_ODOMETER_CONFIG_DESCRIPTOR 0x43
+#define MIP_3DM_ODOMETER_CONFIG_NAME "3dm.odometer_config"
 
-extern const struct mip_codec mip_3dm_odometer_configuration_codec;
-mip_error mip_3dm_odometer_configuration_decode(struct mip_3dm_odometer_configuration *value,
-                                                const struct mip_field *field);
-mip_error mip_3dm_odometer_configuration_encode(const struct mip_3dm_odometer_configuration *value,
-                                                struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_odometer_config_codec;
+mip_error mip_3dm_odometer_config_decode(struct mip_3dm_odometer_config *value,
+                                         const struct mip_field *field);
+mip_error mip_3dm_odometer_config_encode(const struct mip_3dm_odometer_config *value,
+                                         struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_write(
-    mip_3dm_odometer_mode mode, float scaling, float uncertainty);
+struct mip_3dm_odometer_config mip_3dm_odometer_config_write(mip_3dm_odometer_mode mode,
+                                                             float scaling, float uncertainty);
 /** Send the current setting back in a response. */
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_read(void);
+struct mip_3dm_odometer_config mip_3dm_odometer_config_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_save(void);
+struct mip_3dm_odometer_config mip_3dm_odometer_config_save(void);
 /** Load the saved setting. */
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_load(void);
+struct mip_3dm_odometer_config mip_3dm_odometer_config_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_default(void);
+struct mip_3dm_odometer_config mip_3dm_odometer_config_default(void);
 
 /**
  * Odometer Configuration response: response (0x0C,0xC3).
  *
- * Answers Odometer Configuration (0x0C,0x43).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `odometer_response`. Answers mip_3dm_odometer_config. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
-struct mip_3dm_odometer_configuration_response {
+struct mip_3dm_odometer_config_response {
     /** How the input works. */
     mip_3dm_odometer_mode mode;
     /**
      * Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+     *
      * Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
      */
     float scaling;
@@ -2441,98 +2846,93 @@ struct mip_3dm_odometer_configuration_response {
     float uncertainty;
 };
 
-#define MIP_3DM_ODOMETER_CONFIGURATION_RESPONSE_DESCRIPTOR 0xC3
-#define MIP_3DM_ODOMETER_CONFIGURATION_RESPONSE_NAME "3dm.odometer_configuration_response"
+#define MIP_3DM_ODOMETER_CONFIG_RESPONSE_DESCRIPTOR 0xC3
+#define MIP_3DM_ODOMETER_CONFIG_RESPONSE_NAME "3dm.odometer_config_response"
 
-extern const struct mip_codec mip_3dm_odometer_configuration_response_codec;
-mip_error mip_3dm_odometer_configuration_response_decode(
-    struct mip_3dm_odometer_configuration_response *value, const struct mip_field *field);
-mip_error mip_3dm_odometer_configuration_response_encode(
-    const struct mip_3dm_odometer_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_odometer_config_response_codec;
+mip_error mip_3dm_odometer_config_response_decode(struct mip_3dm_odometer_config_response *value,
+                                                  const struct mip_field *field);
+mip_error mip_3dm_odometer_config_response_encode(
+    const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder);
 
 /**
  * Advanced Low-Pass Filter Settings: command (0x0C,0x50).
  *
  * Low-pass filter of one quantity of the sensor data.
  *
+ * Deprecated: use mip_3dm_low_pass_filter where the device has it. For advanced use. Also called
+ * `imu_lowpass_filter`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_imu_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * The filter has one pole. By default it is on and its cutoff is half the rate of the message
  * format.
- *
- * Deprecated: use 3dm.low_pass_anti_aliasing_filter where the device has it. For advanced use.
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_advanced_low_pass_filter_settings_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
  */
-struct mip_3dm_advanced_low_pass_filter_settings {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_imu_low_pass_filter {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-     * magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
+     * magnetic field 0x06 or pressure 0x17. On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor
      * data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
      * 0 means all of them, except for read.
      */
     uint8_t target_descriptor;
-    /** Whether the quantity is filtered. Default: true. For write. */
+    /** Whether the quantity is filtered. Default: true. Required for write. */
     mip_bool enable;
     /**
      * True uses the frequency; false follows half the rate of the message format. Default: false.
-     * For write.
+     * Required for write.
      */
     mip_bool manual;
     /**
-     * Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. For write. On 3dm-gx5-15: at
-     * most 250.
+     * Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. Required for write. On the
+     * 3DM-GX5-15: range at most 250.
      */
     uint16_t frequency;
-    /** For write. */
+    /** Reserved: send 0. Required for write. */
     uint8_t reserved;
 };
 
-#define MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_DESCRIPTOR 0x50
-#define MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_NAME "3dm.advanced_low_pass_filter_settings"
+#define MIP_3DM_IMU_LOW_PASS_FILTER_DESCRIPTOR 0x50
+#define MIP_3DM_IMU_LOW_PASS_FILTER_NAME "3dm.imu_low_pass_filter"
 
-extern const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_codec;
-mip_error mip_3dm_advanced_low_pass_filter_settings_decode(
-    struct mip_3dm_advanced_low_pass_filter_settings *value, const struct mip_field *field);
-mip_error mip_3dm_advanced_low_pass_filter_settings_encode(
-    const struct mip_3dm_advanced_low_pass_filter_settings *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_imu_low_pass_filter_codec;
+mip_error mip_3dm_imu_low_pass_filter_decode(struct mip_3dm_imu_low_pass_filter *value,
+                                             const struct mip_field *field);
+mip_error mip_3dm_imu_low_pass_filter_encode(const struct mip_3dm_imu_low_pass_filter *value,
+                                             struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_write(
-    uint8_t target_descriptor, mip_bool enable, mip_bool manual, uint16_t frequency);
+struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_write(uint8_t target_descriptor,
+                                                                     mip_bool enable,
+                                                                     mip_bool manual,
+                                                                     uint16_t frequency);
 /** Send the current setting back in a response. */
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_read(
-    uint8_t target_descriptor);
+struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_read(uint8_t target_descriptor);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_save(
-    uint8_t target_descriptor);
+struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_save(uint8_t target_descriptor);
 /** Load the saved setting. */
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_load(
-    uint8_t target_descriptor);
+struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_load(uint8_t target_descriptor);
 /** Load the factory default setting. */
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_default(
-    uint8_t target_descriptor);
+struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_default(uint8_t target_descriptor);
 
 /**
  * Advanced Low-Pass Filter Settings response: response (0x0C,0x8B).
  *
- * Answers Advanced Low-Pass Filter Settings (0x0C,0x50).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `imu_lowpass_filter_response`. Answers mip_3dm_imu_low_pass_filter. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
  */
-struct mip_3dm_advanced_low_pass_filter_settings_response {
+struct mip_3dm_imu_low_pass_filter_response {
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-     * magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
-     * data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
-     * 0 means all of them, except for read.
+     * magnetic field 0x06 or pressure 0x17.
      */
     uint8_t target_descriptor;
     /** Whether the quantity is filtered. Default: true. */
@@ -2541,30 +2941,28 @@ struct mip_3dm_advanced_low_pass_filter_settings_response {
      * True uses the frequency; false follows half the rate of the message format. Default: false.
      */
     mip_bool manual;
-    /**
-     * Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. On 3dm-gx5-15: at most 250.
-     */
+    /** Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. */
     uint16_t frequency;
-    /**  */
+    /** Reserved. */
     uint8_t reserved;
 };
 
-#define MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_DESCRIPTOR 0x8B
-#define MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_NAME \
-    "3dm.advanced_low_pass_filter_settings_response"
+#define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR 0x8B
+#define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_NAME "3dm.imu_low_pass_filter_response"
 
-extern const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_response_codec;
-mip_error mip_3dm_advanced_low_pass_filter_settings_response_decode(
-    struct mip_3dm_advanced_low_pass_filter_settings_response *value,
-    const struct mip_field *field);
-mip_error mip_3dm_advanced_low_pass_filter_settings_response_encode(
-    const struct mip_3dm_advanced_low_pass_filter_settings_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec;
+mip_error mip_3dm_imu_low_pass_filter_response_decode(
+    struct mip_3dm_imu_low_pass_filter_response *value, const struct mip_field *field);
+mip_error mip_3dm_imu_low_pass_filter_response_encode(
+    const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder);
 
 /**
  * Complementary Filter Configuration: command (0x0C,0x51).
  *
  * Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_complementary_filter_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
  *
@@ -2574,83 +2972,69 @@ mip_error mip_3dm_advanced_low_pass_filter_settings_response_encode(
  *
  * The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for compatibility.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_complementary_filter_configuration_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
  */
-struct mip_3dm_complementary_filter_configuration {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_complementary_filter {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
-     * Corrects pitch and roll (up, in terms of the 5-series). For write. On 3dm-gx5-15: factory
-     * default true.
+     * Corrects pitch and roll (up, in terms of the 5-series). Required for write. On the
+     * 3DM-GX5-15: default true.
      */
     mip_bool pitch_roll_enable;
     /**
-     * Corrects the heading (north, in terms of the 5-series). For write. On 3dm-gx5-15: factory
-     * default true.
+     * Corrects the heading (north, in terms of the 5-series). Required for write. On the
+     * 3DM-GX5-15: default true.
      */
     mip_bool heading_enable;
     /**
      * Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
-     * For write.
+     * Required for write.
      */
     float pitch_roll_time_constant;
     /**
-     * Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10. For
-     * write.
+     * Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10.
+     * Required for write.
      */
     float heading_time_constant;
 };
 
-#define MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_DESCRIPTOR 0x51
-#define MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_NAME "3dm.complementary_filter_configuration"
+#define MIP_3DM_COMPLEMENTARY_FILTER_DESCRIPTOR 0x51
+#define MIP_3DM_COMPLEMENTARY_FILTER_NAME "3dm.complementary_filter"
 
-extern const struct mip_codec mip_3dm_complementary_filter_configuration_codec;
-mip_error mip_3dm_complementary_filter_configuration_decode(
-    struct mip_3dm_complementary_filter_configuration *value, const struct mip_field *field);
-mip_error mip_3dm_complementary_filter_configuration_encode(
-    const struct mip_3dm_complementary_filter_configuration *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_complementary_filter_codec;
+mip_error mip_3dm_complementary_filter_decode(struct mip_3dm_complementary_filter *value,
+                                              const struct mip_field *field);
+mip_error mip_3dm_complementary_filter_encode(const struct mip_3dm_complementary_filter *value,
+                                              struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_complementary_filter_configuration mip_3dm_complementary_filter_configuration_write(
-    mip_bool pitch_roll_enable, mip_bool heading_enable, float pitch_roll_time_constant,
-    float heading_time_constant);
+struct mip_3dm_complementary_filter
+mip_3dm_complementary_filter_write(mip_bool pitch_roll_enable, mip_bool heading_enable,
+                                   float pitch_roll_time_constant, float heading_time_constant);
 /** Send the current setting back in a response. */
-struct mip_3dm_complementary_filter_configuration
-mip_3dm_complementary_filter_configuration_read(void);
+struct mip_3dm_complementary_filter mip_3dm_complementary_filter_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_complementary_filter_configuration
-mip_3dm_complementary_filter_configuration_save(void);
+struct mip_3dm_complementary_filter mip_3dm_complementary_filter_save(void);
 /** Load the saved setting. */
-struct mip_3dm_complementary_filter_configuration
-mip_3dm_complementary_filter_configuration_load(void);
+struct mip_3dm_complementary_filter mip_3dm_complementary_filter_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_complementary_filter_configuration
-mip_3dm_complementary_filter_configuration_default(void);
+struct mip_3dm_complementary_filter mip_3dm_complementary_filter_default(void);
 
 /**
  * Complementary Filter Configuration response: response (0x0C,0x97).
  *
- * Answers Complementary Filter Configuration (0x0C,0x51).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_3dm_complementary_filter. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
  */
-struct mip_3dm_complementary_filter_configuration_response {
-    /**
-     * Corrects pitch and roll (up, in terms of the 5-series). On 3dm-gx5-15: factory default true.
-     */
+struct mip_3dm_complementary_filter_response {
+    /** Corrects pitch and roll (up, in terms of the 5-series). */
     mip_bool pitch_roll_enable;
-    /**
-     * Corrects the heading (north, in terms of the 5-series). On 3dm-gx5-15: factory default true.
-     */
+    /** Corrects the heading (north, in terms of the 5-series). */
     mip_bool heading_enable;
     /**
      * Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
@@ -2660,39 +3044,36 @@ struct mip_3dm_complementary_filter_configuration_response {
     float heading_time_constant;
 };
 
-#define MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_DESCRIPTOR 0x97
-#define MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_NAME \
-    "3dm.complementary_filter_configuration_response"
+#define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_DESCRIPTOR 0x97
+#define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_NAME "3dm.complementary_filter_response"
 
-extern const struct mip_codec mip_3dm_complementary_filter_configuration_response_codec;
-mip_error mip_3dm_complementary_filter_configuration_response_decode(
-    struct mip_3dm_complementary_filter_configuration_response *value,
-    const struct mip_field *field);
-mip_error mip_3dm_complementary_filter_configuration_response_encode(
-    const struct mip_3dm_complementary_filter_configuration_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_complementary_filter_response_codec;
+mip_error mip_3dm_complementary_filter_response_decode(
+    struct mip_3dm_complementary_filter_response *value, const struct mip_field *field);
+mip_error mip_3dm_complementary_filter_response_encode(
+    const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder);
 
 /**
  * Sensor Range: command (0x0C,0x52).
  *
  * Measuring range of a sensor.
  *
- * The get calibrated sensor ranges command lists the settings. The device may refuse others or
- * measure wrongly.
- *
  * Functions: write, read, save, load and default. Answered by mip_3dm_sensor_range_response.
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The get calibrated sensor ranges command lists the settings. The device may refuse others or
+ * measure wrongly.
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
 struct mip_3dm_sensor_range {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** The sensor. */
     mip_3dm_sensor_range_type sensor;
-    /** Number of the range. For write. */
+    /** Number of the range. Required for write. */
     uint8_t setting;
 };
 
@@ -2719,9 +3100,7 @@ struct mip_3dm_sensor_range mip_3dm_sensor_range_default(mip_3dm_sensor_range_ty
 /**
  * Sensor Range response: response (0x0C,0xD2).
  *
- * Answers Sensor Range (0x0C,0x52).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_sensor_range. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
@@ -2746,7 +3125,8 @@ mip_error mip_3dm_sensor_range_response_encode(const struct mip_3dm_sensor_range
  *
  * Asks for the ranges that a sensor supports.
  *
- * Answered by mip_3dm_get_calibrated_sensor_ranges_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `calibrated_sensor_ranges`. Answered by
+ * mip_3dm_get_calibrated_sensor_ranges_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
@@ -2764,14 +3144,13 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
 mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
     const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder);
 /** Get Calibrated Sensor Ranges. */
-struct mip_3dm_get_calibrated_sensor_ranges mip_3dm_get_calibrated_sensor_ranges_make(
-    mip_3dm_sensor_range_type sensor);
+struct mip_3dm_get_calibrated_sensor_ranges
+mip_3dm_get_calibrated_sensor_ranges_make(mip_3dm_sensor_range_type sensor);
 
 /**
  * Get Calibrated Sensor Ranges response: response (0x0C,0xD3).
  *
- * Answers Get Calibrated Sensor Ranges (0x0C,0x53).
- *
+ * Also called `calibrated_sensor_ranges_response`. Answers mip_3dm_get_calibrated_sensor_ranges.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
@@ -2779,7 +3158,7 @@ struct mip_3dm_get_calibrated_sensor_ranges mip_3dm_get_calibrated_sensor_ranges
 struct mip_3dm_get_calibrated_sensor_ranges_response {
     /** Sensor of the command. */
     mip_3dm_sensor_range_type sensor;
-    /** Number of ranges. */
+    /** Number of ranges. The number of elements of ranges. */
     uint8_t num_ranges;
     /** The ranges. */
     struct mip_3dm_sensor_range_entry ranges[50];
@@ -2800,74 +3179,75 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
  *
  * Low-pass filter of a data field.
  *
- * Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
+ * Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_low_pass_anti_aliasing_filter_response. Supported by 3DM-CV7-GNSS/INS.
+ * Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
-struct mip_3dm_low_pass_anti_aliasing_filter {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_3dm_low_pass_filter {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Descriptor set of the field. */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /** Field descriptor; 0 if the set is 0. */
-    uint8_t field_desc;
-    /** Whether the field is filtered. For write. */
+    uint8_t field_descriptor;
+    /** Whether the field is filtered. Required for write. */
     mip_bool enable;
     /**
-     * True uses the frequency; false follows half the rate of the field in the message format. For
-     * write.
+     * True uses the frequency; false follows half the rate of the field in the message format.
+     * Required for write.
      */
     mip_bool manual;
     /**
-     * Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz. For
-     * write.
+     * Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz.
+     * Required for write.
      */
     float frequency;
 };
 
-#define MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_DESCRIPTOR 0x54
-#define MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_NAME "3dm.low_pass_anti_aliasing_filter"
+#define MIP_3DM_LOW_PASS_FILTER_DESCRIPTOR 0x54
+#define MIP_3DM_LOW_PASS_FILTER_NAME "3dm.low_pass_filter"
 
-extern const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_codec;
-mip_error mip_3dm_low_pass_anti_aliasing_filter_decode(
-    struct mip_3dm_low_pass_anti_aliasing_filter *value, const struct mip_field *field);
-mip_error mip_3dm_low_pass_anti_aliasing_filter_encode(
-    const struct mip_3dm_low_pass_anti_aliasing_filter *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_low_pass_filter_codec;
+mip_error mip_3dm_low_pass_filter_decode(struct mip_3dm_low_pass_filter *value,
+                                         const struct mip_field *field);
+mip_error mip_3dm_low_pass_filter_encode(const struct mip_3dm_low_pass_filter *value,
+                                         struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_write(
-    uint8_t desc_set, uint8_t field_desc, mip_bool enable, mip_bool manual, float frequency);
+struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_write(uint8_t descriptor_set,
+                                                             uint8_t field_descriptor,
+                                                             mip_bool enable, mip_bool manual,
+                                                             float frequency);
 /** Send the current setting back in a response. */
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_read(
-    uint8_t desc_set, uint8_t field_desc);
+struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_read(uint8_t descriptor_set,
+                                                            uint8_t field_descriptor);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_save(
-    uint8_t desc_set, uint8_t field_desc);
+struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_save(uint8_t descriptor_set,
+                                                            uint8_t field_descriptor);
 /** Load the saved setting. */
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_load(
-    uint8_t desc_set, uint8_t field_desc);
+struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_load(uint8_t descriptor_set,
+                                                            uint8_t field_descriptor);
 /** Load the factory default setting. */
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_default(
-    uint8_t desc_set, uint8_t field_desc);
+struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_default(uint8_t descriptor_set,
+                                                               uint8_t field_descriptor);
 
 /**
  * Low-Pass Anti-Aliasing Filter response: response (0x0C,0xD4).
  *
- * Answers Low-Pass Anti-Aliasing Filter (0x0C,0x54).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `lowpass_filter_response`. Answers mip_3dm_low_pass_filter. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
-struct mip_3dm_low_pass_anti_aliasing_filter_response {
+struct mip_3dm_low_pass_filter_response {
     /** Descriptor set of the field. */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /** Field descriptor; 0 if the set is 0. */
-    uint8_t field_desc;
+    uint8_t field_descriptor;
     /** Whether the field is filtered. */
     mip_bool enable;
     /** True uses the frequency; false follows half the rate of the field in the message format. */
@@ -2876,26 +3256,27 @@ struct mip_3dm_low_pass_anti_aliasing_filter_response {
     float frequency;
 };
 
-#define MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_DESCRIPTOR 0xD4
-#define MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_NAME \
-    "3dm.low_pass_anti_aliasing_filter_response"
+#define MIP_3DM_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR 0xD4
+#define MIP_3DM_LOW_PASS_FILTER_RESPONSE_NAME "3dm.low_pass_filter_response"
 
-extern const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_response_codec;
-mip_error mip_3dm_low_pass_anti_aliasing_filter_response_decode(
-    struct mip_3dm_low_pass_anti_aliasing_filter_response *value, const struct mip_field *field);
-mip_error mip_3dm_low_pass_anti_aliasing_filter_response_encode(
-    const struct mip_3dm_low_pass_anti_aliasing_filter_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_low_pass_filter_response_codec;
+mip_error mip_3dm_low_pass_filter_response_decode(struct mip_3dm_low_pass_filter_response *value,
+                                                  const struct mip_field *field);
+mip_error mip_3dm_low_pass_filter_response_encode(
+    const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder);
 
 /**
  * Device Status: command (0x0C,0x64).
  *
  * Asks for the state of the device, in one of two layouts.
  *
- * The layouts hold for this model number only; other models answer with layouts of their own.
- *
  * For advanced use. Answered by mip_3dm_device_status_basic_response or
  * mip_3dm_device_status_diagnostic_response. Supported by 3DM-GX5-15.
+ *
+ * The layouts hold for this model number only; other models answer with layouts of their own.
+ *
+ * On the wire only, without a member:
+ * - model_number: Model number of the 3DM-GX5-15. Always 6254.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  */
@@ -2913,15 +3294,20 @@ mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
 mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value,
                                        struct mip_builder *builder);
 /** Device Status. */
-struct mip_3dm_device_status mip_3dm_device_status_make(
-    mip_3dm_device_status_selector status_selector);
+struct mip_3dm_device_status
+mip_3dm_device_status_make(mip_3dm_device_status_selector status_selector);
 
 /**
  * Basic Device Status: response (0x0C,0x90).
  *
  * State and timer.
  *
- * Sent if status_selector is basic. Supported by 3DM-GX5-15.
+ * Answers mip_3dm_device_status. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC.
+ * Supported by 3DM-GX5-15.
+ *
+ * On the wire only, without a member:
+ * - model_number: Model number of the 3DM-GX5-15. Always 6254.
+ * - status_selector: Basic status. Always 1.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  */
@@ -2948,7 +3334,12 @@ mip_error mip_3dm_device_status_basic_response_encode(
  *
  * State and timer with the counters of streams and port.
  *
- * Sent if status_selector is diagnostic. Supported by 3DM-GX5-15.
+ * Answers mip_3dm_device_status. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-15.
+ *
+ * On the wire only, without a member:
+ * - model_number: Model number of the 3DM-GX5-15. Always 6254.
+ * - status_selector: Diagnostic status. Always 2.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  */
@@ -2968,13 +3359,13 @@ struct mip_3dm_device_status_diagnostic_response {
     /** Filter data packets that were not sent. Unit: 1. */
     uint32_t filter_dropped_packets;
     /** Bytes written to the port. Unit: byte. */
-    uint32_t com_port_bytes_written;
+    uint32_t comm_port_bytes_written;
     /** Bytes read from the port. Unit: byte. */
-    uint32_t com_port_bytes_read;
+    uint32_t comm_port_bytes_read;
     /** Overruns while writing to the port. Unit: 1. */
-    uint32_t com_port_write_overruns;
+    uint32_t comm_port_write_overruns;
     /** Overruns while reading from the port. Unit: 1. */
-    uint32_t com_port_read_overruns;
+    uint32_t comm_port_read_overruns;
     /** Messages of the IMU that could not be parsed. Unit: 1. */
     uint32_t imu_parser_errors;
     /** Messages of the IMU that were read. Unit: 1. */

@@ -10,13 +10,14 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/aiding.h and mip/core.h are not of one version"
+#error "mip/aiding.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_AIDING_SET 0x13
 
 /**
@@ -56,7 +57,7 @@ typedef uint8_t mip_aiding_timebase;
 struct mip_aiding_measurement_time {
     /** Clock of the time. */
     mip_aiding_timebase timebase;
-    /** Send 1. */
+    /** Reserved: send 1. */
     uint8_t reserved;
     /** Time by that clock. Unit: ns. */
     uint64_t nanoseconds;
@@ -68,30 +69,33 @@ void mip_aiding_measurement_time_write(struct mip_writer *w,
 
 /** Which axes of a measurement are valid; the others are ignored. */
 typedef uint16_t mip_aiding_axis_flags;
-/** Bit 0: First axis. */
+/** Bit 0. First axis. */
 #define MIP_AIDING_AXIS_FLAGS_X 0x0001U
-/** Bit 1: Second axis. */
+/** Bit 1. Second axis. */
 #define MIP_AIDING_AXIS_FLAGS_Y 0x0002U
-/** Bit 2: Third axis. */
+/** Bit 2. Third axis. */
 #define MIP_AIDING_AXIS_FLAGS_Z 0x0004U
 
 /** Which coordinates of a position are valid; the others are ignored. */
 typedef uint16_t mip_aiding_llh_axis_flags;
-/** Bit 0: Latitude and its uncertainty. */
+/** Bit 0. Latitude and its uncertainty. */
 #define MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE 0x0001U
-/** Bit 1: Longitude and its uncertainty. */
+/** Bit 1. Longitude and its uncertainty. */
 #define MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE 0x0002U
-/** Bit 2: Height and its uncertainty. */
+/** Bit 2. Height and its uncertainty. */
 #define MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT 0x0004U
 
-/** The member of mip_aiding_frame_configuration that `format` selects. */
-union mip_aiding_frame_configuration_rotation {
+/** The member of mip_aiding_frame_config that `format` selects. */
+union mip_aiding_frame_config_rotation {
     /**
-     * If format is euler: Roll, pitch and yaw. Elements: x, y, z. Unit: rad. Range:
-     * -3.141592653589793 to 3.141592653589793.
+     * If format is MIP_AIDING_FRAME_FORMAT_EULER. Roll, pitch and yaw. Elements: x, y, z. Unit:
+     * rad. Range: -3.141592653589793 to 3.141592653589793.
      */
     float euler[3];
-    /** If format is quaternion: Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. */
+    /**
+     * If format is MIP_AIDING_FRAME_FORMAT_QUATERNION. Quaternion, scalar part first. Elements: w,
+     * x, y, z. Unit: 1.
+     */
     float quaternion[4];
 };
 
@@ -99,6 +103,9 @@ union mip_aiding_frame_configuration_rotation {
  * Frame configuration: command (0x13,0x01).
  *
  * Where and how an external sensor is mounted on the vehicle.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_aiding_frame_config_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * Aiding measurements name the frame by its number.
  *
@@ -108,75 +115,74 @@ union mip_aiding_frame_configuration_rotation {
  *
  * A read names the format that the answer shall have.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_aiding_frame_configuration_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
  */
-struct mip_aiding_frame_configuration {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_aiding_frame_config {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Number of the frame. Range: 1 to 4. */
     uint8_t frame_id;
-    /** How the rotation is given. For write and read. */
+    /** How the rotation is given. Required for write and read. */
     mip_aiding_frame_format format;
-    /** Whether the filter estimates the errors of the frame. For write. */
+    /** Whether the filter estimates the errors of the frame. Required for write. */
     mip_bool tracking_enabled;
     /**
-     * Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. For write.
+     * Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. Required for
+     * write.
      */
     float translation[3];
-    /** Rotation from the frame to the vehicle. For write. */
-    union mip_aiding_frame_configuration_rotation rotation;
+    /** Rotation from the frame to the vehicle. Selected by format. Required for write. */
+    union mip_aiding_frame_config_rotation rotation;
 };
 
-#define MIP_AIDING_FRAME_CONFIGURATION_DESCRIPTOR 0x01
-#define MIP_AIDING_FRAME_CONFIGURATION_NAME "aiding.frame_configuration"
+#define MIP_AIDING_FRAME_CONFIG_DESCRIPTOR 0x01
+#define MIP_AIDING_FRAME_CONFIG_NAME "aiding.frame_config"
 
-extern const struct mip_codec mip_aiding_frame_configuration_codec;
-mip_error mip_aiding_frame_configuration_decode(struct mip_aiding_frame_configuration *value,
-                                                const struct mip_field *field);
-mip_error mip_aiding_frame_configuration_encode(const struct mip_aiding_frame_configuration *value,
-                                                struct mip_builder *builder);
+extern const struct mip_codec mip_aiding_frame_config_codec;
+mip_error mip_aiding_frame_config_decode(struct mip_aiding_frame_config *value,
+                                         const struct mip_field *field);
+mip_error mip_aiding_frame_config_encode(const struct mip_aiding_frame_config *value,
+                                         struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_write(
+struct mip_aiding_frame_config mip_aiding_frame_config_write(
     uint8_t frame_id, mip_aiding_frame_format format, mip_bool tracking_enabled,
-    const float translation[3], const union mip_aiding_frame_configuration_rotation *rotation);
+    const float translation[3], const union mip_aiding_frame_config_rotation *rotation);
 /** Send the current setting back in a response. */
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_read(
-    uint8_t frame_id, mip_aiding_frame_format format);
+struct mip_aiding_frame_config mip_aiding_frame_config_read(uint8_t frame_id,
+                                                            mip_aiding_frame_format format);
 /** Save the current setting to non-volatile memory. */
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_save(uint8_t frame_id);
+struct mip_aiding_frame_config mip_aiding_frame_config_save(uint8_t frame_id);
 /** Load the saved setting. */
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_load(uint8_t frame_id);
+struct mip_aiding_frame_config mip_aiding_frame_config_load(uint8_t frame_id);
 /** Load the factory default setting. */
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_default(uint8_t frame_id);
+struct mip_aiding_frame_config mip_aiding_frame_config_default(uint8_t frame_id);
 
-/** The member of mip_aiding_frame_configuration_response that `format` selects. */
-union mip_aiding_frame_configuration_response_rotation {
+/** The member of mip_aiding_frame_config_response that `format` selects. */
+union mip_aiding_frame_config_response_rotation {
     /**
-     * If format is euler: Roll, pitch and yaw. Elements: x, y, z. Unit: rad. Range:
-     * -3.141592653589793 to 3.141592653589793.
+     * If format is MIP_AIDING_FRAME_FORMAT_EULER. Roll, pitch and yaw. Elements: x, y, z. Unit:
+     * rad. Range: -3.141592653589793 to 3.141592653589793.
      */
     float euler[3];
-    /** If format is quaternion: Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. */
+    /**
+     * If format is MIP_AIDING_FRAME_FORMAT_QUATERNION. Quaternion, scalar part first. Elements: w,
+     * x, y, z. Unit: 1.
+     */
     float quaternion[4];
 };
 
 /**
  * Frame configuration response: response (0x13,0x81).
  *
- * Answers Frame configuration (0x13,0x01).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_aiding_frame_config. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
  */
-struct mip_aiding_frame_configuration_response {
+struct mip_aiding_frame_config_response {
     /** Number of the frame. Range: 1 to 4. */
     uint8_t frame_id;
     /** How the rotation is given. */
@@ -185,38 +191,38 @@ struct mip_aiding_frame_configuration_response {
     mip_bool tracking_enabled;
     /** Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. */
     float translation[3];
-    /** Rotation from the frame to the vehicle. */
-    union mip_aiding_frame_configuration_response_rotation rotation;
+    /** Rotation from the frame to the vehicle. Selected by format. */
+    union mip_aiding_frame_config_response_rotation rotation;
 };
 
-#define MIP_AIDING_FRAME_CONFIGURATION_RESPONSE_DESCRIPTOR 0x81
-#define MIP_AIDING_FRAME_CONFIGURATION_RESPONSE_NAME "aiding.frame_configuration_response"
+#define MIP_AIDING_FRAME_CONFIG_RESPONSE_DESCRIPTOR 0x81
+#define MIP_AIDING_FRAME_CONFIG_RESPONSE_NAME "aiding.frame_config_response"
 
-extern const struct mip_codec mip_aiding_frame_configuration_response_codec;
-mip_error mip_aiding_frame_configuration_response_decode(
-    struct mip_aiding_frame_configuration_response *value, const struct mip_field *field);
-mip_error mip_aiding_frame_configuration_response_encode(
-    const struct mip_aiding_frame_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_aiding_frame_config_response_codec;
+mip_error mip_aiding_frame_config_response_decode(struct mip_aiding_frame_config_response *value,
+                                                  const struct mip_field *field);
+mip_error mip_aiding_frame_config_response_encode(
+    const struct mip_aiding_frame_config_response *value, struct mip_builder *builder);
 
 /**
  * Echo control: command (0x13,0x1F).
  *
  * How the device answers aiding measurements.
  *
- * The manual does not give the layout of the responses that carry the data back.
- *
  * Functions: write, read, save, load and default. Answered by mip_aiding_echo_control_response.
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The manual does not give the layout of the responses that carry the data back.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
  */
 struct mip_aiding_echo_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** How they are answered. For write. */
+    /** How they are answered. Required for write. */
     mip_aiding_echo_mode mode;
 };
 
@@ -242,9 +248,7 @@ struct mip_aiding_echo_control mip_aiding_echo_control_default(void);
 /**
  * Echo control response: response (0x13,0x9F).
  *
- * Answers Echo control (0x13,0x1F).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_aiding_echo_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -268,13 +272,15 @@ mip_error mip_aiding_echo_control_response_encode(
  *
  * A measured position in Earth-fixed coordinates.
  *
+ * Also called `pos_ecef`. Not acknowledged if mode of mip_aiding_echo_control is
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
+ *
  * Use only one form of position: ECEF or LLH.
  *
  * The uncertainty of a valid axis must be greater than 0.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Position
@@ -285,13 +291,15 @@ struct mip_aiding_ecef_position {
     /** Frame of the sensor. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Position. Elements: x, y, z. Unit: m. Frame: ecef. Each valid by its bit:
-     * MIP_AIDING_AXIS_FLAGS_X, MIP_AIDING_AXIS_FLAGS_Y and MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid by its bit: x by
+     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by
+     * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     double position[3];
     /**
-     * Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Each valid by its bit:
-     * MIP_AIDING_AXIS_FLAGS_X, MIP_AIDING_AXIS_FLAGS_Y and MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid
+     * by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in
+     * valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -316,13 +324,15 @@ struct mip_aiding_ecef_position mip_aiding_ecef_position_make(
  *
  * A measured position as latitude, longitude and height.
  *
+ * Also called `pos_llh`. Not acknowledged if mode of mip_aiding_echo_control is
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
+ *
  * Use only one form of position: ECEF or LLH.
  *
  * The uncertainty of a valid axis must be greater than 0.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: LLH Position (0x13,0x22)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > LLH Position
@@ -348,9 +358,10 @@ struct mip_aiding_llh_position {
      */
     double height;
     /**
-     * Uncertainty along north, east and down. Elements: x, y, z. Unit: m. Frame: ned. Each valid by
-     * its bit: MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE, MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE and
-     * MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
+     * Uncertainty along north, east and down. Elements: x, y, z. Unit: m. Frame: ned. Each element
+     * is valid by its bit: x by MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags, y by
+     * MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags, z by MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in
+     * valid_flags.
      */
     float uncertainty[3];
     /** Which coordinates are valid. */
@@ -366,19 +377,21 @@ mip_error mip_aiding_llh_position_decode(struct mip_aiding_llh_position *value,
 mip_error mip_aiding_llh_position_encode(const struct mip_aiding_llh_position *value,
                                          struct mip_builder *builder);
 /** LLH position. */
-struct mip_aiding_llh_position mip_aiding_llh_position_make(
-    const struct mip_aiding_measurement_time *time, uint8_t frame_id, double latitude,
-    double longitude, double height, const float uncertainty[3],
-    mip_aiding_llh_axis_flags valid_flags);
+struct mip_aiding_llh_position
+mip_aiding_llh_position_make(const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+                             double latitude, double longitude, double height,
+                             const float uncertainty[3], mip_aiding_llh_axis_flags valid_flags);
 
 /**
  * Height above ellipsoid: command (0x13,0x23).
  *
  * A measured height.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
- *
+ * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23)
  */
@@ -413,15 +426,17 @@ struct mip_aiding_height_above_ellipsoid mip_aiding_height_above_ellipsoid_make(
  *
  * A measured velocity in Earth-fixed coordinates.
  *
+ * Also called `vel_ecef`. Not acknowledged if mode of mip_aiding_echo_control is
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
+ *
  * Use only one form of velocity: ECEF or NED.
  *
  * Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
  *
  * The uncertainty of a valid axis must be greater than 0.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
@@ -432,14 +447,15 @@ struct mip_aiding_ecef_velocity {
     /** Frame of the sensor. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each valid by its bit:
-     * MIP_AIDING_AXIS_FLAGS_X, MIP_AIDING_AXIS_FLAGS_Y and MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid by its bit: x by
+     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by
+     * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float velocity[3];
     /**
-     * Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each valid by its
-     * bit: MIP_AIDING_AXIS_FLAGS_X, MIP_AIDING_AXIS_FLAGS_Y and MIP_AIDING_AXIS_FLAGS_Z in
-     * valid_flags.
+     * Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid
+     * by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in
+     * valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -464,15 +480,17 @@ struct mip_aiding_ecef_velocity mip_aiding_ecef_velocity_make(
  *
  * A measured velocity in the local level frame.
  *
+ * Also called `vel_ned`. Not acknowledged if mode of mip_aiding_echo_control is
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
+ *
  * Use only one form of velocity: ECEF or NED.
  *
  * Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
  *
  * The uncertainty of a valid axis must be greater than 0.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity
@@ -483,13 +501,15 @@ struct mip_aiding_ned_velocity {
     /** Frame of the sensor. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each valid by its bit:
-     * MIP_AIDING_AXIS_FLAGS_X, MIP_AIDING_AXIS_FLAGS_Y and MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid by its bit: x by
+     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by
+     * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float velocity[3];
     /**
-     * Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each valid by its bit:
-     * MIP_AIDING_AXIS_FLAGS_X, MIP_AIDING_AXIS_FLAGS_Y and MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid
+     * by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in
+     * valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -514,6 +534,9 @@ struct mip_aiding_ned_velocity mip_aiding_ned_velocity_make(
  *
  * A measured velocity of the vehicle in the frame of the sensor.
  *
+ * Also called `vel_body_frame`. Not acknowledged if mode of mip_aiding_echo_control is
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
+ *
  * An uncertainty of a valid axis that is not greater than 0 is refused as an invalid parameter.
  *
  * The device takes up to four sensors of this kind.
@@ -524,9 +547,8 @@ struct mip_aiding_ned_velocity mip_aiding_ned_velocity_make(
  * A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold of the
  * user.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > Body Frame Velocity
@@ -538,13 +560,15 @@ struct mip_aiding_body_frame_velocity {
     /** Frame of the sensor. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Velocity in the frame of the sensor. Elements: x, y, z. Unit: m/s. Each valid by its bit:
-     * MIP_AIDING_AXIS_FLAGS_X, MIP_AIDING_AXIS_FLAGS_Y and MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Velocity in the frame of the sensor. Elements: x, y, z. Unit: m/s. Each element is valid by
+     * its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in
+     * valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float velocity[3];
     /**
-     * Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Each valid by its bit:
-     * MIP_AIDING_AXIS_FLAGS_X, MIP_AIDING_AXIS_FLAGS_Y and MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Each element is valid by
+     * its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in
+     * valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -569,11 +593,13 @@ struct mip_aiding_body_frame_velocity mip_aiding_body_frame_velocity_make(
  *
  * A measured heading relative to true north.
  *
+ * Also called `heading_true`. Not acknowledged if mode of mip_aiding_echo_control is
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
+ *
  * The uncertainty of a valid measurement must be greater than 0.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: True Heading (0x13,0x31)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > True Heading
@@ -600,22 +626,24 @@ mip_error mip_aiding_true_heading_decode(struct mip_aiding_true_heading *value,
 mip_error mip_aiding_true_heading_encode(const struct mip_aiding_true_heading *value,
                                          struct mip_builder *builder);
 /** True heading. */
-struct mip_aiding_true_heading mip_aiding_true_heading_make(
-    const struct mip_aiding_measurement_time *time, uint8_t frame_id, float heading,
-    float uncertainty, uint16_t valid_flags);
+struct mip_aiding_true_heading
+mip_aiding_true_heading_make(const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+                             float heading, float uncertainty, uint16_t valid_flags);
 
 /**
  * Magnetic field: command (0x13,0x32).
  *
  * A magnetic field measured by an external magnetometer.
  *
+ * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * The magnetometer must be calibrated.
  *
  * The uncertainty of a valid axis must be greater than 0.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Magnetometer
@@ -626,15 +654,15 @@ struct mip_aiding_magnetic_field {
     /** Frame of the sensor. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Magnetic field in the frame of the sensor. Elements: x, y, z. Unit: gauss. Each valid by its
-     * bit: MIP_AIDING_AXIS_FLAGS_X, MIP_AIDING_AXIS_FLAGS_Y and MIP_AIDING_AXIS_FLAGS_Z in
-     * valid_flags.
+     * Magnetic field in the frame of the sensor. Elements: x, y, z. Unit: gauss. Each element is
+     * valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y
+     * in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float magnetic_field[3];
     /**
-     * Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Each valid by its
-     * bit: MIP_AIDING_AXIS_FLAGS_X, MIP_AIDING_AXIS_FLAGS_Y and MIP_AIDING_AXIS_FLAGS_Z in
-     * valid_flags.
+     * Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Each element is
+     * valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y
+     * in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -659,11 +687,13 @@ struct mip_aiding_magnetic_field mip_aiding_magnetic_field_make(
  *
  * A static air pressure measured by an external sensor.
  *
+ * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * The uncertainty of a valid measurement must be greater than 0.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: Pressure (0x13,0x33)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Pressure

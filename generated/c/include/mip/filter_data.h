@@ -9,19 +9,140 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/filter_data.h and mip/core.h are not of one version"
+#error "mip/filter_data.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_FILTER_DATA_SET 0x82
 
 /** Whether the values of a field may be used. */
 typedef uint16_t mip_filter_data_valid_flags;
-/** Bit 0: All values of the field are valid. */
+/** Bit 0. All values of the field are valid. */
 #define MIP_FILTER_DATA_VALID_FLAGS_VALID 0x0001U
+
+/** Sources of heading updates; 0 if heading updates are disabled. */
+typedef uint16_t mip_filter_data_heading_source_flags;
+/** Bit 2. Heading messages that the user sends. */
+#define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL 0x0004U
+
+/** How the filter uses one GNSS receiver. */
+typedef uint16_t mip_filter_data_gnss_aiding_status;
+/** Bit 0. Raw ranges of the receiver are used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_TIGHT_COUPLING 0x0001U
+/** Bit 1. RTK corrections are used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_DIFFERENTIAL 0x0002U
+/** Bit 2. There is an RTK integer fix, which gives the best position. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_INTEGER_FIX 0x0004U
+/** Bit 3. GPS L1 is used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GPS_L1 0x0008U
+/** Bit 4. GPS L2 is used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GPS_L2 0x0010U
+/** Bit 5. GPS L5 is used; not on every model. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GPS_L5 0x0020U
+/** Bit 6. GLONASS L1 is used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GLONASS_L1 0x0040U
+/** Bit 7. GLONASS L2 is used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GLONASS_L2 0x0080U
+/** Bit 8. Galileo E1 is used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GALILEO_E1 0x0100U
+/** Bit 9. Galileo E5 is used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GALILEO_E5 0x0200U
+/** Bit 10. Galileo E6 is used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GALILEO_E6 0x0400U
+/** Bit 11. BeiDou B1 is used; not on every model. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_BEIDOU_B1 0x0800U
+/** Bit 12. BeiDou B2 is used; not on every model. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_BEIDOU_B2 0x1000U
+/** Bit 13. BeiDou B3 is used; not on every model. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_BEIDOU_B3 0x2000U
+/** Bit 14. The receiver has no position fix. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_NO_FIX 0x4000U
+/** Bit 15. The antenna offset of the receiver is probably wrong. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_CONFIG_ERROR 0x8000U
+
+/**
+ * Where a heading measurement comes from.
+ *
+ * - mip-sdk-4: Head Aid Status (0x82,0x45)
+ */
+typedef uint8_t mip_filter_data_heading_aiding_type;
+/** Two GNSS antennas. */
+#define MIP_FILTER_DATA_HEADING_AIDING_TYPE_DUAL_ANTENNA 1
+/** A heading message of the user. */
+#define MIP_FILTER_DATA_HEADING_AIDING_TYPE_EXTERNAL_MESSAGE 2
+
+/**
+ * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
+ * `aiding` that give the measurement.
+ */
+typedef uint8_t mip_filter_data_aiding_measurement_type;
+/** GNSS position and velocity. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_GNSS 1
+/** GNSS heading of two antennas. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_DUAL_ANTENNA 2
+/** Heading. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_HEADING 3
+/** Pressure altitude. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_PRESSURE 4
+/** Magnetometer. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_MAG 5
+/** Speed or odometer. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_SPEED 6
+/** ECEF position by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_POSITION 33
+/** Latitude, longitude and height by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_LLH_POSITION 34
+/** Height above the ellipsoid by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_HEIGHT_ABOVE_ELLIPSOID 35
+/** ECEF velocity by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_VELOCITY 40
+/** NED velocity by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_NED_VELOCITY 41
+/** Body frame velocity by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_BODY_FRAME_VELOCITY 42
+/** True heading by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_TRUE_HEADING 49
+/** Magnetic field by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_MAGNETIC_FIELD 50
+/** Pressure by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_PRESSURE 51
+
+/** What the filter did with an aiding measurement. */
+typedef uint8_t mip_filter_data_aiding_measurement_indicator;
+/** Bit 0. The measurement is enabled. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_ENABLED 0x01U
+/** Bit 1. The filter used it. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_USED 0x02U
+/** Bit 2. It disagrees with the estimate. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_RESIDUAL_HIGH_WARNING 0x04U
+/** Bit 3. Its time is doubtful. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_SAMPLE_TIME_WARNING 0x08U
+/** Bit 4. Its configuration is wrong. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_CONFIG_ERROR 0x10U
+/** Bit 5. There are more measurements than the filter can take. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_MAX_MEASUREMENTS_EXCEEDED 0x20U
+
+/** Kind of the heading solution of two antennas. */
+typedef uint8_t mip_filter_data_dual_antenna_fix_type;
+/** No solution. */
+#define MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_NONE 0
+/** Solution with float ambiguities. */
+#define MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_DA_FLOAT 1
+/** Solution with fixed ambiguities. */
+#define MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_DA_FIXED 2
+
+/** What the heading solution of two antennas has to work with. */
+typedef uint16_t mip_filter_data_dual_antenna_status_flags;
+/** Bit 0. Data of receiver 1 are valid. */
+#define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RECEIVER_1_DATA_VALID 0x0001U
+/** Bit 1. Data of receiver 2 are valid. */
+#define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RECEIVER_2_DATA_VALID 0x0002U
+/** Bit 2. The antenna offsets are valid. */
+#define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_ANTENNA_OFFSETS_VALID 0x0004U
 
 /**
  * State of the filter of a 5-series device.
@@ -49,7 +170,7 @@ typedef uint16_t mip_filter_data_cv7_filter_state;
 /** Initialization; initial conditions are missing or the filter waits for a command. */
 #define MIP_FILTER_DATA_CV7_FILTER_STATE_INIT 1
 /** Vertical gyro: pitch and roll, and heading relative to the initial one. */
-#define MIP_FILTER_DATA_CV7_FILTER_STATE_VERT_GYRO 2
+#define MIP_FILTER_DATA_CV7_FILTER_STATE_VERTICAL_GYRO 2
 /** Pitch, roll and absolute heading. */
 #define MIP_FILTER_DATA_CV7_FILTER_STATE_AHRS 3
 /** Full navigation: position, velocity and attitude. */
@@ -77,39 +198,39 @@ typedef uint16_t mip_filter_data_cv7_dynamics_mode;
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  */
 typedef uint16_t mip_filter_data_gx5_status_flags;
-/** Bit 0: No inertial data. */
+/** Bit 0. No inertial data. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_IMU_UNAVAILABLE 0x0001U
-/** Bit 1: No GNSS data, on models with GNSS. */
+/** Bit 1. No GNSS data, on models with GNSS. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GPS_UNAVAILABLE 0x0002U
-/** Bit 3: A matrix of the computation is singular. */
+/** Bit 3. A matrix of the computation is singular. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MATRIX_SINGULARITY 0x0008U
-/** Bit 4: A position covariance is above its normal limit. */
+/** Bit 4. A position covariance is above its normal limit. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_POSITION_COVARIANCE_WARNING 0x0010U
-/** Bit 5: A velocity covariance is above its normal limit. */
+/** Bit 5. A velocity covariance is above its normal limit. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_VELOCITY_COVARIANCE_WARNING 0x0020U
-/** Bit 6: An attitude covariance is above its normal limit. */
+/** Bit 6. An attitude covariance is above its normal limit. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE_WARNING 0x0040U
-/** Bit 7: The solution holds values that are not numbers. */
+/** Bit 7. The solution holds values that are not numbers. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_NAN_IN_SOLUTION_WARNING 0x0080U
-/** Bit 8: The estimated gyroscope bias is high. */
+/** Bit 8. The estimated gyroscope bias is high. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_EST_HIGH_WARNING 0x0100U
-/** Bit 9: The estimated accelerometer bias is high. */
+/** Bit 9. The estimated accelerometer bias is high. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_EST_HIGH_WARNING 0x0200U
-/** Bit 10: The estimated gyroscope scale factor is high. */
+/** Bit 10. The estimated gyroscope scale factor is high. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING 0x0400U
-/** Bit 11: The estimated accelerometer scale factor is high. */
+/** Bit 11. The estimated accelerometer scale factor is high. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING 0x0800U
-/** Bit 12: The estimated magnetometer bias is high. */
+/** Bit 12. The estimated magnetometer bias is high. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_BIAS_EST_HIGH_WARNING 0x1000U
-/** Bit 13: The estimated correction of the antenna offset is high; on models with GNSS. */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANT_OFFSET_CORRECTION_EST_HIGH_WARNING 0x2000U
-/** Bit 14: The estimated hard-iron offset is high. */
+/** Bit 13. The estimated correction of the antenna offset is high; on models with GNSS. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING 0x2000U
+/** Bit 14. The estimated hard-iron offset is high. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_HARD_IRON_EST_HIGH_WARNING 0x4000U
-/** Bit 15: The estimated soft-iron correction is high. */
+/** Bit 15. The estimated soft-iron correction is high. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_SOFT_IRON_EST_HIGH_WARNING 0x8000U
-/** Bit 12: The attitude is not initialized. */
+/** Bit 12. The attitude is not initialized. Overlaps other bits. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_ATTITUDE 0x1000U
-/** Bit 13: Position and velocity are not initialized. */
+/** Bit 13. Position and velocity are not initialized. Overlaps other bits. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_POSITION_VELOCITY 0x2000U
 
 /**
@@ -134,30 +255,30 @@ typedef uint8_t mip_filter_data_filter_condition;
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  */
 typedef uint16_t mip_filter_data_cv7_status_flags;
-/** Bits 0 to 1: How settled the estimates are. */
+/** Bits 0 to 1. How settled the estimates are. A value of mip_filter_data_filter_condition. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION 0x0003U
-/** Bit 2: Roll and pitch are doubtful; check the mounting transformation. */
+/** Bit 2. Roll and pitch are doubtful; check the mounting transformation. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_ROLL_PITCH_WARNING 0x0004U
-/** Bit 3: The heading is doubtful; check the heading source. */
+/** Bit 3. The heading is doubtful; check the heading source. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_HEADING_WARNING 0x0008U
-/** Bit 4: The position is doubtful; check the GNSS reception and antennas. */
+/** Bit 4. The position is doubtful; check the GNSS reception and antennas. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_POSITION_WARNING 0x0010U
-/** Bit 5: The velocity is doubtful; check the GNSS reception and antennas. */
+/** Bit 5. The velocity is doubtful; check the GNSS reception and antennas. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_VELOCITY_WARNING 0x0020U
-/** Bit 6: The sensor biases are doubtful; capture the gyroscope bias. */
+/** Bit 6. The sensor biases are doubtful; capture the gyroscope bias. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING 0x0040U
-/** Bit 7: The GNSS clock is doubtful; navigation goes on. */
-#define MIP_FILTER_DATA_CV7_STATUS_FLAGS_GNSS_CLK_WARNING 0x0080U
-/** Bit 8: The antenna offsets are probably wrong. */
+/** Bit 7. The GNSS clock is doubtful; navigation goes on. */
+#define MIP_FILTER_DATA_CV7_STATUS_FLAGS_GNSS_CLOCK_WARNING 0x0080U
+/** Bit 8. The antenna offsets are probably wrong. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_ANTENNA_LEVER_ARM_WARNING 0x0100U
-/** Bit 9: The mounting transformation is probably wrong. */
+/** Bit 9. The mounting transformation is probably wrong. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_MOUNTING_TRANSFORM_WARNING 0x0200U
-/** Bit 10: No pulse per second is found, or the time of an external heading is too old. */
+/** Bit 10. No pulse per second is found, or the time of an external heading is too old. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_TIME_SYNC_WARNING 0x0400U
-/** Bits 12 to 15: Not 0 if the solution holds values that are not numbers; reset the filter. */
+/** Bits 12 to 15. Not 0 if the solution holds values that are not numbers; reset the filter. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR 0xF000U
 
-/** Bits 0 to 1: How settled the estimates are. */
+/** Bits 0 to 1. How settled the estimates are. A value of mip_filter_data_filter_condition. */
 static inline mip_filter_data_filter_condition
 mip_filter_data_cv7_status_flags_get_filter_condition(mip_filter_data_cv7_status_flags flags) {
     const uint32_t bits = flags & MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION;
@@ -170,9 +291,9 @@ static inline void mip_filter_data_cv7_status_flags_set_filter_condition(
     *flags = (mip_filter_data_cv7_status_flags)((*flags & ~mask) | (bits & mask));
 }
 
-/** Bits 12 to 15: Not 0 if the solution holds values that are not numbers; reset the filter. */
-static inline uint8_t mip_filter_data_cv7_status_flags_get_solution_error(
-    mip_filter_data_cv7_status_flags flags) {
+/** Bits 12 to 15. Not 0 if the solution holds values that are not numbers; reset the filter. */
+static inline uint8_t
+mip_filter_data_cv7_status_flags_get_solution_error(mip_filter_data_cv7_status_flags flags) {
     const uint32_t bits = flags & MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR;
     return (uint8_t)(bits >> 12);
 }
@@ -183,121 +304,12 @@ static inline void mip_filter_data_cv7_status_flags_set_solution_error(
     *flags = (mip_filter_data_cv7_status_flags)((*flags & ~mask) | (bits & mask));
 }
 
-/** Sources of heading updates; 0 if heading updates are disabled. */
-typedef uint16_t mip_filter_data_heading_source_flags;
-/** Bit 2: Heading messages that the user sends. */
-#define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL 0x0004U
-
-/** How the filter uses one GNSS receiver. */
-typedef uint16_t mip_filter_data_gnss_aiding_status;
-/** Bit 0: Raw ranges of the receiver are used. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_TIGHT_COUPLING 0x0001U
-/** Bit 1: RTK corrections are used. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_DIFFERENTIAL 0x0002U
-/** Bit 2: There is an RTK integer fix, which gives the best position. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_INTEGER_FIX 0x0004U
-/** Bit 3: GPS L1 is used. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GPS_L1 0x0008U
-/** Bit 4: GPS L2 is used. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GPS_L2 0x0010U
-/** Bit 5: GPS L5 is used; not on every model. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GPS_L5 0x0020U
-/** Bit 6: GLONASS L1 is used. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GLO_L1 0x0040U
-/** Bit 7: GLONASS L2 is used. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GLO_L2 0x0080U
-/** Bit 8: Galileo E1 is used. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GAL_E1 0x0100U
-/** Bit 9: Galileo E5 is used. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GAL_E5 0x0200U
-/** Bit 10: Galileo E6 is used. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GAL_E6 0x0400U
-/** Bit 11: BeiDou B1 is used; not on every model. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_BEI_B1 0x0800U
-/** Bit 12: BeiDou B2 is used; not on every model. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_BEI_B2 0x1000U
-/** Bit 13: BeiDou B3 is used; not on every model. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_BEI_B3 0x2000U
-/** Bit 14: The receiver has no position fix. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_NO_FIX 0x4000U
-/** Bit 15: The antenna offset of the receiver is probably wrong. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_CONFIG_ERROR 0x8000U
-
-/**
- * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
- * `aiding` that give the measurement.
- */
-typedef uint8_t mip_filter_data_aiding_measurement_type;
-/** GNSS position and velocity. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_GNSS 1
-/** GNSS heading of two antennas. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_DUAL_ANTENNA 2
-/** Heading. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_HEADING 3
-/** Pressure altitude. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_PRESSURE 4
-/** Magnetometer. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_MAGNETOMETER 5
-/** Speed or odometer. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_SPEED 6
-/** ECEF position by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_POS_ECEF 33
-/** Latitude, longitude and height by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_POS_LLH 34
-/** Height above the ellipsoid by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_HEIGHT_ABOVE_ELLIPSOID 35
-/** ECEF velocity by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_VEL_ECEF 40
-/** NED velocity by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_VEL_NED 41
-/** Body frame velocity by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_VEL_BODY_FRAME 42
-/** True heading by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_HEADING_TRUE 49
-/** Magnetic field by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_MAGNETIC_FIELD 50
-/** Pressure by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_PRESSURE 51
-
-/** What the filter did with an aiding measurement. */
-typedef uint8_t mip_filter_data_aiding_measurement_indicator;
-/** Bit 0: The measurement is enabled. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_ENABLED 0x01U
-/** Bit 1: The filter used it. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_USED 0x02U
-/** Bit 2: It disagrees with the estimate. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_RESIDUAL_HIGH_WARNING 0x04U
-/** Bit 3: Its time is doubtful. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_SAMPLE_TIME_WARNING 0x08U
-/** Bit 4: Its configuration is wrong. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_CONFIGURATION_ERROR 0x10U
-/** Bit 5: There are more measurements than the filter can take. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_MAX_NUM_MEAS_EXCEEDED 0x20U
-
-/** Kind of the heading solution of two antennas. */
-typedef uint8_t mip_filter_data_dual_antenna_fix_type;
-/** No solution. */
-#define MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_NONE 0
-/** Solution with float ambiguities. */
-#define MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_DA_FLOAT 1
-/** Solution with fixed ambiguities. */
-#define MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_DA_FIXED 2
-
-/** What the heading solution of two antennas has to work with. */
-typedef uint16_t mip_filter_data_dual_antenna_status_flags;
-/** Bit 0: Data of receiver 1 are valid. */
-#define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RCV_1_DATA_VALID 0x0001U
-/** Bit 1: Data of receiver 2 are valid. */
-#define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RCV_2_DATA_VALID 0x0002U
-/** Bit 2: The antenna offsets are valid. */
-#define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_ANTENNA_OFFSETS_VALID 0x0004U
-
 /**
  * LLH position: data (0x82,0x01).
  *
  * Estimated position.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
  */
@@ -335,11 +347,11 @@ mip_error mip_filter_data_llh_position_encode(const struct mip_filter_data_llh_p
  *
  * Estimated velocity.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
  */
-struct mip_filter_data_velocity_ned {
+struct mip_filter_data_ned_velocity {
     /**
      * Velocity north. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
      * valid_flags is set.
@@ -359,13 +371,13 @@ struct mip_filter_data_velocity_ned {
     mip_filter_data_valid_flags valid_flags;
 };
 
-#define MIP_FILTER_DATA_VELOCITY_NED_DESCRIPTOR 0x02
-#define MIP_FILTER_DATA_VELOCITY_NED_NAME "filter_data.velocity_ned"
+#define MIP_FILTER_DATA_NED_VELOCITY_DESCRIPTOR 0x02
+#define MIP_FILTER_DATA_NED_VELOCITY_NAME "filter_data.ned_velocity"
 
-extern const struct mip_codec mip_filter_data_velocity_ned_codec;
-mip_error mip_filter_data_velocity_ned_decode(struct mip_filter_data_velocity_ned *value,
+extern const struct mip_codec mip_filter_data_ned_velocity_codec;
+mip_error mip_filter_data_ned_velocity_decode(struct mip_filter_data_ned_velocity *value,
                                               const struct mip_field *field);
-mip_error mip_filter_data_velocity_ned_encode(const struct mip_filter_data_velocity_ned *value,
+mip_error mip_filter_data_ned_velocity_encode(const struct mip_filter_data_ned_velocity *value,
                                               struct mip_builder *builder);
 
 /**
@@ -373,9 +385,9 @@ mip_error mip_filter_data_velocity_ned_encode(const struct mip_filter_data_veloc
  *
  * Estimated orientation of the vehicle frame in the NED frame as a quaternion.
  *
- * v_vehicle = q^-1 * v_ned * q. The 3DM-GX5-15 manual prints the inverse rotation.
- *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * v_vehicle = q^-1 * v_ned * q. The 3DM-GX5-15 manual prints the inverse rotation.
  *
  * - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
  * - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
@@ -404,9 +416,9 @@ mip_error mip_filter_data_attitude_quaternion_encode(
  *
  * Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
  *
- * The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm * v_ned.
- *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm * v_ned.
  *
  * - 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)
  * - 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
@@ -435,9 +447,9 @@ mip_error mip_filter_data_attitude_dcm_encode(const struct mip_filter_data_attit
  *
  * Estimated orientation of the vehicle frame in the NED frame as Euler angles.
  *
- * The rotations apply in the order yaw, pitch, roll (3-2-1).
- *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * The rotations apply in the order yaw, pitch, roll (3-2-1).
  *
  * - 3dm-cv7-gnss-ins: Euler Angles (0x82,0x05)
  * - 3dm-gx5-15: 5.2.5 Orientation, Euler Angles (0x82, 0x05)
@@ -532,7 +544,7 @@ mip_error mip_filter_data_accel_bias_encode(const struct mip_filter_data_accel_b
  *
  * Standard deviation of the estimated position, in the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
  */
@@ -570,7 +582,7 @@ mip_error mip_filter_data_llh_position_uncertainty_encode(
  *
  * Standard deviation of the estimated velocity.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
  */
@@ -608,10 +620,10 @@ mip_error mip_filter_data_ned_velocity_uncertainty_encode(
  *
  * Standard deviation of the estimated Euler angles.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * 3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70
  * degrees of pitch up or down.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A)
  * - 3dm-gx5-15: 5.2.6 Attitude Uncertainty, Euler Angles (0x82, 0x0A)
@@ -660,7 +672,7 @@ struct mip_filter_data_gyro_bias_uncertainty {
      * Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
-    float bias_uncert[3];
+    float bias_uncertainty[3];
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
 };
@@ -688,7 +700,7 @@ struct mip_filter_data_accel_bias_uncertainty {
      * Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
-    float bias_uncert[3];
+    float bias_uncertainty[3];
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
 };
@@ -765,13 +777,13 @@ mip_error mip_filter_data_comp_angular_rate_encode(
  *
  * Magnitude of gravity at the position of the device by the WGS84 model.
  *
- * The model holds up to an altitude of 20 km.
+ * Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
  *
- * Supported by 3DM-GX5-15.
+ * The model holds up to an altitude of 20 km.
  *
  * - 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F)
  */
-struct mip_filter_data_wgs84_local_gravity_magnitude {
+struct mip_filter_data_wgs84_gravity_magnitude {
     /**
      * Magnitude of gravity. Unit: m/s^2. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags
      * is set.
@@ -781,20 +793,21 @@ struct mip_filter_data_wgs84_local_gravity_magnitude {
     mip_filter_data_valid_flags valid_flags;
 };
 
-#define MIP_FILTER_DATA_WGS84_LOCAL_GRAVITY_MAGNITUDE_DESCRIPTOR 0x0F
-#define MIP_FILTER_DATA_WGS84_LOCAL_GRAVITY_MAGNITUDE_NAME \
-    "filter_data.wgs84_local_gravity_magnitude"
+#define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_DESCRIPTOR 0x0F
+#define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_NAME "filter_data.wgs84_gravity_magnitude"
 
-extern const struct mip_codec mip_filter_data_wgs84_local_gravity_magnitude_codec;
-mip_error mip_filter_data_wgs84_local_gravity_magnitude_decode(
-    struct mip_filter_data_wgs84_local_gravity_magnitude *value, const struct mip_field *field);
-mip_error mip_filter_data_wgs84_local_gravity_magnitude_encode(
-    const struct mip_filter_data_wgs84_local_gravity_magnitude *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_codec;
+mip_error mip_filter_data_wgs84_gravity_magnitude_decode(
+    struct mip_filter_data_wgs84_gravity_magnitude *value, const struct mip_field *field);
+mip_error mip_filter_data_wgs84_gravity_magnitude_encode(
+    const struct mip_filter_data_wgs84_gravity_magnitude *value, struct mip_builder *builder);
 
 /**
  * Filter status: data (0x82,0x10).
  *
  * State, dynamics mode, condition and warnings of the filter.
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The meaning of all three values depends on the device.
  *
@@ -803,25 +816,24 @@ mip_error mip_filter_data_wgs84_local_gravity_magnitude_encode(
  * 5-series: bits 12 and 13 of the flags mean other things in state `init` than while the filter
  * runs.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
- *
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  * - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
  */
 struct mip_filter_data_status {
     /**
-     * State of the filter. On the 3dm-gx5-15: mip_filter_data_gx5_filter_state. On the
-     * 3dm-cv7-gnss-ins: mip_filter_data_cv7_filter_state.
+     * State of the filter. On the 3DM-CV7-GNSS/INS: values of mip_filter_data_cv7_filter_state. On
+     * the 3DM-GX5-15: values of mip_filter_data_gx5_filter_state.
      */
     uint16_t filter_state;
     /**
-     * Motion for which the filter is set up. On the 3dm-gx5-15: mip_filter_data_gx5_dynamics_mode.
-     * On the 3dm-cv7-gnss-ins: mip_filter_data_cv7_dynamics_mode.
+     * Motion for which the filter is set up. On the 3DM-CV7-GNSS/INS: values of
+     * mip_filter_data_cv7_dynamics_mode. On the 3DM-GX5-15: values of
+     * mip_filter_data_gx5_dynamics_mode.
      */
     uint16_t dynamics_mode;
     /**
-     * Condition and warnings. On the 3dm-gx5-15: mip_filter_data_gx5_status_flags. On the
-     * 3dm-cv7-gnss-ins: mip_filter_data_cv7_status_flags.
+     * Condition and warnings. On the 3DM-CV7-GNSS/INS: values of mip_filter_data_cv7_status_flags.
+     * On the 3DM-GX5-15: values of mip_filter_data_gx5_status_flags.
      */
     uint16_t status_flags;
 };
@@ -840,13 +852,13 @@ mip_error mip_filter_data_status_encode(const struct mip_filter_data_status *val
  *
  * GPS time of the filter data.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * Without PPS the internal clock drives the time, and the time jumps when the PPS comes back.
  *
  * Without synchronization to a receiver or an external clock it is the internal system time.
  *
- * 3DM-CV7: the field may be withdrawn; `shared.gps_timestamp` is better.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * 3DM-CV7: the field may be withdrawn; mip_shared_gps_timestamp is better.
  *
  * - 3dm-cv7-gnss-ins: Timestamp (0x82,0x11)
  * - 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82, 0x11)
@@ -939,13 +951,13 @@ mip_error mip_filter_data_gravity_vector_encode(const struct mip_filter_data_gra
  *
  * The last heading that updated the filter and where it came from.
  *
- * The valid bit means that the source gave data within the last 2 seconds.
- *
  * Supported by 3DM-GX5-15.
+ *
+ * The valid bit means that the source gave data within the last 2 seconds.
  *
  * - 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14)
  */
-struct mip_filter_data_heading_update_source_state {
+struct mip_filter_data_heading_update_state {
     /**
      * Heading of the sensor frame relative to true north. Unit: rad. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
@@ -962,23 +974,23 @@ struct mip_filter_data_heading_update_source_state {
     mip_filter_data_valid_flags valid_flags;
 };
 
-#define MIP_FILTER_DATA_HEADING_UPDATE_SOURCE_STATE_DESCRIPTOR 0x14
-#define MIP_FILTER_DATA_HEADING_UPDATE_SOURCE_STATE_NAME "filter_data.heading_update_source_state"
+#define MIP_FILTER_DATA_HEADING_UPDATE_STATE_DESCRIPTOR 0x14
+#define MIP_FILTER_DATA_HEADING_UPDATE_STATE_NAME "filter_data.heading_update_state"
 
-extern const struct mip_codec mip_filter_data_heading_update_source_state_codec;
-mip_error mip_filter_data_heading_update_source_state_decode(
-    struct mip_filter_data_heading_update_source_state *value, const struct mip_field *field);
-mip_error mip_filter_data_heading_update_source_state_encode(
-    const struct mip_filter_data_heading_update_source_state *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_data_heading_update_state_codec;
+mip_error mip_filter_data_heading_update_state_decode(
+    struct mip_filter_data_heading_update_state *value, const struct mip_field *field);
+mip_error mip_filter_data_heading_update_state_encode(
+    const struct mip_filter_data_heading_update_state *value, struct mip_builder *builder);
 
 /**
  * Magnetic model: data (0x82,0x15).
  *
  * Magnetic field at the position of the device by the World Magnetic Model.
  *
- * It is valid only with a valid GNSS position.
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * It is valid only with a valid GNSS position.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15)
  */
@@ -1016,6 +1028,165 @@ mip_error mip_filter_data_magnetic_model_encode(const struct mip_filter_data_mag
                                                 struct mip_builder *builder);
 
 /**
+ * Gyroscope scale factor: data (0x82,0x16).
+ *
+ * Estimated scale factor of the gyroscope.
+ *
+ * - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
+ */
+struct mip_filter_data_gyro_scale_factor {
+    /**
+     * Scale factor per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float scale_factor[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_DESCRIPTOR 0x16
+#define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_NAME "filter_data.gyro_scale_factor"
+
+extern const struct mip_codec mip_filter_data_gyro_scale_factor_codec;
+mip_error mip_filter_data_gyro_scale_factor_decode(struct mip_filter_data_gyro_scale_factor *value,
+                                                   const struct mip_field *field);
+mip_error mip_filter_data_gyro_scale_factor_encode(
+    const struct mip_filter_data_gyro_scale_factor *value, struct mip_builder *builder);
+
+/**
+ * Accelerometer scale factor: data (0x82,0x17).
+ *
+ * Estimated scale factor of the accelerometer.
+ *
+ * - mip-sdk-4: Accel Scale Factor (0x82,0x17)
+ */
+struct mip_filter_data_accel_scale_factor {
+    /**
+     * Scale factor per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float scale_factor[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_DESCRIPTOR 0x17
+#define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_NAME "filter_data.accel_scale_factor"
+
+extern const struct mip_codec mip_filter_data_accel_scale_factor_codec;
+mip_error mip_filter_data_accel_scale_factor_decode(
+    struct mip_filter_data_accel_scale_factor *value, const struct mip_field *field);
+mip_error mip_filter_data_accel_scale_factor_encode(
+    const struct mip_filter_data_accel_scale_factor *value, struct mip_builder *builder);
+
+/**
+ * Gyroscope scale factor uncertainty: data (0x82,0x18).
+ *
+ * Standard deviation of the estimated scale factor of the gyroscope.
+ *
+ * - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
+ */
+struct mip_filter_data_gyro_scale_factor_uncertainty {
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float scale_factor_uncertainty[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR 0x18
+#define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_NAME \
+    "filter_data.gyro_scale_factor_uncertainty"
+
+extern const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec;
+mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode(
+    struct mip_filter_data_gyro_scale_factor_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode(
+    const struct mip_filter_data_gyro_scale_factor_uncertainty *value, struct mip_builder *builder);
+
+/**
+ * Accelerometer scale factor uncertainty: data (0x82,0x19).
+ *
+ * Standard deviation of the estimated scale factor of the accelerometer.
+ *
+ * - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
+ */
+struct mip_filter_data_accel_scale_factor_uncertainty {
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float scale_factor_uncertainty[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR 0x19
+#define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_NAME \
+    "filter_data.accel_scale_factor_uncertainty"
+
+extern const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec;
+mip_error mip_filter_data_accel_scale_factor_uncertainty_decode(
+    struct mip_filter_data_accel_scale_factor_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_accel_scale_factor_uncertainty_encode(
+    const struct mip_filter_data_accel_scale_factor_uncertainty *value,
+    struct mip_builder *builder);
+
+/**
+ * Magnetometer bias: data (0x82,0x1A).
+ *
+ * Estimated bias of the magnetometer.
+ *
+ * - mip-sdk-4: Mag Bias (0x82,0x1A)
+ */
+struct mip_filter_data_mag_bias {
+    /**
+     * Bias. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float bias[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_BIAS_DESCRIPTOR 0x1A
+#define MIP_FILTER_DATA_MAG_BIAS_NAME "filter_data.mag_bias"
+
+extern const struct mip_codec mip_filter_data_mag_bias_codec;
+mip_error mip_filter_data_mag_bias_decode(struct mip_filter_data_mag_bias *value,
+                                          const struct mip_field *field);
+mip_error mip_filter_data_mag_bias_encode(const struct mip_filter_data_mag_bias *value,
+                                          struct mip_builder *builder);
+
+/**
+ * Magnetometer bias uncertainty: data (0x82,0x1B).
+ *
+ * Standard deviation of the estimated bias of the magnetometer.
+ *
+ * - mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
+ */
+struct mip_filter_data_mag_bias_uncertainty {
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float bias_uncertainty[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_DESCRIPTOR 0x1B
+#define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_NAME "filter_data.mag_bias_uncertainty"
+
+extern const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec;
+mip_error mip_filter_data_mag_bias_uncertainty_decode(
+    struct mip_filter_data_mag_bias_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_mag_bias_uncertainty_encode(
+    const struct mip_filter_data_mag_bias_uncertainty *value, struct mip_builder *builder);
+
+/**
  * Compensated acceleration: data (0x82,0x1C).
  *
  * Acceleration without the estimated bias; gravity is still in it.
@@ -1025,7 +1196,7 @@ mip_error mip_filter_data_magnetic_model_encode(const struct mip_filter_data_mag
  * - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
  * - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
  */
-struct mip_filter_data_compensated_acceleration {
+struct mip_filter_data_comp_accel {
     /**
      * Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
@@ -1035,31 +1206,72 @@ struct mip_filter_data_compensated_acceleration {
     mip_filter_data_valid_flags valid_flags;
 };
 
-#define MIP_FILTER_DATA_COMPENSATED_ACCELERATION_DESCRIPTOR 0x1C
-#define MIP_FILTER_DATA_COMPENSATED_ACCELERATION_NAME "filter_data.compensated_acceleration"
+#define MIP_FILTER_DATA_COMP_ACCEL_DESCRIPTOR 0x1C
+#define MIP_FILTER_DATA_COMP_ACCEL_NAME "filter_data.comp_accel"
 
-extern const struct mip_codec mip_filter_data_compensated_acceleration_codec;
-mip_error mip_filter_data_compensated_acceleration_decode(
-    struct mip_filter_data_compensated_acceleration *value, const struct mip_field *field);
-mip_error mip_filter_data_compensated_acceleration_encode(
-    const struct mip_filter_data_compensated_acceleration *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_data_comp_accel_codec;
+mip_error mip_filter_data_comp_accel_decode(struct mip_filter_data_comp_accel *value,
+                                            const struct mip_field *field);
+mip_error mip_filter_data_comp_accel_encode(const struct mip_filter_data_comp_accel *value,
+                                            struct mip_builder *builder);
+
+/**
+ * Standard atmosphere: data (0x82,0x20).
+ *
+ * US Standard Atmosphere of 1976 at the altitude of the device.
+ *
+ * It is valid only with a valid GNSS position.
+ *
+ * - mip-sdk-4: Standard Atmosphere (0x82,0x20)
+ */
+struct mip_filter_data_standard_atmosphere {
+    /**
+     * Altitude that goes into the model. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float geometric_altitude;
+    /**
+     * Geopotential altitude. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
+     * set.
+     */
+    float geopotential_altitude;
+    /**
+     * Temperature. Unit: degC. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float standard_temperature;
+    /** Pressure. Unit: mbar. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    float standard_pressure;
+    /** Density. Unit: kg/m^3. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    float standard_density;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_STANDARD_ATMOSPHERE_DESCRIPTOR 0x20
+#define MIP_FILTER_DATA_STANDARD_ATMOSPHERE_NAME "filter_data.standard_atmosphere"
+
+extern const struct mip_codec mip_filter_data_standard_atmosphere_codec;
+mip_error mip_filter_data_standard_atmosphere_decode(
+    struct mip_filter_data_standard_atmosphere *value, const struct mip_field *field);
+mip_error mip_filter_data_standard_atmosphere_encode(
+    const struct mip_filter_data_standard_atmosphere *value, struct mip_builder *builder);
 
 /**
  * Pressure altitude: data (0x82,0x21).
  *
  * Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
  *
- * It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
- *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
  *
  * - 3dm-cv7-gnss-ins: Pressure Altitude (0x82,0x21)
  * - 3dm-gx5-15: 5.2.13 Pressure Altitude (0x82, 0x21)
  */
 struct mip_filter_data_pressure_altitude {
     /**
-     * Altitude. Unit: m. At most 84852. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags
-     * is set.
+     * Altitude. Unit: m. Range: at most 84852. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
      */
     float pressure_altitude;
     /** Validity of the values. */
@@ -1076,13 +1288,333 @@ mip_error mip_filter_data_pressure_altitude_encode(
     const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder);
 
 /**
+ * Density altitude: data (0x82,0x22).
+ *
+ * Altitude at which the standard atmosphere has the density of the air around the device.
+ *
+ * Uncertain: The SDK gives the name only; the description is the usual meaning of the term.
+ *
+ * - mip-sdk-4: Density Altitude (0x82,0x22)
+ */
+struct mip_filter_data_density_altitude {
+    /** Altitude. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    float density_altitude;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_DENSITY_ALTITUDE_DESCRIPTOR 0x22
+#define MIP_FILTER_DATA_DENSITY_ALTITUDE_NAME "filter_data.density_altitude"
+
+extern const struct mip_codec mip_filter_data_density_altitude_codec;
+mip_error mip_filter_data_density_altitude_decode(struct mip_filter_data_density_altitude *value,
+                                                  const struct mip_field *field);
+mip_error mip_filter_data_density_altitude_encode(
+    const struct mip_filter_data_density_altitude *value, struct mip_builder *builder);
+
+/**
+ * Magnetometer offset: data (0x82,0x25).
+ *
+ * Estimated hard iron offset of the magnetometer.
+ *
+ * Also called `magnetometer_offset`.
+ *
+ * The filter adds it to the stored hard iron offset (0x0C,0x3A).
+ *
+ * - mip-sdk-4: Magnetometer Offset (0x82,0x25)
+ */
+struct mip_filter_data_mag_offset {
+    /**
+     * Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float hard_iron[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_OFFSET_DESCRIPTOR 0x25
+#define MIP_FILTER_DATA_MAG_OFFSET_NAME "filter_data.mag_offset"
+
+extern const struct mip_codec mip_filter_data_mag_offset_codec;
+mip_error mip_filter_data_mag_offset_decode(struct mip_filter_data_mag_offset *value,
+                                            const struct mip_field *field);
+mip_error mip_filter_data_mag_offset_encode(const struct mip_filter_data_mag_offset *value,
+                                            struct mip_builder *builder);
+
+/**
+ * Magnetometer matrix: data (0x82,0x26).
+ *
+ * Estimated soft iron matrix of the magnetometer.
+ *
+ * Also called `magnetometer_matrix`.
+ *
+ * The filter multiplies the stored soft iron matrix (0x0C,0x3B) by it, from the right.
+ *
+ * - mip-sdk-4: Magnetometer Matrix (0x82,0x26)
+ */
+struct mip_filter_data_mag_matrix {
+    /**
+     * Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+     * Unit: 1. Frame: sensor. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float soft_iron[9];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_MATRIX_DESCRIPTOR 0x26
+#define MIP_FILTER_DATA_MAG_MATRIX_NAME "filter_data.mag_matrix"
+
+extern const struct mip_codec mip_filter_data_mag_matrix_codec;
+mip_error mip_filter_data_mag_matrix_decode(struct mip_filter_data_mag_matrix *value,
+                                            const struct mip_field *field);
+mip_error mip_filter_data_mag_matrix_encode(const struct mip_filter_data_mag_matrix *value,
+                                            struct mip_builder *builder);
+
+/**
+ * Magnetometer offset uncertainty: data (0x82,0x28).
+ *
+ * Standard deviation of the estimated hard iron offset.
+ *
+ * Also called `magnetometer_offset_uncertainty`.
+ *
+ * - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
+ */
+struct mip_filter_data_mag_offset_uncertainty {
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float hard_iron_uncertainty[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_DESCRIPTOR 0x28
+#define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_NAME "filter_data.mag_offset_uncertainty"
+
+extern const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec;
+mip_error mip_filter_data_mag_offset_uncertainty_decode(
+    struct mip_filter_data_mag_offset_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_mag_offset_uncertainty_encode(
+    const struct mip_filter_data_mag_offset_uncertainty *value, struct mip_builder *builder);
+
+/**
+ * Magnetometer matrix uncertainty: data (0x82,0x29).
+ *
+ * Standard deviation of the estimated soft iron matrix.
+ *
+ * Also called `magnetometer_matrix_uncertainty`.
+ *
+ * - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
+ */
+struct mip_filter_data_mag_matrix_uncertainty {
+    /**
+     * Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+     * 1. Frame: sensor. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float soft_iron_uncertainty[9];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_DESCRIPTOR 0x29
+#define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_NAME "filter_data.mag_matrix_uncertainty"
+
+extern const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec;
+mip_error mip_filter_data_mag_matrix_uncertainty_decode(
+    struct mip_filter_data_mag_matrix_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_mag_matrix_uncertainty_encode(
+    const struct mip_filter_data_mag_matrix_uncertainty *value, struct mip_builder *builder);
+
+/**
+ * Magnetometer covariance matrix: data (0x82,0x2A).
+ *
+ * Covariance of the magnetometer measurement.
+ *
+ * Also called `magnetometer_covariance_matrix`.
+ *
+ * - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
+ */
+struct mip_filter_data_mag_covariance_matrix {
+    /**
+     * Covariance matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. Uncertain: The unit, which
+     * is likely gauss^2, and the frame.
+     */
+    float covariance[9];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_DESCRIPTOR 0x2A
+#define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_NAME "filter_data.mag_covariance_matrix"
+
+extern const struct mip_codec mip_filter_data_mag_covariance_matrix_codec;
+mip_error mip_filter_data_mag_covariance_matrix_decode(
+    struct mip_filter_data_mag_covariance_matrix *value, const struct mip_field *field);
+mip_error mip_filter_data_mag_covariance_matrix_encode(
+    const struct mip_filter_data_mag_covariance_matrix *value, struct mip_builder *builder);
+
+/**
+ * Magnetometer residual vector: data (0x82,0x2C).
+ *
+ * Residual of the magnetometer measurement.
+ *
+ * Also called `magnetometer_residual_vector`.
+ *
+ * - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
+ */
+struct mip_filter_data_mag_residual_vector {
+    /**
+     * Residual. Elements: x, y, z. Unit: gauss. Frame: vehicle. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float residual[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_DESCRIPTOR 0x2C
+#define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_NAME "filter_data.mag_residual_vector"
+
+extern const struct mip_codec mip_filter_data_mag_residual_vector_codec;
+mip_error mip_filter_data_mag_residual_vector_decode(
+    struct mip_filter_data_mag_residual_vector *value, const struct mip_field *field);
+mip_error mip_filter_data_mag_residual_vector_encode(
+    const struct mip_filter_data_mag_residual_vector *value, struct mip_builder *builder);
+
+/**
+ * Antenna offset correction: data (0x82,0x30).
+ *
+ * Estimated error of the offset of the GNSS antenna.
+ *
+ * The filter adds it to the stored offset (0x0D,0x13).
+ *
+ * - mip-sdk-4: Antenna Offset Correction (0x82,0x30)
+ */
+struct mip_filter_data_antenna_offset_correction {
+    /**
+     * Correction of the offset. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float offset[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR 0x30
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_NAME "filter_data.antenna_offset_correction"
+
+extern const struct mip_codec mip_filter_data_antenna_offset_correction_codec;
+mip_error mip_filter_data_antenna_offset_correction_decode(
+    struct mip_filter_data_antenna_offset_correction *value, const struct mip_field *field);
+mip_error mip_filter_data_antenna_offset_correction_encode(
+    const struct mip_filter_data_antenna_offset_correction *value, struct mip_builder *builder);
+
+/**
+ * Antenna offset correction uncertainty: data (0x82,0x31).
+ *
+ * Standard deviation of the estimated error of the offset of the GNSS antenna.
+ *
+ * - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
+ */
+struct mip_filter_data_antenna_offset_correction_uncertainty {
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float offset_uncertainty[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x31
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_NAME \
+    "filter_data.antenna_offset_correction_uncertainty"
+
+extern const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_codec;
+mip_error mip_filter_data_antenna_offset_correction_uncertainty_decode(
+    struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    const struct mip_field *field);
+mip_error mip_filter_data_antenna_offset_correction_uncertainty_encode(
+    const struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    struct mip_builder *builder);
+
+/**
+ * Clock correction: data (0x82,0x32).
+ *
+ * Estimated clock error of one GNSS receiver.
+ *
+ * - mip-sdk-4: Clock Correction (0x82,0x32)
+ */
+struct mip_filter_data_clock_correction {
+    /** Receiver, counted from 1. Range: at least 1. */
+    uint8_t receiver_id;
+    /**
+     * Bias of the clock. Unit: s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float bias;
+    /**
+     * Drift of the clock. Unit: s/s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
+     * set.
+     */
+    float bias_drift;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_CLOCK_CORRECTION_DESCRIPTOR 0x32
+#define MIP_FILTER_DATA_CLOCK_CORRECTION_NAME "filter_data.clock_correction"
+
+extern const struct mip_codec mip_filter_data_clock_correction_codec;
+mip_error mip_filter_data_clock_correction_decode(struct mip_filter_data_clock_correction *value,
+                                                  const struct mip_field *field);
+mip_error mip_filter_data_clock_correction_encode(
+    const struct mip_filter_data_clock_correction *value, struct mip_builder *builder);
+
+/**
+ * Clock correction uncertainty: data (0x82,0x33).
+ *
+ * Standard deviation of the estimated clock error of one GNSS receiver.
+ *
+ * - mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)
+ */
+struct mip_filter_data_clock_correction_uncertainty {
+    /** Receiver, counted from 1. Range: at least 1. */
+    uint8_t receiver_id;
+    /**
+     * Standard deviation of the bias. Unit: s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float bias_uncertainty;
+    /**
+     * Standard deviation of the drift. Unit: s/s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float bias_drift_uncertainty;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x33
+#define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_NAME "filter_data.clock_correction_uncertainty"
+
+extern const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec;
+mip_error mip_filter_data_clock_correction_uncertainty_decode(
+    struct mip_filter_data_clock_correction_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_clock_correction_uncertainty_encode(
+    const struct mip_filter_data_clock_correction_uncertainty *value, struct mip_builder *builder);
+
+/**
  * Multi-antenna offset correction: data (0x82,0x34).
  *
  * Estimated error of the offset of one GNSS antenna.
  *
- * The filter adds it to the stored offset.
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The filter adds it to the stored offset.
  *
  * - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction (0x82,0x34)
  */
@@ -1125,7 +1657,7 @@ struct mip_filter_data_multi_antenna_offset_correction_uncertainty {
      * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
-    float offset_uncert[3];
+    float offset_uncertainty[3];
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
 };
@@ -1147,7 +1679,7 @@ mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_encode(
  *
  * Standard deviation of the estimated position.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
  */
@@ -1156,7 +1688,7 @@ struct mip_filter_data_ecef_position_uncertainty {
      * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
-    float pos_uncertainty[3];
+    float position_uncertainty[3];
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
 };
@@ -1175,7 +1707,7 @@ mip_error mip_filter_data_ecef_position_uncertainty_encode(
  *
  * Standard deviation of the estimated velocity.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
  */
@@ -1184,7 +1716,7 @@ struct mip_filter_data_ecef_velocity_uncertainty {
      * Standard deviation per axis. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
-    float vel_uncertainty[3];
+    float velocity_uncertainty[3];
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
 };
@@ -1203,7 +1735,7 @@ mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
  *
  * Estimated position.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
  */
@@ -1212,7 +1744,7 @@ struct mip_filter_data_ecef_position {
      * Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
      * in valid_flags is set.
      */
-    double position_ecef[3];
+    double position[3];
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
 };
@@ -1231,7 +1763,7 @@ mip_error mip_filter_data_ecef_position_encode(const struct mip_filter_data_ecef
  *
  * Estimated velocity.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
  */
@@ -1240,7 +1772,7 @@ struct mip_filter_data_ecef_velocity {
      * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
-    float velocity_ecef[3];
+    float velocity[3];
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
 };
@@ -1257,9 +1789,9 @@ mip_error mip_filter_data_ecef_velocity_encode(const struct mip_filter_data_ecef
 /**
  * NED relative position: data (0x82,0x42).
  *
- * Estimated position relative to the point that `filter.relative_position_configuration` sets.
+ * Estimated position relative to the point that mip_filter_relative_position_config sets.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
  */
@@ -1287,9 +1819,9 @@ mip_error mip_filter_data_ned_relative_position_encode(
  *
  * How the filter uses the position measurements of one GNSS receiver.
  *
- * Single precision resolves the time of week to 0.0625 s at the end of the week.
+ * Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
  * - 3dm-cv7-gnss-ins: GNSS Position Aiding Status (0x82,0x43)
  */
@@ -1297,7 +1829,7 @@ struct mip_filter_data_gnss_position_aiding_status {
     /** Number of the receiver. */
     uint8_t receiver_id;
     /** GPS time of week of the last measurement. Unit: s. */
-    float time_of_week;
+    float tow;
     /** How the measurements are used. */
     mip_filter_data_gnss_aiding_status status;
     /** Reserved. */
@@ -1314,19 +1846,83 @@ mip_error mip_filter_data_gnss_position_aiding_status_encode(
     const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder);
 
 /**
+ * GNSS attitude aiding status: data (0x82,0x44).
+ *
+ * How the filter uses the attitude that two GNSS antennas give.
+ *
+ * Also called `gnss_att_aid_status`.
+ *
+ * Single precision resolves the time of week to 0.0625 s at the end of the week.
+ *
+ * - mip-sdk-4: Gnss Att Aid Status (0x82,0x44)
+ */
+struct mip_filter_data_gnss_attitude_aiding_status {
+    /**
+     * GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
+     * the measurement or that of its processing.
+     */
+    float tow;
+    /** How the measurements are used. */
+    mip_filter_data_gnss_aiding_status status;
+    /** Reserved. Reserved. */
+    uint8_t reserved[8];
+};
+
+#define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_DESCRIPTOR 0x44
+#define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_NAME "filter_data.gnss_attitude_aiding_status"
+
+extern const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec;
+mip_error mip_filter_data_gnss_attitude_aiding_status_decode(
+    struct mip_filter_data_gnss_attitude_aiding_status *value, const struct mip_field *field);
+mip_error mip_filter_data_gnss_attitude_aiding_status_encode(
+    const struct mip_filter_data_gnss_attitude_aiding_status *value, struct mip_builder *builder);
+
+/**
+ * Heading aiding status: data (0x82,0x45).
+ *
+ * The heading measurement that the filter used last.
+ *
+ * Also called `head_aid_status`.
+ *
+ * Single precision resolves the time of week to 0.0625 s at the end of the week.
+ *
+ * - mip-sdk-4: Head Aid Status (0x82,0x45)
+ */
+struct mip_filter_data_heading_aiding_status {
+    /**
+     * GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
+     * the measurement or that of its processing.
+     */
+    float tow;
+    /** Source of the heading. */
+    mip_filter_data_heading_aiding_type type;
+    /** Reserved. Reserved. */
+    float reserved[2];
+};
+
+#define MIP_FILTER_DATA_HEADING_AIDING_STATUS_DESCRIPTOR 0x45
+#define MIP_FILTER_DATA_HEADING_AIDING_STATUS_NAME "filter_data.heading_aiding_status"
+
+extern const struct mip_codec mip_filter_data_heading_aiding_status_codec;
+mip_error mip_filter_data_heading_aiding_status_decode(
+    struct mip_filter_data_heading_aiding_status *value, const struct mip_field *field);
+mip_error mip_filter_data_heading_aiding_status_encode(
+    const struct mip_filter_data_heading_aiding_status *value, struct mip_builder *builder);
+
+/**
  * Aiding measurement summary: data (0x82,0x46).
  *
  * What the filter did with one kind of aiding measurement in the last measurement interval.
  *
- * Single precision resolves the time of week to 0.0625 s at the end of the week.
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Summary (0x82,0x46)
  */
 struct mip_filter_data_aiding_measurement_summary {
     /** GPS time of week at the end of the interval. Unit: s. */
-    float time_of_week;
+    float tow;
     /** Number of the source of the measurement. */
     uint8_t source;
     /** Kind of measurement. */
@@ -1349,9 +1945,9 @@ mip_error mip_filter_data_aiding_measurement_summary_encode(
  *
  * Estimated relative error of the odometer scale factor.
  *
- * Estimated scale factor = configured scale factor * (1 + error).
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * Estimated scale factor = configured scale factor * (1 + error).
  *
  * - 3dm-cv7-gnss-ins: Odometer Scale Factor Error (0x82,0x47)
  */
@@ -1409,9 +2005,9 @@ mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_encode(
  *
  * Heading that two GNSS antennas give.
  *
- * Single precision resolves the time of week to 0.0625 s at the end of the week.
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
  * - 3dm-cv7-gnss-ins: GNSS Dual Antenna Status (0x82,0x49)
  */
@@ -1420,14 +2016,14 @@ struct mip_filter_data_gnss_dual_antenna_status {
      * GPS time of week of the last measurement. Unit: s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
      * in valid_flags is set.
      */
-    float time_of_week;
+    float tow;
     /** Heading. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
     float heading;
     /**
      * Uncertainty of the heading. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
      * valid_flags is set.
      */
-    float heading_unc;
+    float heading_uncertainty;
     /** Kind of solution. */
     mip_filter_data_dual_antenna_fix_type fix_type;
     /** What the solution has to work with. */
@@ -1448,13 +2044,13 @@ mip_error mip_filter_data_gnss_dual_antenna_status_encode(
 /**
  * Aiding frame configuration error: data (0x82,0x50).
  *
- * Estimated error of a frame that `aiding.frame_configuration` defines; it is corrected for.
+ * Estimated error of a frame that mip_aiding_frame_config defines; it is corrected for.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
  */
-struct mip_filter_data_aiding_frame_configuration_error {
+struct mip_filter_data_aiding_frame_config_error {
     /** Number of the frame. */
     uint8_t frame_id;
     /** Error of the translation. Elements: x, y, z. Unit: m. */
@@ -1463,45 +2059,43 @@ struct mip_filter_data_aiding_frame_configuration_error {
     float attitude[4];
 };
 
-#define MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_DESCRIPTOR 0x50
-#define MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_NAME \
-    "filter_data.aiding_frame_configuration_error"
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_DESCRIPTOR 0x50
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_NAME "filter_data.aiding_frame_config_error"
 
-extern const struct mip_codec mip_filter_data_aiding_frame_configuration_error_codec;
-mip_error mip_filter_data_aiding_frame_configuration_error_decode(
-    struct mip_filter_data_aiding_frame_configuration_error *value, const struct mip_field *field);
-mip_error mip_filter_data_aiding_frame_configuration_error_encode(
-    const struct mip_filter_data_aiding_frame_configuration_error *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_data_aiding_frame_config_error_codec;
+mip_error mip_filter_data_aiding_frame_config_error_decode(
+    struct mip_filter_data_aiding_frame_config_error *value, const struct mip_field *field);
+mip_error mip_filter_data_aiding_frame_config_error_encode(
+    const struct mip_filter_data_aiding_frame_config_error *value, struct mip_builder *builder);
 
 /**
  * Aiding frame configuration error uncertainty: data (0x82,0x51).
  *
- * Uncertainty of the estimated error of a frame that `aiding.frame_configuration` defines.
+ * Uncertainty of the estimated error of a frame that mip_aiding_frame_config defines.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
  */
-struct mip_filter_data_aiding_frame_configuration_error_uncertainty {
+struct mip_filter_data_aiding_frame_config_error_uncertainty {
     /** Number of the frame. */
     uint8_t frame_id;
     /** Uncertainty of the translation. Elements: x, y, z. Unit: m. */
-    float translation_unc[3];
+    float translation_uncertainty[3];
     /** Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad. */
-    float attitude_unc[3];
+    float attitude_uncertainty[3];
 };
 
-#define MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_DESCRIPTOR 0x51
-#define MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_NAME \
-    "filter_data.aiding_frame_configuration_error_uncertainty"
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_DESCRIPTOR 0x51
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_NAME \
+    "filter_data.aiding_frame_config_error_uncertainty"
 
-extern const struct mip_codec mip_filter_data_aiding_frame_configuration_error_uncertainty_codec;
-mip_error mip_filter_data_aiding_frame_configuration_error_uncertainty_decode(
-    struct mip_filter_data_aiding_frame_configuration_error_uncertainty *value,
+extern const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_codec;
+mip_error mip_filter_data_aiding_frame_config_error_uncertainty_decode(
+    struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
     const struct mip_field *field);
-mip_error mip_filter_data_aiding_frame_configuration_error_uncertainty_encode(
-    const struct mip_filter_data_aiding_frame_configuration_error_uncertainty *value,
+mip_error mip_filter_data_aiding_frame_config_error_uncertainty_encode(
+    const struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
     struct mip_builder *builder);
 
 #ifdef __cplusplus

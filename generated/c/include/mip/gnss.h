@@ -9,13 +9,14 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/gnss.h and mip/core.h are not of one version"
+#error "mip/gnss.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_GNSS_SET 0x0E
 
 /**
@@ -24,7 +25,7 @@ extern "C" {
  * - 3dm-cv7-gnss-ins: Info
  */
 struct mip_gnss_receiver_info_entry {
-    /** Receiver, counted from 1. At least 1. */
+    /** Receiver, counted from 1. Range: at least 1. */
     uint8_t receiver_id;
     /** Descriptor set of the data of this receiver. Range: 128 to 254. */
     uint8_t mip_data_descriptor_set;
@@ -39,36 +40,36 @@ void mip_gnss_receiver_info_entry_write(struct mip_writer *w,
 
 /** GPS signals that are enabled. */
 typedef uint8_t mip_gnss_gps_signals;
-/** Bit 0: L1 C/A. */
+/** Bit 0. L1 C/A. */
 #define MIP_GNSS_GPS_SIGNALS_L1CA 0x01U
-/** Bit 1: L2C. */
+/** Bit 1. L2C. */
 #define MIP_GNSS_GPS_SIGNALS_L2C 0x02U
-/** Bit 2: L5. */
+/** Bit 2. L5. */
 #define MIP_GNSS_GPS_SIGNALS_L5 0x04U
 
 /** GLONASS signals that are enabled. */
 typedef uint8_t mip_gnss_glonass_signals;
-/** Bit 0: L1OF. */
+/** Bit 0. L1OF. */
 #define MIP_GNSS_GLONASS_SIGNALS_L1OF 0x01U
-/** Bit 1: L2OF. */
+/** Bit 1. L2OF. */
 #define MIP_GNSS_GLONASS_SIGNALS_L2OF 0x02U
 
 /** Galileo signals that are enabled. */
 typedef uint8_t mip_gnss_galileo_signals;
-/** Bit 0: E1. */
+/** Bit 0. E1. */
 #define MIP_GNSS_GALILEO_SIGNALS_E1 0x01U
-/** Bit 1: E5b. */
+/** Bit 1. E5b. */
 #define MIP_GNSS_GALILEO_SIGNALS_E5B 0x02U
-/** Bit 2: E5a. */
+/** Bit 2. E5a. */
 #define MIP_GNSS_GALILEO_SIGNALS_E5A 0x04U
 
 /** BeiDou signals that are enabled. */
 typedef uint8_t mip_gnss_beidou_signals;
-/** Bit 0: B1. */
+/** Bit 0. B1. */
 #define MIP_GNSS_BEIDOU_SIGNALS_B1 0x01U
-/** Bit 1: B2. */
+/** Bit 1. B2. */
 #define MIP_GNSS_BEIDOU_SIGNALS_B2 0x02U
-/** Bit 2: B2a. */
+/** Bit 2. B2a. */
 #define MIP_GNSS_BEIDOU_SIGNALS_B2A 0x04U
 
 /** How SPARTN corrections come. */
@@ -106,14 +107,12 @@ mip_error mip_gnss_receiver_info_encode(const struct mip_gnss_receiver_info *val
 /**
  * Receiver info response: response (0x0E,0x81).
  *
- * Answers Receiver info (0x0E,0x01).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_gnss_receiver_info. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
  */
 struct mip_gnss_receiver_info_response {
-    /** Number of physical receivers. */
+    /** Number of physical receivers. The number of elements of receiver_info. */
     uint8_t num_receivers;
     /** The receivers. */
     struct mip_gnss_receiver_info_entry receiver_info[7];
@@ -133,66 +132,66 @@ mip_error mip_gnss_receiver_info_response_encode(
  *
  * GNSS signals that the device uses.
  *
+ * Also called `signal_configuration`. Functions: write, read, save, load and default. Answered by
+ * mip_gnss_signal_config_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * A device takes certain combinations only.
  *
  * The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. It takes for
  * GPS and BeiDou none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or L1.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_gnss_signal_configuration_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
  * - 3dm-cv7-gnss-ins: GNSS
  */
-struct mip_gnss_signal_configuration {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_gnss_signal_config {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** GPS signals. For write. */
+    /** GPS signals. Required for write. */
     mip_gnss_gps_signals gps_enable;
-    /** GLONASS signals. For write. */
+    /** GLONASS signals. Required for write. */
     mip_gnss_glonass_signals glonass_enable;
-    /** Galileo signals. For write. */
+    /** Galileo signals. Required for write. */
     mip_gnss_galileo_signals galileo_enable;
-    /** BeiDou signals. For write. */
+    /** BeiDou signals. Required for write. */
     mip_gnss_beidou_signals beidou_enable;
-    /** For write. */
+    /** Reserved: send 0. Required for write. */
     uint8_t reserved[4];
 };
 
-#define MIP_GNSS_SIGNAL_CONFIGURATION_DESCRIPTOR 0x02
-#define MIP_GNSS_SIGNAL_CONFIGURATION_NAME "gnss.signal_configuration"
+#define MIP_GNSS_SIGNAL_CONFIG_DESCRIPTOR 0x02
+#define MIP_GNSS_SIGNAL_CONFIG_NAME "gnss.signal_config"
 
-extern const struct mip_codec mip_gnss_signal_configuration_codec;
-mip_error mip_gnss_signal_configuration_decode(struct mip_gnss_signal_configuration *value,
-                                               const struct mip_field *field);
-mip_error mip_gnss_signal_configuration_encode(const struct mip_gnss_signal_configuration *value,
-                                               struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_signal_config_codec;
+mip_error mip_gnss_signal_config_decode(struct mip_gnss_signal_config *value,
+                                        const struct mip_field *field);
+mip_error mip_gnss_signal_config_encode(const struct mip_gnss_signal_config *value,
+                                        struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_gnss_signal_configuration mip_gnss_signal_configuration_write(
-    mip_gnss_gps_signals gps_enable, mip_gnss_glonass_signals glonass_enable,
-    mip_gnss_galileo_signals galileo_enable, mip_gnss_beidou_signals beidou_enable);
+struct mip_gnss_signal_config mip_gnss_signal_config_write(mip_gnss_gps_signals gps_enable,
+                                                           mip_gnss_glonass_signals glonass_enable,
+                                                           mip_gnss_galileo_signals galileo_enable,
+                                                           mip_gnss_beidou_signals beidou_enable);
 /** Send the current setting back in a response. */
-struct mip_gnss_signal_configuration mip_gnss_signal_configuration_read(void);
+struct mip_gnss_signal_config mip_gnss_signal_config_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_gnss_signal_configuration mip_gnss_signal_configuration_save(void);
+struct mip_gnss_signal_config mip_gnss_signal_config_save(void);
 /** Load the saved setting. */
-struct mip_gnss_signal_configuration mip_gnss_signal_configuration_load(void);
+struct mip_gnss_signal_config mip_gnss_signal_config_load(void);
 /** Load the factory default setting. */
-struct mip_gnss_signal_configuration mip_gnss_signal_configuration_default(void);
+struct mip_gnss_signal_config mip_gnss_signal_config_default(void);
 
 /**
  * Signal configuration response: response (0x0E,0x82).
  *
- * Answers Signal configuration (0x0E,0x02).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `signal_configuration_response`. Answers mip_gnss_signal_config. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
  * - 3dm-cv7-gnss-ins: GNSS
  */
-struct mip_gnss_signal_configuration_response {
+struct mip_gnss_signal_config_response {
     /** GPS signals. */
     mip_gnss_gps_signals gps_enable;
     /** GLONASS signals. */
@@ -201,23 +200,89 @@ struct mip_gnss_signal_configuration_response {
     mip_gnss_galileo_signals galileo_enable;
     /** BeiDou signals. */
     mip_gnss_beidou_signals beidou_enable;
-    /**  */
+    /** Reserved. */
     uint8_t reserved[4];
 };
 
-#define MIP_GNSS_SIGNAL_CONFIGURATION_RESPONSE_DESCRIPTOR 0x82
-#define MIP_GNSS_SIGNAL_CONFIGURATION_RESPONSE_NAME "gnss.signal_configuration_response"
+#define MIP_GNSS_SIGNAL_CONFIG_RESPONSE_DESCRIPTOR 0x82
+#define MIP_GNSS_SIGNAL_CONFIG_RESPONSE_NAME "gnss.signal_config_response"
 
-extern const struct mip_codec mip_gnss_signal_configuration_response_codec;
-mip_error mip_gnss_signal_configuration_response_decode(
-    struct mip_gnss_signal_configuration_response *value, const struct mip_field *field);
-mip_error mip_gnss_signal_configuration_response_encode(
-    const struct mip_gnss_signal_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_signal_config_response_codec;
+mip_error mip_gnss_signal_config_response_decode(struct mip_gnss_signal_config_response *value,
+                                                 const struct mip_field *field);
+mip_error mip_gnss_signal_config_response_encode(
+    const struct mip_gnss_signal_config_response *value, struct mip_builder *builder);
+
+/**
+ * RTK dongle configuration: command (0x0E,0x10).
+ *
+ * Whether the device talks to the RTK dongle that is connected to it.
+ *
+ * Also called `rtk_dongle_configuration`. Functions: write, read, save, load and default. Answered
+ * by mip_gnss_rtk_dongle_config_response.
+ *
+ * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
+ */
+struct mip_gnss_rtk_dongle_config {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** 1 enables the dongle, 0 disables it. Range: 0 to 1. Required for write. */
+    uint8_t enable;
+    /** Reserved: send 0. Required for write. Uncertain: What to send; 0 is assumed. */
+    uint8_t reserved[3];
+};
+
+#define MIP_GNSS_RTK_DONGLE_CONFIG_DESCRIPTOR 0x10
+#define MIP_GNSS_RTK_DONGLE_CONFIG_NAME "gnss.rtk_dongle_config"
+
+extern const struct mip_codec mip_gnss_rtk_dongle_config_codec;
+mip_error mip_gnss_rtk_dongle_config_decode(struct mip_gnss_rtk_dongle_config *value,
+                                            const struct mip_field *field);
+mip_error mip_gnss_rtk_dongle_config_encode(const struct mip_gnss_rtk_dongle_config *value,
+                                            struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_write(uint8_t enable);
+/** Send the current setting back in a response. */
+struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_save(void);
+/** Load the saved setting. */
+struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_load(void);
+/** Load the factory default setting. */
+struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_default(void);
+
+/**
+ * RTK dongle configuration response: response (0x0E,0x90).
+ *
+ * Also called `rtk_dongle_configuration_response`. Answers mip_gnss_rtk_dongle_config.
+ *
+ * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
+ */
+struct mip_gnss_rtk_dongle_config_response {
+    /** 1 enables the dongle, 0 disables it. Range: 0 to 1. */
+    uint8_t enable;
+    /** Reserved. Uncertain: What to send; 0 is assumed. */
+    uint8_t reserved[3];
+};
+
+#define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_DESCRIPTOR 0x90
+#define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_NAME "gnss.rtk_dongle_config_response"
+
+extern const struct mip_codec mip_gnss_rtk_dongle_config_response_codec;
+mip_error mip_gnss_rtk_dongle_config_response_decode(
+    struct mip_gnss_rtk_dongle_config_response *value, const struct mip_field *field);
+mip_error mip_gnss_rtk_dongle_config_response_encode(
+    const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder);
 
 /**
  * SPARTN configuration: command (0x0E,0x20).
  *
  * Source and keys of SPARTN corrections.
+ *
+ * Also called `spartn_configuration`. Functions: write, read, save, load and default. Answered by
+ * mip_gnss_spartn_config_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * A change of enable or type has an effect after a power cycle only; keys can be changed while
  * running.
@@ -226,70 +291,66 @@ mip_error mip_gnss_signal_configuration_response_encode(
  *
  * A key of 16 bytes, none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each byte.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_gnss_spartn_configuration_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
  * - 3dm-cv7-gnss-ins: SPARTN Corrections
  * - 3dm-cv7-gnss-ins: SPARTN Corrections via UART
  */
-struct mip_gnss_spartn_configuration {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+struct mip_gnss_spartn_config {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. For write. */
+    /** 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** How the corrections come. For write. */
+    /** How the corrections come. Required for write. */
     mip_gnss_spartn_connection type;
-    /** GPS time of week until which the current key is valid. Unit: s. For write. */
+    /** GPS time of week until which the current key is valid. Unit: s. Required for write. */
     uint32_t current_key_tow;
-    /** GPS week number until which the current key is valid. Unit: week. For write. */
+    /** GPS week number until which the current key is valid. Unit: week. Required for write. */
     uint16_t current_key_week;
-    /** Current key in ASCII digits. For write. */
+    /** Current key in ASCII digits. Required for write. */
     uint8_t current_key[32];
-    /** GPS time of week until which the next key is valid. Unit: s. For write. */
+    /** GPS time of week until which the next key is valid. Unit: s. Required for write. */
     uint32_t next_key_tow;
-    /** GPS week number until which the next key is valid. Unit: week. For write. */
+    /** GPS week number until which the next key is valid. Unit: week. Required for write. */
     uint16_t next_key_week;
-    /** Next key in ASCII digits. For write. */
+    /** Next key in ASCII digits. Required for write. */
     uint8_t next_key[32];
 };
 
-#define MIP_GNSS_SPARTN_CONFIGURATION_DESCRIPTOR 0x20
-#define MIP_GNSS_SPARTN_CONFIGURATION_NAME "gnss.spartn_configuration"
+#define MIP_GNSS_SPARTN_CONFIG_DESCRIPTOR 0x20
+#define MIP_GNSS_SPARTN_CONFIG_NAME "gnss.spartn_config"
 
-extern const struct mip_codec mip_gnss_spartn_configuration_codec;
-mip_error mip_gnss_spartn_configuration_decode(struct mip_gnss_spartn_configuration *value,
-                                               const struct mip_field *field);
-mip_error mip_gnss_spartn_configuration_encode(const struct mip_gnss_spartn_configuration *value,
-                                               struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_spartn_config_codec;
+mip_error mip_gnss_spartn_config_decode(struct mip_gnss_spartn_config *value,
+                                        const struct mip_field *field);
+mip_error mip_gnss_spartn_config_encode(const struct mip_gnss_spartn_config *value,
+                                        struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_write(
+struct mip_gnss_spartn_config mip_gnss_spartn_config_write(
     uint8_t enable, mip_gnss_spartn_connection type, uint32_t current_key_tow,
     uint16_t current_key_week, const uint8_t current_key[32], uint32_t next_key_tow,
     uint16_t next_key_week, const uint8_t next_key[32]);
 /** Send the current setting back in a response. */
-struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_read(void);
+struct mip_gnss_spartn_config mip_gnss_spartn_config_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_save(void);
+struct mip_gnss_spartn_config mip_gnss_spartn_config_save(void);
 /** Load the saved setting. */
-struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_load(void);
+struct mip_gnss_spartn_config mip_gnss_spartn_config_load(void);
 /** Load the factory default setting. */
-struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_default(void);
+struct mip_gnss_spartn_config mip_gnss_spartn_config_default(void);
 
 /**
  * SPARTN configuration response: response (0x0E,0xA0).
  *
- * Answers SPARTN configuration (0x0E,0x20).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `spartn_configuration_response`. Answers mip_gnss_spartn_config. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
  * - 3dm-cv7-gnss-ins: SPARTN Corrections
  * - 3dm-cv7-gnss-ins: SPARTN Corrections via UART
  */
-struct mip_gnss_spartn_configuration_response {
+struct mip_gnss_spartn_config_response {
     /** 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. */
     uint8_t enable;
     /** How the corrections come. */
@@ -308,14 +369,14 @@ struct mip_gnss_spartn_configuration_response {
     uint8_t next_key[32];
 };
 
-#define MIP_GNSS_SPARTN_CONFIGURATION_RESPONSE_DESCRIPTOR 0xA0
-#define MIP_GNSS_SPARTN_CONFIGURATION_RESPONSE_NAME "gnss.spartn_configuration_response"
+#define MIP_GNSS_SPARTN_CONFIG_RESPONSE_DESCRIPTOR 0xA0
+#define MIP_GNSS_SPARTN_CONFIG_RESPONSE_NAME "gnss.spartn_config_response"
 
-extern const struct mip_codec mip_gnss_spartn_configuration_response_codec;
-mip_error mip_gnss_spartn_configuration_response_decode(
-    struct mip_gnss_spartn_configuration_response *value, const struct mip_field *field);
-mip_error mip_gnss_spartn_configuration_response_encode(
-    const struct mip_gnss_spartn_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_spartn_config_response_codec;
+mip_error mip_gnss_spartn_config_response_decode(struct mip_gnss_spartn_config_response *value,
+                                                 const struct mip_field *field);
+mip_error mip_gnss_spartn_config_response_encode(
+    const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder);
 
 #ifdef __cplusplus
 }

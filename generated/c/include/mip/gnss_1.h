@@ -9,119 +9,155 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/gnss_1.h and mip/core.h are not of one version"
+#error "mip/gnss_1.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_GNSS_1_SET 0x91
 
 /** Which parts of the position are valid. */
-typedef uint16_t mip_gnss_1_gnss_llh_position_flags;
-/** Bit 0: Latitude and longitude. */
-#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_LAT_LON 0x0001U
-/** Bit 1: Height above the ellipsoid. */
-#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT 0x0002U
-/** Bit 2: Height above mean sea level. */
-#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_MSL_HEIGHT 0x0004U
-/** Bit 3: Horizontal accuracy. */
-#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY 0x0008U
-/** Bit 4: Vertical accuracy. */
-#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_VERTICAL_ACCURACY 0x0010U
-/** Bits 0 to 4: All of them. */
-#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_FLAGS 0x001FU
+typedef uint16_t mip_gnss_1_llh_position_flags;
+/** Bit 0. Latitude and longitude. */
+#define MIP_GNSS_1_LLH_POSITION_FLAGS_LAT_LON 0x0001U
+/** Bit 1. Height above the ellipsoid. */
+#define MIP_GNSS_1_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT 0x0002U
+/** Bit 2. Height above mean sea level. */
+#define MIP_GNSS_1_LLH_POSITION_FLAGS_MSL_HEIGHT 0x0004U
+/** Bit 3. Horizontal accuracy. */
+#define MIP_GNSS_1_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY 0x0008U
+/** Bit 4. Vertical accuracy. */
+#define MIP_GNSS_1_LLH_POSITION_FLAGS_VERTICAL_ACCURACY 0x0010U
+/** Bits 0 to 4. All of them. Overlaps other bits. */
+#define MIP_GNSS_1_LLH_POSITION_FLAGS_FLAGS 0x001FU
 
 /** Which parts of the position are valid. */
-typedef uint16_t mip_gnss_1_gnss_ecef_position_flags;
-/** Bit 0: Position. */
-#define MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_POSITION 0x0001U
-/** Bit 1: Accuracy of the position. */
-#define MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_POSITION_ACCURACY 0x0002U
-/** Bits 0 to 1: All of them. */
-#define MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_FLAGS 0x0003U
+typedef uint16_t mip_gnss_1_ecef_position_flags;
+/** Bit 0. Position. */
+#define MIP_GNSS_1_ECEF_POSITION_FLAGS_POSITION 0x0001U
+/** Bit 1. Accuracy of the position. */
+#define MIP_GNSS_1_ECEF_POSITION_FLAGS_POSITION_ACCURACY 0x0002U
+/** Bits 0 to 1. All of them. Overlaps other bits. */
+#define MIP_GNSS_1_ECEF_POSITION_FLAGS_FLAGS 0x0003U
 
 /** Which parts of the velocity are valid. */
 typedef uint16_t mip_gnss_1_ned_velocity_flags;
-/** Bit 0: Velocity vector. */
+/** Bit 0. Velocity vector. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_VELOCITY 0x0001U
-/** Bit 1: Speed in space. */
+/** Bit 1. Speed in space. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_3D 0x0002U
-/** Bit 2: Speed over ground. */
+/** Bit 2. Speed over ground. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_GROUND_SPEED 0x0004U
-/** Bit 3: Heading. */
+/** Bit 3. Heading. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_HEADING 0x0008U
-/** Bit 4: Accuracy of the speed. */
+/** Bit 4. Accuracy of the speed. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_ACCURACY 0x0010U
-/** Bit 5: Accuracy of the heading. */
+/** Bit 5. Accuracy of the heading. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_HEADING_ACCURACY 0x0020U
-/** Bits 0 to 5: All of them. */
+/** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_FLAGS 0x003FU
 
 /** Which parts of the velocity are valid. */
-typedef uint16_t mip_gnss_1_gnss_ecef_velocity_flags;
-/** Bit 0: Velocity. */
-#define MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_VELOCITY 0x0001U
-/** Bit 1: Accuracy of the velocity. */
-#define MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY 0x0002U
-/** Bits 0 to 1: All of them. */
-#define MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_FLAGS 0x0003U
+typedef uint16_t mip_gnss_1_ecef_velocity_flags;
+/** Bit 0. Velocity. */
+#define MIP_GNSS_1_ECEF_VELOCITY_FLAGS_VELOCITY 0x0001U
+/** Bit 1. Accuracy of the velocity. */
+#define MIP_GNSS_1_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY 0x0002U
+/** Bits 0 to 1. All of them. Overlaps other bits. */
+#define MIP_GNSS_1_ECEF_VELOCITY_FLAGS_FLAGS 0x0003U
 
 /** Which dilutions of precision are valid. */
 typedef uint16_t mip_gnss_1_dop_flags;
-/** Bit 0: Geometric. */
+/** Bit 0. Geometric. */
 #define MIP_GNSS_1_DOP_FLAGS_GDOP 0x0001U
-/** Bit 1: Position. */
+/** Bit 1. Position. */
 #define MIP_GNSS_1_DOP_FLAGS_PDOP 0x0002U
-/** Bit 2: Horizontal. */
+/** Bit 2. Horizontal. */
 #define MIP_GNSS_1_DOP_FLAGS_HDOP 0x0004U
-/** Bit 3: Vertical. */
+/** Bit 3. Vertical. */
 #define MIP_GNSS_1_DOP_FLAGS_VDOP 0x0008U
-/** Bit 4: Time. */
+/** Bit 4. Time. */
 #define MIP_GNSS_1_DOP_FLAGS_TDOP 0x0010U
-/** Bit 5: Northing. */
+/** Bit 5. Northing. */
 #define MIP_GNSS_1_DOP_FLAGS_NDOP 0x0020U
-/** Bit 6: Easting. */
+/** Bit 6. Easting. */
 #define MIP_GNSS_1_DOP_FLAGS_EDOP 0x0040U
-/** Bits 0 to 6: All of them. */
+/** Bits 0 to 6. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_DOP_FLAGS_FLAGS 0x007FU
 
 /** How far the UTC time is valid. */
 typedef uint16_t mip_gnss_1_utc_time_flags;
-/** Bit 0: Date and time come from GNSS. */
+/** Bit 0. Date and time come from GNSS. */
 #define MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME 0x0001U
-/** Bit 1: The leap seconds between GPS time and UTC are known. */
+/** Bit 1. The leap seconds between GPS time and UTC are known. */
 #define MIP_GNSS_1_UTC_TIME_FLAGS_LEAP_SECONDS_KNOWN 0x0002U
-/** Bits 0 to 1: All of them. */
+/** Bits 0 to 1. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_UTC_TIME_FLAGS_FLAGS 0x0003U
 
 /** Which parts of the time are valid. */
 typedef uint16_t mip_gnss_1_gps_time_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_GPS_TIME_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_GPS_TIME_FLAGS_WEEK_NUMBER 0x0002U
-/** Bits 0 to 1: All of them. */
+/** Bits 0 to 1. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GPS_TIME_FLAGS_FLAGS 0x0003U
+
+/** Which clock parameters are valid. */
+typedef uint16_t mip_gnss_1_clock_info_flags;
+/** Bit 0. Bias. */
+#define MIP_GNSS_1_CLOCK_INFO_FLAGS_BIAS 0x0001U
+/** Bit 1. Drift. */
+#define MIP_GNSS_1_CLOCK_INFO_FLAGS_DRIFT 0x0002U
+/** Bit 2. Accuracy. */
+#define MIP_GNSS_1_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE 0x0004U
+/** Bits 0 to 2. All of them. Overlaps other bits. */
+#define MIP_GNSS_1_CLOCK_INFO_FLAGS_FLAGS 0x0007U
 
 /** What the fix makes use of. */
 typedef uint16_t mip_gnss_1_fix_flags;
-/** Bit 0: Satellite based augmentation. */
+/** Bit 0. Satellite based augmentation. */
 #define MIP_GNSS_1_FIX_FLAGS_SBAS_USED 0x0001U
-/** Bit 1: Differential corrections. */
+/** Bit 1. Differential corrections. */
 #define MIP_GNSS_1_FIX_FLAGS_DGNSS_USED 0x0002U
 
 /** Which parts of the fix information are valid. */
 typedef uint16_t mip_gnss_1_fix_info_flags;
-/** Bit 0: Type of the fix. */
+/** Bit 0. Type of the fix. */
 #define MIP_GNSS_1_FIX_INFO_FLAGS_FIX_TYPE 0x0001U
-/** Bit 1: Number of satellites. */
+/** Bit 1. Number of satellites. */
 #define MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV 0x0002U
-/** Bit 2: Fix flags. */
+/** Bit 2. Fix flags. */
 #define MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS 0x0004U
-/** Bits 0 to 2: All of them. */
+/** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_FIX_INFO_FLAGS_FLAGS 0x0007U
+
+/** State of a satellite. */
+typedef uint16_t mip_gnss_1_sv_flags;
+/** Bit 0. The position fix uses it. */
+#define MIP_GNSS_1_SV_FLAGS_USED_FOR_NAVIGATION 0x0001U
+/** Bit 1. It is healthy. */
+#define MIP_GNSS_1_SV_FLAGS_HEALTHY 0x0002U
+
+/** Which parts of the satellite info are valid. */
+typedef uint16_t mip_gnss_1_sv_info_flags;
+/** Bit 0. Channel. */
+#define MIP_GNSS_1_SV_INFO_FLAGS_CHANNEL 0x0001U
+/** Bit 1. Satellite. */
+#define MIP_GNSS_1_SV_INFO_FLAGS_SATELLITE_ID 0x0002U
+/** Bit 2. Carrier to noise density ratio. */
+#define MIP_GNSS_1_SV_INFO_FLAGS_CARRIER_NOISE_RATIO 0x0004U
+/** Bit 3. Azimuth. */
+#define MIP_GNSS_1_SV_INFO_FLAGS_AZIMUTH 0x0008U
+/** Bit 4. Elevation. */
+#define MIP_GNSS_1_SV_INFO_FLAGS_ELEVATION 0x0010U
+/** Bit 5. State of the satellite. */
+#define MIP_GNSS_1_SV_INFO_FLAGS_SV_FLAGS 0x0020U
+/** Bits 0 to 5. All of them. Overlaps other bits. */
+#define MIP_GNSS_1_SV_INFO_FLAGS_FLAGS 0x003FU
 
 /** Whether the receiver works. */
 typedef uint8_t mip_gnss_1_receiver_state;
@@ -155,32 +191,58 @@ typedef uint8_t mip_gnss_1_antenna_power;
 #define MIP_GNSS_1_ANTENNA_POWER_UNKNOWN 2
 
 /** Which parts of the hardware status are valid. */
-typedef uint16_t mip_gnss_1_gnss_hardware_status_flags;
-/** Bit 0: State of the receiver. */
-#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_SENSOR_STATE 0x0001U
-/** Bit 1: State of the antenna. */
-#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_ANTENNA_STATE 0x0002U
-/** Bit 2: Supply of the antenna. */
-#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_ANTENNA_POWER 0x0004U
-/** Bits 0 to 2: All of them. */
-#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
+typedef uint16_t mip_gnss_1_hardware_status_flags;
+/** Bit 0. State of the receiver. */
+#define MIP_GNSS_1_HARDWARE_STATUS_FLAGS_SENSOR_STATE 0x0001U
+/** Bit 1. State of the antenna. */
+#define MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_STATE 0x0002U
+/** Bit 2. Supply of the antenna. */
+#define MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_POWER 0x0004U
+/** Bits 0 to 2. All of them. Overlaps other bits. */
+#define MIP_GNSS_1_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
+
+/** Which parts of the state of the corrections are valid. */
+typedef uint16_t mip_gnss_1_dgps_info_flags;
+/** Bit 0. Age. */
+#define MIP_GNSS_1_DGPS_INFO_FLAGS_AGE 0x0001U
+/** Bit 1. Number of the base station. */
+#define MIP_GNSS_1_DGPS_INFO_FLAGS_BASE_STATION_ID 0x0002U
+/** Bit 2. State of the base station. */
+#define MIP_GNSS_1_DGPS_INFO_FLAGS_BASE_STATION_STATUS 0x0004U
+/** Bit 3. Number of channels. */
+#define MIP_GNSS_1_DGPS_INFO_FLAGS_NUM_CHANNELS 0x0008U
+/** Bits 0 to 3. All of them. Overlaps other bits. */
+#define MIP_GNSS_1_DGPS_INFO_FLAGS_FLAGS 0x000FU
+
+/** Which parts of a differential correction are valid. */
+typedef uint16_t mip_gnss_1_dgps_channel_flags;
+/** Bit 0. Satellite. */
+#define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_SATELLITE_ID 0x0001U
+/** Bit 1. Age. */
+#define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_AGE 0x0002U
+/** Bit 2. Correction of the range. */
+#define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_RANGE_CORRECTION 0x0004U
+/** Bit 3. Correction of the range rate. */
+#define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION 0x0008U
+/** Bits 0 to 3. All of them. Overlaps other bits. */
+#define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_FLAGS 0x000FU
 
 /** Which clock parameters are valid. */
 typedef uint16_t mip_gnss_1_clock_info_2_flags;
-/** Bit 0: Bias. */
+/** Bit 0. Bias. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS 0x0001U
-/** Bit 1: Drift. */
+/** Bit 1. Drift. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT 0x0002U
-/** Bit 2: Accuracy of the bias. */
+/** Bit 2. Accuracy of the bias. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY 0x0004U
-/** Bit 3: Accuracy of the drift. */
+/** Bit 3. Accuracy of the drift. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY 0x0008U
-/** Bits 0 to 3: All of them. */
+/** Bits 0 to 3. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_FLAGS 0x000FU
 
 /** Whether the leap seconds are valid. Bit 0 is not used. */
 typedef uint16_t mip_gnss_1_gps_leap_seconds_flags;
-/** Bit 1: Leap seconds. */
+/** Bit 1. Leap seconds. */
 #define MIP_GNSS_1_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS 0x0002U
 
 /** Satellite based augmentation system. */
@@ -198,49 +260,104 @@ typedef uint8_t mip_gnss_1_sbas_system;
 
 /** What the SBAS service offers. */
 typedef uint8_t mip_gnss_1_sbas_status;
-/** Bit 0: Ranging is available. */
+/** Bit 0. Ranging is available. */
 #define MIP_GNSS_1_SBAS_STATUS_RANGE_AVAILABLE 0x01U
-/** Bit 1: Corrections are available. */
+/** Bit 1. Corrections are available. */
 #define MIP_GNSS_1_SBAS_STATUS_CORRECTIONS_AVAILABLE 0x02U
-/** Bit 2: Integrity information is available. */
+/** Bit 2. Integrity information is available. */
 #define MIP_GNSS_1_SBAS_STATUS_INTEGRITY_AVAILABLE 0x04U
-/** Bit 3: The service is in test mode. */
+/** Bit 3. The service is in test mode. */
 #define MIP_GNSS_1_SBAS_STATUS_TEST_MODE 0x08U
 
 /** Which parts of the SBAS status are valid. */
 typedef uint16_t mip_gnss_1_sbas_info_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: System. */
+/** Bit 2. System. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_SYSTEM 0x0004U
-/** Bit 3: Satellite. */
+/** Bit 3. Satellite. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_ID 0x0008U
-/** Bit 4: Number of corrections. */
+/** Bit 4. Number of corrections. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_COUNT 0x0010U
-/** Bit 5: Status of the service. */
+/** Bit 5. Status of the service. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_STATUS 0x0020U
-/** Bits 0 to 5: All of them. */
+/** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_FLAGS 0x003FU
+
+/** Which parts of an SBAS correction are valid. */
+typedef uint16_t mip_gnss_1_sbas_correction_flags;
+/** Bit 0. Indicator of the range error. */
+#define MIP_GNSS_1_SBAS_CORRECTION_FLAGS_UDREI 0x0001U
+/** Bit 1. Correction of the pseudorange. */
+#define MIP_GNSS_1_SBAS_CORRECTION_FLAGS_PSEUDORANGE_CORRECTION 0x0002U
+/** Bit 2. Correction of the ionospheric delay. */
+#define MIP_GNSS_1_SBAS_CORRECTION_FLAGS_IONO_CORRECTION 0x0004U
+/** Bits 0 to 2. All of them. Overlaps other bits. */
+#define MIP_GNSS_1_SBAS_CORRECTION_FLAGS_FLAGS 0x0007U
+
+/** Frequency band of GNSS signals. */
+typedef uint8_t mip_gnss_1_rf_band;
+/** Not known. */
+#define MIP_GNSS_1_RF_BAND_UNKNOWN 0
+/** L1. */
+#define MIP_GNSS_1_RF_BAND_L1 1
+/** L2. */
+#define MIP_GNSS_1_RF_BAND_L2 2
+/** L5. */
+#define MIP_GNSS_1_RF_BAND_L5 5
+
+/** How much the reception is jammed. */
+typedef uint8_t mip_gnss_1_jamming_state;
+/** Not known. */
+#define MIP_GNSS_1_JAMMING_STATE_UNKNOWN 0
+/** Not at all. */
+#define MIP_GNSS_1_JAMMING_STATE_NONE 1
+/** In part. */
+#define MIP_GNSS_1_JAMMING_STATE_PARTIAL 2
+/** Badly. */
+#define MIP_GNSS_1_JAMMING_STATE_SIGNIFICANT 3
+
+/** How much the signals are spoofed. */
+typedef uint8_t mip_gnss_1_spoofing_state;
+/** Not known. */
+#define MIP_GNSS_1_SPOOFING_STATE_UNKNOWN 0
+/** Not at all. */
+#define MIP_GNSS_1_SPOOFING_STATE_NONE 1
+/** In part. */
+#define MIP_GNSS_1_SPOOFING_STATE_PARTIAL 2
+/** Badly. */
+#define MIP_GNSS_1_SPOOFING_STATE_SIGNIFICANT 3
+
+/** Which parts of the detection are valid. */
+typedef uint16_t mip_gnss_1_rf_error_detection_flags;
+/** Bit 0. Band. */
+#define MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_RF_BAND 0x0001U
+/** Bit 1. Jamming. */
+#define MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE 0x0002U
+/** Bit 2. Spoofing. */
+#define MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE 0x0004U
+/** Bits 0 to 2. All of them. Overlaps other bits. */
+#define MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_FLAGS 0x0007U
 
 /** Which parts of the satellite status are valid. */
 typedef uint16_t mip_gnss_1_satellite_status_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: Constellation. */
+/** Bit 2. Constellation. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_GNSS_ID 0x0004U
-/** Bit 3: Satellite. */
+/** Bit 3. Satellite. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_SATELLITE_ID 0x0008U
-/** Bit 4: Elevation. */
+/** Bit 4. Elevation. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_ELEVATION 0x0010U
-/** Bit 5: Azimuth. */
+/** Bit 5. Azimuth. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_AZIMUTH 0x0020U
-/** Bit 6: Health. */
+/** Bit 6. Health. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_HEALTH 0x0040U
-/** Bits 0 to 6: All of them. */
+/** Bits 0 to 6. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_FLAGS 0x007FU
 
 /** How well a signal is tracked. */
@@ -260,50 +377,130 @@ typedef uint8_t mip_gnss_1_signal_quality;
 
 /** Which parts of the observation are valid. */
 typedef uint16_t mip_gnss_1_raw_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_RAW_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_RAW_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: Receiver or reference station. */
+/** Bit 2. Receiver or reference station. */
 #define MIP_GNSS_1_RAW_FLAGS_RECEIVER_ID 0x0004U
-/** Bit 3: Tracking channel. */
+/** Bit 3. Tracking channel. */
 #define MIP_GNSS_1_RAW_FLAGS_TRACKING_CHANNEL 0x0008U
-/** Bit 4: Constellation. */
+/** Bit 4. Constellation. */
 #define MIP_GNSS_1_RAW_FLAGS_GNSS_ID 0x0010U
-/** Bit 5: Satellite. */
+/** Bit 5. Satellite. */
 #define MIP_GNSS_1_RAW_FLAGS_SATELLITE_ID 0x0020U
-/** Bit 6: Signal. */
+/** Bit 6. Signal. */
 #define MIP_GNSS_1_RAW_FLAGS_SIGNAL_ID 0x0040U
-/** Bit 7: Signal strength. */
+/** Bit 7. Signal strength. */
 #define MIP_GNSS_1_RAW_FLAGS_SIGNAL_STRENGTH 0x0080U
-/** Bit 8: Signal quality. */
+/** Bit 8. Signal quality. */
 #define MIP_GNSS_1_RAW_FLAGS_QUALITY 0x0100U
-/** Bit 9: Pseudorange. */
+/** Bit 9. Pseudorange. */
 #define MIP_GNSS_1_RAW_FLAGS_PSEUDORANGE 0x0200U
-/** Bit 10: Carrier phase. */
+/** Bit 10. Carrier phase. */
 #define MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE 0x0400U
-/** Bit 11: Doppler shift. */
+/** Bit 11. Doppler shift. */
 #define MIP_GNSS_1_RAW_FLAGS_DOPPLER 0x0800U
-/** Bit 12: Uncertainty of the pseudorange. */
+/** Bit 12. Uncertainty of the pseudorange. */
 #define MIP_GNSS_1_RAW_FLAGS_RANGE_UNCERTAINTY 0x1000U
-/** Bit 13: Uncertainty of the carrier phase. */
+/** Bit 13. Uncertainty of the carrier phase. */
 #define MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE_UNCERTAINTY 0x2000U
-/** Bit 14: Uncertainty of the Doppler shift. */
+/** Bit 14. Uncertainty of the Doppler shift. */
 #define MIP_GNSS_1_RAW_FLAGS_DOPPLER_UNCERTAINTY 0x4000U
-/** Bit 15: Lock time. */
+/** Bit 15. Lock time. */
 #define MIP_GNSS_1_RAW_FLAGS_LOCK_TIME 0x8000U
-/** Bits 0 to 15: All of them. */
+/** Bits 0 to 15. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_RAW_FLAGS_FLAGS 0xFFFFU
+
+/** Properties of a base station, as its RTCM message gives them. */
+typedef uint16_t mip_gnss_1_base_station_indicators;
+/** Bit 0. GPS is supported. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_GPS 0x0001U
+/** Bit 1. GLONASS is supported. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_GLONASS 0x0002U
+/** Bit 2. Galileo is supported. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_GALILEO 0x0004U
+/** Bit 3. BeiDou is supported. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_BEIDOU 0x0008U
+/** Bit 4. Reference station indicator. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_REFERENCE_STATION 0x0010U
+/** Bit 5. Single receiver oscillator indicator. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_SINGLE_RECEIVER 0x0020U
+/** Bit 6. First bit of the quarter cycle indicator. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_QUARTER_CYCLE_BIT1 0x0040U
+/** Bit 7. Second bit of the quarter cycle indicator. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_QUARTER_CYCLE_BIT2 0x0080U
+/** Bits 6 to 7. Quarter cycle indicator. Overlaps other bits. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_QUARTER_CYCLE_BITS 0x00C0U
+
+/** Which values are valid. */
+typedef uint16_t mip_gnss_1_base_station_info_flags;
+/** Bit 0. Time of week. */
+#define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_TOW 0x0001U
+/** Bit 1. Week number. */
+#define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2. Position. */
+#define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_ECEF_POSITION 0x0004U
+/** Bit 3. Antenna height. */
+#define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_HEIGHT 0x0008U
+/** Bit 4. Station. */
+#define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_STATION_ID 0x0010U
+/** Bit 5. Indicators. */
+#define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_INDICATORS 0x0020U
+/** Bits 0 to 5. All of them. Overlaps other bits. */
+#define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_FLAGS 0x003FU
+
+/** Corrections that came during an epoch. */
+typedef uint16_t mip_gnss_1_rtk_epoch_status;
+/** Bit 0. Antenna location. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_ANTENNA_LOCATION_RECEIVED 0x0001U
+/** Bit 1. Antenna description. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_ANTENNA_DESCRIPTION_RECEIVED 0x0002U
+/** Bit 2. GPS corrections. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_GPS_RECEIVED 0x0004U
+/** Bit 3. GLONASS corrections. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_GLONASS_RECEIVED 0x0008U
+/** Bit 4. Galileo corrections. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_GALILEO_RECEIVED 0x0010U
+/** Bit 5. BeiDou corrections. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_BEIDOU_RECEIVED 0x0020U
+/** Bit 6. GPS corrections come in MSM messages, not in the RTCM messages 1001-1004. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_USING_GPS_MSM_MESSAGES 0x0040U
+/** Bit 7. GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_USING_GLONASS_MSM_MESSAGES 0x0080U
+/** Bit 8. The status of the dongle could not be read. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_DONGLE_STATUS_READ_FAILED 0x0100U
+
+/** Which values are valid. */
+typedef uint16_t mip_gnss_1_rtk_corrections_status_flags;
+/** Bit 0. Time of week. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_TOW 0x0001U
+/** Bit 1. Week number. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2. Epoch status. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS 0x0004U
+/** Bit 3. Status of the dongle. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS 0x0008U
+/** Bit 4. Latency of GPS corrections. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GPS_LATENCY 0x0010U
+/** Bit 5. Latency of GLONASS corrections. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GLONASS_LATENCY 0x0020U
+/** Bit 6. Latency of Galileo corrections. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GALILEO_LATENCY 0x0040U
+/** Bit 7. Latency of BeiDou corrections. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY 0x0080U
+/** Bits 0 to 7. All of them. Overlaps other bits. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_FLAGS 0x00FFU
 
 /** What an ephemeris of GPS, Galileo or BeiDou holds. */
 typedef uint16_t mip_gnss_1_ephemeris_flags;
-/** Bit 0: The ephemeris is valid. */
+/** Bit 0. The ephemeris is valid. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
-/** Bit 1: The data of the modernized navigation message are included. */
+/** Bit 1. The data of the modernized navigation message are included. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_MODERN_DATA 0x0002U
-/** Bit 2: isc_l2c is the correction for L5, not for L2. */
+/** Bit 2. isc_l2c is the correction for L5, not for L2. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_ISC_L5 0x0004U
-/** Bits 0 to 2: All of them. */
+/** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_FLAGS 0x0007U
 
 /** Generation of a GLONASS satellite. */
@@ -315,103 +512,144 @@ typedef uint8_t mip_gnss_1_glonass_satellite_type;
 
 /** Whether the ephemeris is valid. */
 typedef uint16_t mip_gnss_1_glonass_ephemeris_flags;
-/** Bit 0: The ephemeris is valid. */
+/** Bit 0. The ephemeris is valid. */
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
-/** Bit 0: All of them. */
+/** Bit 0. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_FLAGS 0x0001U
+
+/** Which parts of the model are valid. */
+typedef uint16_t mip_gnss_1_gps_iono_correction_flags;
+/** Bit 0. Time of week. */
+#define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_TOW 0x0001U
+/** Bit 1. Week number. */
+#define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2. Coefficients alpha. */
+#define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
+/** Bit 3. Coefficients beta. */
+#define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_BETA 0x0008U
+/** Bits 0 to 3. All of them. Overlaps other bits. */
+#define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
+
+/** Which parts of the model are valid. */
+typedef uint16_t mip_gnss_1_galileo_iono_correction_flags;
+/** Bit 0. Time of week. */
+#define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_TOW 0x0001U
+/** Bit 1. Week number. */
+#define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2. Coefficients. */
+#define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
+/** Bit 3. Storm flags. */
+#define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS 0x0008U
+/** Bits 0 to 3. All of them. Overlaps other bits. */
+#define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
+
+/** Which parts of the model are valid. */
+typedef uint16_t mip_gnss_1_beidou_iono_correction_flags;
+/** Bit 0. Time of week. */
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_TOW 0x0001U
+/** Bit 1. Week number. */
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2. Coefficients alpha. */
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
+/** Bit 3. Coefficients beta. */
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_BETA 0x0008U
+/** Bit 4. Further coefficients. */
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA_CORRECTION 0x0010U
+/** Bits 0 to 4. All of them. Overlaps other bits. */
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_FLAGS 0x001FU
 
 /**
  * GNSS LLH position: data (0x91,0x03).
  *
  * GNSS position as latitude, longitude and height.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
  */
-struct mip_gnss_1_gnss_llh_position {
+struct mip_gnss_1_llh_position {
     /**
-     * Latitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_LAT_LON in
+     * Latitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_LAT_LON in
      * valid_flags is set.
      */
     double latitude;
     /**
-     * Longitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_LAT_LON in
+     * Longitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_LAT_LON in
      * valid_flags is set.
      */
     double longitude;
     /**
      * Height above the ellipsoid. Unit: m. Frame: llh. Valid if
-     * MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT in valid_flags is set.
+     * MIP_GNSS_1_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT in valid_flags is set.
      */
     double ellipsoid_height;
     /**
-     * Height above mean sea level. Unit: m. Valid if MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_MSL_HEIGHT
-     * in valid_flags is set.
+     * Height above mean sea level. Unit: m. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_MSL_HEIGHT in
+     * valid_flags is set.
      */
     double msl_height;
     /**
-     * Horizontal accuracy. Unit: m. Valid if MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY
-     * in valid_flags is set.
+     * Horizontal accuracy. Unit: m. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY in
+     * valid_flags is set.
      */
     float horizontal_accuracy;
     /**
-     * Vertical accuracy. Unit: m. Valid if MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_VERTICAL_ACCURACY in
+     * Vertical accuracy. Unit: m. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_VERTICAL_ACCURACY in
      * valid_flags is set.
      */
     float vertical_accuracy;
     /** Which values are valid. */
-    mip_gnss_1_gnss_llh_position_flags valid_flags;
+    mip_gnss_1_llh_position_flags valid_flags;
 };
 
-#define MIP_GNSS_1_GNSS_LLH_POSITION_DESCRIPTOR 0x03
-#define MIP_GNSS_1_GNSS_LLH_POSITION_NAME "gnss_1.gnss_llh_position"
+#define MIP_GNSS_1_LLH_POSITION_DESCRIPTOR 0x03
+#define MIP_GNSS_1_LLH_POSITION_NAME "gnss_1.llh_position"
 
-extern const struct mip_codec mip_gnss_1_gnss_llh_position_codec;
-mip_error mip_gnss_1_gnss_llh_position_decode(struct mip_gnss_1_gnss_llh_position *value,
-                                              const struct mip_field *field);
-mip_error mip_gnss_1_gnss_llh_position_encode(const struct mip_gnss_1_gnss_llh_position *value,
-                                              struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_1_llh_position_codec;
+mip_error mip_gnss_1_llh_position_decode(struct mip_gnss_1_llh_position *value,
+                                         const struct mip_field *field);
+mip_error mip_gnss_1_llh_position_encode(const struct mip_gnss_1_llh_position *value,
+                                         struct mip_builder *builder);
 
 /**
  * GNSS ECEF position: data (0x91,0x04).
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
  */
-struct mip_gnss_1_gnss_ecef_position {
+struct mip_gnss_1_ecef_position {
     /**
      * Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
-     * MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_POSITION in valid_flags is set.
+     * MIP_GNSS_1_ECEF_POSITION_FLAGS_POSITION in valid_flags is set.
      */
-    double x[3];
+    double position[3];
     /**
-     * Accuracy of the position. Unit: m. Valid if
-     * MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_POSITION_ACCURACY in valid_flags is set.
+     * Accuracy of the position. Unit: m. Valid if MIP_GNSS_1_ECEF_POSITION_FLAGS_POSITION_ACCURACY
+     * in valid_flags is set.
      */
-    float x_accuracy;
+    float position_accuracy;
     /** Which values are valid. */
-    mip_gnss_1_gnss_ecef_position_flags valid_flags;
+    mip_gnss_1_ecef_position_flags valid_flags;
 };
 
-#define MIP_GNSS_1_GNSS_ECEF_POSITION_DESCRIPTOR 0x04
-#define MIP_GNSS_1_GNSS_ECEF_POSITION_NAME "gnss_1.gnss_ecef_position"
+#define MIP_GNSS_1_ECEF_POSITION_DESCRIPTOR 0x04
+#define MIP_GNSS_1_ECEF_POSITION_NAME "gnss_1.ecef_position"
 
-extern const struct mip_codec mip_gnss_1_gnss_ecef_position_codec;
-mip_error mip_gnss_1_gnss_ecef_position_decode(struct mip_gnss_1_gnss_ecef_position *value,
-                                               const struct mip_field *field);
-mip_error mip_gnss_1_gnss_ecef_position_encode(const struct mip_gnss_1_gnss_ecef_position *value,
-                                               struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_1_ecef_position_codec;
+mip_error mip_gnss_1_ecef_position_decode(struct mip_gnss_1_ecef_position *value,
+                                          const struct mip_field *field);
+mip_error mip_gnss_1_ecef_position_encode(const struct mip_gnss_1_ecef_position *value,
+                                          struct mip_builder *builder);
 
 /**
  * NED velocity: data (0x91,0x05).
  *
  * GNSS velocity in the local level frame.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
  */
@@ -420,7 +658,7 @@ struct mip_gnss_1_ned_velocity {
      * Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Valid if
      * MIP_GNSS_1_NED_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
      */
-    float v_[3];
+    float velocity[3];
     /**
      * Speed in space. Unit: m/s. Valid if MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_3D in valid_flags is
      * set.
@@ -464,33 +702,33 @@ mip_error mip_gnss_1_ned_velocity_encode(const struct mip_gnss_1_ned_velocity *v
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
  */
-struct mip_gnss_1_gnss_ecef_velocity {
+struct mip_gnss_1_ecef_velocity {
     /**
      * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
-     * MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
+     * MIP_GNSS_1_ECEF_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
      */
-    float v_[3];
+    float velocity[3];
     /**
      * Accuracy of the velocity. Unit: m/s. Valid if
-     * MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY in valid_flags is set.
+     * MIP_GNSS_1_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY in valid_flags is set.
      */
-    float v_accuracy;
+    float velocity_accuracy;
     /** Which values are valid. */
-    mip_gnss_1_gnss_ecef_velocity_flags valid_flags;
+    mip_gnss_1_ecef_velocity_flags valid_flags;
 };
 
-#define MIP_GNSS_1_GNSS_ECEF_VELOCITY_DESCRIPTOR 0x06
-#define MIP_GNSS_1_GNSS_ECEF_VELOCITY_NAME "gnss_1.gnss_ecef_velocity"
+#define MIP_GNSS_1_ECEF_VELOCITY_DESCRIPTOR 0x06
+#define MIP_GNSS_1_ECEF_VELOCITY_NAME "gnss_1.ecef_velocity"
 
-extern const struct mip_codec mip_gnss_1_gnss_ecef_velocity_codec;
-mip_error mip_gnss_1_gnss_ecef_velocity_decode(struct mip_gnss_1_gnss_ecef_velocity *value,
-                                               const struct mip_field *field);
-mip_error mip_gnss_1_gnss_ecef_velocity_encode(const struct mip_gnss_1_gnss_ecef_velocity *value,
-                                               struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_1_ecef_velocity_codec;
+mip_error mip_gnss_1_ecef_velocity_decode(struct mip_gnss_1_ecef_velocity *value,
+                                          const struct mip_field *field);
+mip_error mip_gnss_1_ecef_velocity_encode(const struct mip_gnss_1_ecef_velocity *value,
+                                          struct mip_builder *builder);
 
 /**
  * DOP: data (0x91,0x07).
@@ -613,6 +851,43 @@ mip_error mip_gnss_1_gps_time_encode(const struct mip_gnss_1_gps_time *value,
                                      struct mip_builder *builder);
 
 /**
+ * Clock info: data (0x91,0x0A).
+ *
+ * Bias and drift of the receiver clock.
+ *
+ * Clock info 2 replaces it and tells more.
+ *
+ * - mip-sdk-4: Clock Info (0x81,0x0A)
+ */
+struct mip_gnss_1_clock_info {
+    /**
+     * Bias of the clock. Unit: s. Valid if MIP_GNSS_1_CLOCK_INFO_FLAGS_BIAS in valid_flags is set.
+     */
+    double bias;
+    /**
+     * Drift of the clock. Unit: s/s. Valid if MIP_GNSS_1_CLOCK_INFO_FLAGS_DRIFT in valid_flags is
+     * set.
+     */
+    double drift;
+    /**
+     * Estimated accuracy. Unit: s. Valid if MIP_GNSS_1_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE in
+     * valid_flags is set.
+     */
+    double accuracy_estimate;
+    /** Which values are valid. */
+    mip_gnss_1_clock_info_flags valid_flags;
+};
+
+#define MIP_GNSS_1_CLOCK_INFO_DESCRIPTOR 0x0A
+#define MIP_GNSS_1_CLOCK_INFO_NAME "gnss_1.clock_info"
+
+extern const struct mip_codec mip_gnss_1_clock_info_codec;
+mip_error mip_gnss_1_clock_info_decode(struct mip_gnss_1_clock_info *value,
+                                       const struct mip_field *field);
+mip_error mip_gnss_1_clock_info_encode(const struct mip_gnss_1_clock_info *value,
+                                       struct mip_builder *builder);
+
+/**
  * Fix info: data (0x91,0x0B).
  *
  * Type of the position fix and what it is made of.
@@ -645,51 +920,188 @@ mip_error mip_gnss_1_fix_info_encode(const struct mip_gnss_1_fix_info *value,
                                      struct mip_builder *builder);
 
 /**
+ * Satellite info: data (0x91,0x0C).
+ *
+ * One satellite that is tracked.
+ *
+ * Uncertain: Whether a packet holds one of these fields or several.
+ *
+ * The satellites come as one field each, in packets apart from other GNSS data.
+ *
+ * - mip-sdk-4: Sv Info (0x81,0x0C)
+ */
+struct mip_gnss_1_sv_info {
+    /**
+     * Channel of the receiver that tracks the satellite. Valid if MIP_GNSS_1_SV_INFO_FLAGS_CHANNEL
+     * in valid_flags is set.
+     */
+    uint8_t channel;
+    /**
+     * Number of the satellite. Valid if MIP_GNSS_1_SV_INFO_FLAGS_SATELLITE_ID in valid_flags is
+     * set.
+     */
+    uint8_t satellite_id;
+    /**
+     * Carrier to noise density ratio. Unit: dB-Hz. Valid if
+     * MIP_GNSS_1_SV_INFO_FLAGS_CARRIER_NOISE_RATIO in valid_flags is set.
+     */
+    uint16_t carrier_noise_ratio;
+    /** Azimuth. Unit: deg. Valid if MIP_GNSS_1_SV_INFO_FLAGS_AZIMUTH in valid_flags is set. */
+    int16_t azimuth;
+    /** Elevation. Unit: deg. Valid if MIP_GNSS_1_SV_INFO_FLAGS_ELEVATION in valid_flags is set. */
+    int16_t elevation;
+    /** State of the satellite. Valid if MIP_GNSS_1_SV_INFO_FLAGS_SV_FLAGS in valid_flags is set. */
+    mip_gnss_1_sv_flags sv_flags;
+    /** Which values are valid. */
+    mip_gnss_1_sv_info_flags valid_flags;
+};
+
+#define MIP_GNSS_1_SV_INFO_DESCRIPTOR 0x0C
+#define MIP_GNSS_1_SV_INFO_NAME "gnss_1.sv_info"
+
+extern const struct mip_codec mip_gnss_1_sv_info_codec;
+mip_error mip_gnss_1_sv_info_decode(struct mip_gnss_1_sv_info *value,
+                                    const struct mip_field *field);
+mip_error mip_gnss_1_sv_info_encode(const struct mip_gnss_1_sv_info *value,
+                                    struct mip_builder *builder);
+
+/**
  * GNSS hardware status: data (0x91,0x0D).
  *
  * State of the receiver and of its antenna.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
  */
-struct mip_gnss_1_gnss_hardware_status {
+struct mip_gnss_1_hardware_status {
     /**
-     * State of the receiver. Valid if MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_SENSOR_STATE in
-     * valid_flags is set.
+     * State of the receiver. Valid if MIP_GNSS_1_HARDWARE_STATUS_FLAGS_SENSOR_STATE in valid_flags
+     * is set.
      */
     mip_gnss_1_receiver_state receiver_state;
     /**
-     * State of the antenna. Valid if MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_ANTENNA_STATE in
-     * valid_flags is set.
+     * State of the antenna. Valid if MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_STATE in valid_flags
+     * is set.
      */
     mip_gnss_1_antenna_state antenna_state;
     /**
-     * Supply of the antenna. Valid if MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_ANTENNA_POWER in
-     * valid_flags is set.
+     * Supply of the antenna. Valid if MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_POWER in valid_flags
+     * is set.
      */
     mip_gnss_1_antenna_power antenna_power;
     /** Which values are valid. */
-    mip_gnss_1_gnss_hardware_status_flags valid_flags;
+    mip_gnss_1_hardware_status_flags valid_flags;
 };
 
-#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_DESCRIPTOR 0x0D
-#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_NAME "gnss_1.gnss_hardware_status"
+#define MIP_GNSS_1_HARDWARE_STATUS_DESCRIPTOR 0x0D
+#define MIP_GNSS_1_HARDWARE_STATUS_NAME "gnss_1.hardware_status"
 
-extern const struct mip_codec mip_gnss_1_gnss_hardware_status_codec;
-mip_error mip_gnss_1_gnss_hardware_status_decode(struct mip_gnss_1_gnss_hardware_status *value,
-                                                 const struct mip_field *field);
-mip_error mip_gnss_1_gnss_hardware_status_encode(
-    const struct mip_gnss_1_gnss_hardware_status *value, struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_1_hardware_status_codec;
+mip_error mip_gnss_1_hardware_status_decode(struct mip_gnss_1_hardware_status *value,
+                                            const struct mip_field *field);
+mip_error mip_gnss_1_hardware_status_encode(const struct mip_gnss_1_hardware_status *value,
+                                            struct mip_builder *builder);
+
+/**
+ * DGPS info: data (0x91,0x0E).
+ *
+ * State of the differential corrections.
+ *
+ * Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of the
+ * vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8, three floats and
+ * u16, which is that of dgps_channel and does not agree with its own valid flags (age, base station
+ * id, base station status, number of channels).
+ *
+ * - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
+ * - mip-sdk-4: Dgps Info (0x81,0x0E)
+ */
+struct mip_gnss_1_dgps_info {
+    /**
+     * Age of the corrections. Unit: s. Valid if MIP_GNSS_1_DGPS_INFO_FLAGS_AGE in valid_flags is
+     * set. Uncertain: The unit, which follows from dgps_channel.
+     */
+    float age;
+    /**
+     * Number of the base station. Valid if MIP_GNSS_1_DGPS_INFO_FLAGS_BASE_STATION_ID in
+     * valid_flags is set.
+     */
+    int16_t base_station_id;
+    /**
+     * State of the base station: 0 to 5 are factors of the user differential range error, which are
+     * 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if
+     * MIP_GNSS_1_DGPS_INFO_FLAGS_BASE_STATION_STATUS in valid_flags is set.
+     */
+    int16_t base_station_status;
+    /**
+     * Number of channels that have corrections. Unit: 1. Valid if
+     * MIP_GNSS_1_DGPS_INFO_FLAGS_NUM_CHANNELS in valid_flags is set.
+     */
+    uint16_t num_channels;
+    /** Which values are valid. */
+    mip_gnss_1_dgps_info_flags valid_flags;
+};
+
+#define MIP_GNSS_1_DGPS_INFO_DESCRIPTOR 0x0E
+#define MIP_GNSS_1_DGPS_INFO_NAME "gnss_1.dgps_info"
+
+extern const struct mip_codec mip_gnss_1_dgps_info_codec;
+mip_error mip_gnss_1_dgps_info_decode(struct mip_gnss_1_dgps_info *value,
+                                      const struct mip_field *field);
+mip_error mip_gnss_1_dgps_info_encode(const struct mip_gnss_1_dgps_info *value,
+                                      struct mip_builder *builder);
+
+/**
+ * DGPS channel: data (0x91,0x0F).
+ *
+ * Differential correction for one satellite.
+ *
+ * The active satellites come as one field each, all in one packet.
+ *
+ * - mip-sdk-4: Dgps Channel (0x81,0x0F)
+ */
+struct mip_gnss_1_dgps_channel {
+    /**
+     * Number of the satellite. Valid if MIP_GNSS_1_DGPS_CHANNEL_FLAGS_SATELLITE_ID in valid_flags
+     * is set.
+     */
+    uint8_t satellite_id;
+    /**
+     * Age of the correction. Unit: s. Valid if MIP_GNSS_1_DGPS_CHANNEL_FLAGS_AGE in valid_flags is
+     * set.
+     */
+    float age;
+    /**
+     * Correction of the range. Unit: m. Valid if MIP_GNSS_1_DGPS_CHANNEL_FLAGS_RANGE_CORRECTION in
+     * valid_flags is set.
+     */
+    float range_correction;
+    /**
+     * Correction of the range rate. Unit: m/s. Valid if
+     * MIP_GNSS_1_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION in valid_flags is set.
+     */
+    float range_rate_correction;
+    /** Which values are valid. */
+    mip_gnss_1_dgps_channel_flags valid_flags;
+};
+
+#define MIP_GNSS_1_DGPS_CHANNEL_DESCRIPTOR 0x0F
+#define MIP_GNSS_1_DGPS_CHANNEL_NAME "gnss_1.dgps_channel"
+
+extern const struct mip_codec mip_gnss_1_dgps_channel_codec;
+mip_error mip_gnss_1_dgps_channel_decode(struct mip_gnss_1_dgps_channel *value,
+                                         const struct mip_field *field);
+mip_error mip_gnss_1_dgps_channel_encode(const struct mip_gnss_1_dgps_channel *value,
+                                         struct mip_builder *builder);
 
 /**
  * Clock info 2: data (0x91,0x10).
  *
  * Bias and drift of the receiver clock.
  *
- * It supersedes an older field, which the manual does not define.
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * It supersedes clock info.
  *
  * - 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
  */
@@ -766,7 +1178,7 @@ mip_error mip_gnss_1_gps_leap_seconds_encode(const struct mip_gnss_1_gps_leap_se
  */
 struct mip_gnss_1_sbas_info {
     /** GPS time of week. Unit: s. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_TOW in valid_flags is set. */
-    double time_of_week;
+    double tow;
     /**
      * GPS week number. Unit: week. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_WEEK_NUMBER in valid_flags
      * is set.
@@ -799,13 +1211,100 @@ mip_error mip_gnss_1_sbas_info_encode(const struct mip_gnss_1_sbas_info *value,
                                       struct mip_builder *builder);
 
 /**
+ * SBAS correction: data (0x91,0x13).
+ *
+ * SBAS correction for one satellite.
+ *
+ * An epoch is sent as one field for each satellite; index and count number the fields.
+ *
+ * udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992,
+ * 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
+ *
+ * - mip-sdk-4: Sbas Correction (0x81,0x13)
+ */
+struct mip_gnss_1_sbas_correction {
+    /** Number of this field within the epoch. */
+    uint8_t index;
+    /** How many of these fields the epoch has. */
+    uint8_t count;
+    /** GPS time of week of the reception. Unit: s. */
+    double tow;
+    /** GPS week number. Unit: week. */
+    uint16_t week_number;
+    /** Constellation. */
+    mip_gnss_constellation gnss_id;
+    /** Satellite within the constellation. */
+    uint8_t satellite_id;
+    /**
+     * Indicator of the range error that is left after fast and long-term corrections, the
+     * atmosphere apart; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
+     * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_UDREI in valid_flags is set.
+     */
+    uint8_t udrei;
+    /**
+     * Correction of the pseudorange. Unit: m. Valid if
+     * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_PSEUDORANGE_CORRECTION in valid_flags is set.
+     */
+    float pseudorange_correction;
+    /**
+     * Correction of the ionospheric delay. Unit: m. Valid if
+     * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_IONO_CORRECTION in valid_flags is set.
+     */
+    float iono_correction;
+    /** Which values are valid. */
+    mip_gnss_1_sbas_correction_flags valid_flags;
+};
+
+#define MIP_GNSS_1_SBAS_CORRECTION_DESCRIPTOR 0x13
+#define MIP_GNSS_1_SBAS_CORRECTION_NAME "gnss_1.sbas_correction"
+
+extern const struct mip_codec mip_gnss_1_sbas_correction_codec;
+mip_error mip_gnss_1_sbas_correction_decode(struct mip_gnss_1_sbas_correction *value,
+                                            const struct mip_field *field);
+mip_error mip_gnss_1_sbas_correction_encode(const struct mip_gnss_1_sbas_correction *value,
+                                            struct mip_builder *builder);
+
+/**
+ * RF error detection: data (0x91,0x14).
+ *
+ * Jamming and spoofing as the receiver detects them in one band.
+ *
+ * - mip-sdk-4: Rf Error Detection (0x81,0x14)
+ */
+struct mip_gnss_1_rf_error_detection {
+    /** Band. Valid if MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_RF_BAND in valid_flags is set. */
+    mip_gnss_1_rf_band rf_band;
+    /**
+     * Jamming. Valid if MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE in valid_flags is set.
+     */
+    mip_gnss_1_jamming_state jamming_state;
+    /**
+     * Spoofing. Valid if MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE in valid_flags is set.
+     */
+    mip_gnss_1_spoofing_state spoofing_state;
+    /** Reserved. */
+    uint8_t reserved[4];
+    /** Which values are valid. */
+    mip_gnss_1_rf_error_detection_flags valid_flags;
+};
+
+#define MIP_GNSS_1_RF_ERROR_DETECTION_DESCRIPTOR 0x14
+#define MIP_GNSS_1_RF_ERROR_DETECTION_NAME "gnss_1.rf_error_detection"
+
+extern const struct mip_codec mip_gnss_1_rf_error_detection_codec;
+mip_error mip_gnss_1_rf_error_detection_decode(struct mip_gnss_1_rf_error_detection *value,
+                                               const struct mip_field *field);
+mip_error mip_gnss_1_rf_error_detection_encode(const struct mip_gnss_1_rf_error_detection *value,
+                                               struct mip_builder *builder);
+
+/**
  * Satellite status: data (0x91,0x20).
  *
  * Where one satellite stands, and its health.
  *
- * An epoch is sent as one field for each satellite; index and count number the fields.
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * An epoch is sent as one field for each satellite; index and count number the fields.
  *
  * - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
  */
@@ -818,7 +1317,7 @@ struct mip_gnss_1_satellite_status {
      * GPS time of week. Unit: s. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_TOW in valid_flags is
      * set.
      */
-    double time_of_week;
+    double tow;
     /**
      * GPS week number. Unit: week. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_WEEK_NUMBER in
      * valid_flags is set.
@@ -864,11 +1363,11 @@ mip_error mip_gnss_1_satellite_status_encode(const struct mip_gnss_1_satellite_s
  *
  * Raw observation of one signal of one satellite.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * An epoch is sent as one field for each signal; index and count number the fields.
  *
  * The greatest lock time depends on the receiver.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
  */
@@ -878,7 +1377,7 @@ struct mip_gnss_1_raw {
     /** How many of these fields the epoch has. */
     uint8_t count;
     /** GPS time of week. Unit: s. Valid if MIP_GNSS_1_RAW_FLAGS_TOW in valid_flags is set. */
-    double time_of_week;
+    double tow;
     /**
      * GPS week number. Unit: week. Valid if MIP_GNSS_1_RAW_FLAGS_WEEK_NUMBER in valid_flags is set.
      */
@@ -924,17 +1423,17 @@ struct mip_gnss_1_raw {
      * Uncertainty of the pseudorange. Unit: m. Valid if MIP_GNSS_1_RAW_FLAGS_RANGE_UNCERTAINTY in
      * valid_flags is set.
      */
-    float range_uncert;
+    float range_uncertainty;
     /**
      * Uncertainty of the carrier phase. Unit: cycle. Valid if
      * MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE_UNCERTAINTY in valid_flags is set.
      */
-    float phase_uncert;
+    float phase_uncertainty;
     /**
      * Uncertainty of the Doppler shift. Unit: Hz. Valid if MIP_GNSS_1_RAW_FLAGS_DOPPLER_UNCERTAINTY
      * in valid_flags is set.
      */
-    float doppler_uncert;
+    float doppler_uncertainty;
     /**
      * Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if
      * MIP_GNSS_1_RAW_FLAGS_LOCK_TIME in valid_flags is set.
@@ -952,13 +1451,129 @@ mip_error mip_gnss_1_raw_decode(struct mip_gnss_1_raw *value, const struct mip_f
 mip_error mip_gnss_1_raw_encode(const struct mip_gnss_1_raw *value, struct mip_builder *builder);
 
 /**
+ * Base station info: data (0x91,0x30).
+ *
+ * The base station of the corrections, from an RTCM message 1005 or 1006.
+ *
+ * - mip-sdk-4: Base Station Info (0x81,0x30)
+ */
+struct mip_gnss_1_base_station_info {
+    /**
+     * GPS time of week at which the message was received. Unit: s. Valid if
+     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_TOW in valid_flags is set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_BASE_STATION_INFO_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * Position of the station. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_ECEF_POSITION in valid_flags is set.
+     */
+    double ecef_position[3];
+    /**
+     * Height of the antenna above the marker that was surveyed. Unit: m. Valid if
+     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_HEIGHT in valid_flags is set.
+     */
+    float height;
+    /**
+     * Number of the station. Range: 0 to 4095. Valid if
+     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_STATION_ID in valid_flags is set.
+     */
+    uint16_t station_id;
+    /**
+     * Properties of the station. Valid if MIP_GNSS_1_BASE_STATION_INFO_FLAGS_INDICATORS in
+     * valid_flags is set.
+     */
+    mip_gnss_1_base_station_indicators indicators;
+    /** Which values are valid. */
+    mip_gnss_1_base_station_info_flags valid_flags;
+};
+
+#define MIP_GNSS_1_BASE_STATION_INFO_DESCRIPTOR 0x30
+#define MIP_GNSS_1_BASE_STATION_INFO_NAME "gnss_1.base_station_info"
+
+extern const struct mip_codec mip_gnss_1_base_station_info_codec;
+mip_error mip_gnss_1_base_station_info_decode(struct mip_gnss_1_base_station_info *value,
+                                              const struct mip_field *field);
+mip_error mip_gnss_1_base_station_info_encode(const struct mip_gnss_1_base_station_info *value,
+                                              struct mip_builder *builder);
+
+/**
+ * RTK corrections status: data (0x91,0x31).
+ *
+ * Which corrections come, and how old they are.
+ *
+ * - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
+ */
+struct mip_gnss_1_rtk_corrections_status {
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_TOW in
+     * valid_flags is set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * Corrections that came during this epoch. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS in valid_flags is set.
+     */
+    mip_gnss_1_rtk_epoch_status epoch_status;
+    /**
+     * Status flags of the RTK dongle; of use only with a dongle. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set.
+     *
+     * The same word as that of get status flags (0x0F,0x01), in one of its two forms.
+     */
+    mip_rtk_status_flags dongle_status;
+    /**
+     * Latency of the last GPS correction. Unit: s. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GPS_LATENCY in valid_flags is set.
+     */
+    float gps_correction_latency;
+    /**
+     * Latency of the last GLONASS correction. Unit: s. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GLONASS_LATENCY in valid_flags is set.
+     */
+    float glonass_correction_latency;
+    /**
+     * Latency of the last Galileo correction. Unit: s. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GALILEO_LATENCY in valid_flags is set.
+     */
+    float galileo_correction_latency;
+    /**
+     * Latency of the last BeiDou correction. Unit: s. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY in valid_flags is set.
+     */
+    float beidou_correction_latency;
+    /** Reserved. */
+    uint32_t reserved[4];
+    /** Which values are valid. */
+    mip_gnss_1_rtk_corrections_status_flags valid_flags;
+};
+
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_NAME "gnss_1.rtk_corrections_status"
+
+extern const struct mip_codec mip_gnss_1_rtk_corrections_status_codec;
+mip_error mip_gnss_1_rtk_corrections_status_decode(struct mip_gnss_1_rtk_corrections_status *value,
+                                                   const struct mip_field *field);
+mip_error mip_gnss_1_rtk_corrections_status_encode(
+    const struct mip_gnss_1_rtk_corrections_status *value, struct mip_builder *builder);
+
+/**
  * GPS ephemeris: data (0x91,0x61).
  *
  * Broadcast orbit and clock of one GPS satellite.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
  */
@@ -968,7 +1583,7 @@ struct mip_gnss_1_gps_ephemeris {
     /** How many of these fields the epoch has. */
     uint8_t count;
     /** GPS time of week. Unit: s. */
-    double time_of_week;
+    double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
     /** Satellite within the constellation. */
@@ -981,7 +1596,7 @@ struct mip_gnss_1_gps_ephemeris {
     /**
      * Issue of data, clock. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
-    uint8_t iodec;
+    uint8_t iodc;
     /**
      * Issue of data, ephemeris. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
      * set.
@@ -1122,11 +1737,11 @@ mip_error mip_gnss_1_gps_ephemeris_encode(const struct mip_gnss_1_gps_ephemeris 
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
+ * Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
+ *
  * The interface control document of GLONASS explains p and ft.
  *
  * A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
  */
@@ -1136,7 +1751,7 @@ struct mip_gnss_1_glonass_ephemeris {
     /** How many of these fields the epoch has. */
     uint8_t count;
     /** GPS time of week. Unit: s. */
-    double time_of_week;
+    double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
     /** Satellite within the constellation. */
@@ -1145,7 +1760,7 @@ struct mip_gnss_1_glonass_ephemeris {
      * GLONASS frequency number. Range: -7 to 24. Valid if
      * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
-    int8_t freq_number;
+    int8_t frequency_number;
     /**
      * Start of the frame within the day. Unit: s. Valid if
      * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
@@ -1160,7 +1775,7 @@ struct mip_gnss_1_glonass_ephemeris {
      * Generation of the satellite (M). Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
-    mip_gnss_1_glonass_satellite_type sat_type;
+    mip_gnss_1_glonass_satellite_type satellite_type;
     /**
      * Relative deviation of the carrier frequency from its nominal value. Unit: 1. Valid if
      * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
@@ -1175,17 +1790,17 @@ struct mip_gnss_1_glonass_ephemeris {
      * Position of the satellite in PZ-90. Elements: x, y, z. Unit: m. Valid if
      * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
-    double x[3];
+    double position[3];
     /**
      * Velocity of the satellite in PZ-90. Elements: x, y, z. Unit: m/s. Valid if
      * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
-    float v_[3];
+    float velocity[3];
     /**
      * Acceleration of the satellite by perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
      * Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
-    float a[3];
+    float accel[3];
     /**
      * Health (Bn); not 0 if the satellite fails. Valid if
      * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
@@ -1254,12 +1869,12 @@ mip_error mip_gnss_1_glonass_ephemeris_encode(const struct mip_gnss_1_glonass_ep
  *
  * Broadcast orbit and clock of one Galileo satellite.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
  */
@@ -1269,7 +1884,7 @@ struct mip_gnss_1_galileo_ephemeris {
     /** How many of these fields the epoch has. */
     uint8_t count;
     /** GPS time of week. Unit: s. */
-    double time_of_week;
+    double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
     /** Satellite within the constellation. */
@@ -1282,7 +1897,7 @@ struct mip_gnss_1_galileo_ephemeris {
     /**
      * Issue of data, clock. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
-    uint8_t iodec;
+    uint8_t iodc;
     /**
      * Issue of data, ephemeris. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
      * set.
@@ -1423,12 +2038,12 @@ mip_error mip_gnss_1_galileo_ephemeris_encode(const struct mip_gnss_1_galileo_ep
  *
  * Broadcast orbit and clock of one BeiDou satellite.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
  */
@@ -1438,7 +2053,7 @@ struct mip_gnss_1_beidou_ephemeris {
     /** How many of these fields the epoch has. */
     uint8_t count;
     /** GPS time of week. Unit: s. */
-    double time_of_week;
+    double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
     /** Satellite within the constellation. */
@@ -1451,7 +2066,7 @@ struct mip_gnss_1_beidou_ephemeris {
     /**
      * Issue of data, clock. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
-    uint8_t iodec;
+    uint8_t iodc;
     /**
      * Issue of data, ephemeris. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
      * set.
@@ -1586,6 +2201,142 @@ mip_error mip_gnss_1_beidou_ephemeris_decode(struct mip_gnss_1_beidou_ephemeris 
                                              const struct mip_field *field);
 mip_error mip_gnss_1_beidou_ephemeris_encode(const struct mip_gnss_1_beidou_ephemeris *value,
                                              struct mip_builder *builder);
+
+/**
+ * GPS ionospheric correction: data (0x91,0x71).
+ *
+ * Model of the ionosphere that GPS broadcasts.
+ *
+ * Also called `gps_iono_corr`.
+ *
+ * - mip-sdk-4: Gps Iono Corr (0x81,0x71)
+ */
+struct mip_gnss_1_gps_iono_correction {
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_TOW in valid_flags
+     * is set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * Coefficients alpha 0 to 3. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_ALPHA in valid_flags
+     * is set. Uncertain: The units.
+     */
+    double alpha[4];
+    /**
+     * Coefficients beta 0 to 3. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_BETA in valid_flags
+     * is set. Uncertain: The units.
+     */
+    double beta[4];
+    /** Which values are valid. */
+    mip_gnss_1_gps_iono_correction_flags valid_flags;
+};
+
+#define MIP_GNSS_1_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
+#define MIP_GNSS_1_GPS_IONO_CORRECTION_NAME "gnss_1.gps_iono_correction"
+
+extern const struct mip_codec mip_gnss_1_gps_iono_correction_codec;
+mip_error mip_gnss_1_gps_iono_correction_decode(struct mip_gnss_1_gps_iono_correction *value,
+                                                const struct mip_field *field);
+mip_error mip_gnss_1_gps_iono_correction_encode(const struct mip_gnss_1_gps_iono_correction *value,
+                                                struct mip_builder *builder);
+
+/**
+ * Galileo ionospheric correction: data (0x91,0x73).
+ *
+ * Model of the ionosphere that Galileo broadcasts.
+ *
+ * Also called `galileo_iono_corr`.
+ *
+ * - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
+ */
+struct mip_gnss_1_galileo_iono_correction {
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_TOW in
+     * valid_flags is set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * The three coefficients of the model. Valid if MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_ALPHA
+     * in valid_flags is set. Uncertain: The units.
+     */
+    double alpha[3];
+    /**
+     * Storm flags of five regions, in bits 1 to 5. Valid if
+     * MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS in valid_flags is set. Uncertain:
+     * Whether the bits count from 0 or from 1, and which region each stands for.
+     */
+    uint8_t disturbance_flags;
+    /** Which values are valid. */
+    mip_gnss_1_galileo_iono_correction_flags valid_flags;
+};
+
+#define MIP_GNSS_1_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
+#define MIP_GNSS_1_GALILEO_IONO_CORRECTION_NAME "gnss_1.galileo_iono_correction"
+
+extern const struct mip_codec mip_gnss_1_galileo_iono_correction_codec;
+mip_error mip_gnss_1_galileo_iono_correction_decode(
+    struct mip_gnss_1_galileo_iono_correction *value, const struct mip_field *field);
+mip_error mip_gnss_1_galileo_iono_correction_encode(
+    const struct mip_gnss_1_galileo_iono_correction *value, struct mip_builder *builder);
+
+/**
+ * BeiDou ionospheric correction: data (0x91,0x74).
+ *
+ * Model of the ionosphere that BeiDou broadcasts.
+ *
+ * Also called `beidou_iono_corr`.
+ *
+ * - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
+ */
+struct mip_gnss_1_beidou_iono_correction {
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_TOW in
+     * valid_flags is set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * Coefficients alpha 0 to 3. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA in
+     * valid_flags is set. Uncertain: The units.
+     */
+    double alpha[4];
+    /**
+     * Coefficients beta 0 to 3. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_BETA in
+     * valid_flags is set. Uncertain: The units.
+     */
+    double beta[4];
+    /**
+     * Nine further coefficients of the delay. Valid if
+     * MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA_CORRECTION in valid_flags is set. Uncertain:
+     * The units.
+     */
+    double alpha_correction[9];
+    /** Which values are valid. */
+    mip_gnss_1_beidou_iono_correction_flags valid_flags;
+};
+
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_NAME "gnss_1.beidou_iono_correction"
+
+extern const struct mip_codec mip_gnss_1_beidou_iono_correction_codec;
+mip_error mip_gnss_1_beidou_iono_correction_decode(struct mip_gnss_1_beidou_iono_correction *value,
+                                                   const struct mip_field *field);
+mip_error mip_gnss_1_beidou_iono_correction_encode(
+    const struct mip_gnss_1_beidou_iono_correction *value, struct mip_builder *builder);
 
 #ifdef __cplusplus
 }

@@ -10,47 +10,55 @@
 #include "mip/gnss_1.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/gnss_2.h and mip/core.h are not of one version"
+#error "mip/gnss_2.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_GNSS_2_SET 0x92
 
 /**
  * GNSS LLH position: data (0x92,0x03).
  *
- * The same field as mip_gnss_1_gnss_llh_position.
+ * GNSS position as latitude, longitude and height.
+ *
+ * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
  */
-#define mip_gnss_2_gnss_llh_position mip_gnss_1_gnss_llh_position
-#define mip_gnss_2_gnss_llh_position_codec mip_gnss_1_gnss_llh_position_codec
-#define mip_gnss_2_gnss_llh_position_decode mip_gnss_1_gnss_llh_position_decode
-#define mip_gnss_2_gnss_llh_position_encode mip_gnss_1_gnss_llh_position_encode
-#define MIP_GNSS_2_GNSS_LLH_POSITION_DESCRIPTOR 0x03
-#define MIP_GNSS_2_GNSS_LLH_POSITION_NAME "gnss_2.gnss_llh_position"
+#define mip_gnss_2_llh_position mip_gnss_1_llh_position
+#define mip_gnss_2_llh_position_codec mip_gnss_1_llh_position_codec
+#define mip_gnss_2_llh_position_decode mip_gnss_1_llh_position_decode
+#define mip_gnss_2_llh_position_encode mip_gnss_1_llh_position_encode
+#define MIP_GNSS_2_LLH_POSITION_DESCRIPTOR 0x03
+#define MIP_GNSS_2_LLH_POSITION_NAME "gnss_2.llh_position"
 
 /**
  * GNSS ECEF position: data (0x92,0x04).
  *
- * The same field as mip_gnss_1_gnss_ecef_position.
+ * GNSS position in Earth-fixed coordinates.
+ *
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
  */
-#define mip_gnss_2_gnss_ecef_position mip_gnss_1_gnss_ecef_position
-#define mip_gnss_2_gnss_ecef_position_codec mip_gnss_1_gnss_ecef_position_codec
-#define mip_gnss_2_gnss_ecef_position_decode mip_gnss_1_gnss_ecef_position_decode
-#define mip_gnss_2_gnss_ecef_position_encode mip_gnss_1_gnss_ecef_position_encode
-#define MIP_GNSS_2_GNSS_ECEF_POSITION_DESCRIPTOR 0x04
-#define MIP_GNSS_2_GNSS_ECEF_POSITION_NAME "gnss_2.gnss_ecef_position"
+#define mip_gnss_2_ecef_position mip_gnss_1_ecef_position
+#define mip_gnss_2_ecef_position_codec mip_gnss_1_ecef_position_codec
+#define mip_gnss_2_ecef_position_decode mip_gnss_1_ecef_position_decode
+#define mip_gnss_2_ecef_position_encode mip_gnss_1_ecef_position_encode
+#define MIP_GNSS_2_ECEF_POSITION_DESCRIPTOR 0x04
+#define MIP_GNSS_2_ECEF_POSITION_NAME "gnss_2.ecef_position"
 
 /**
  * NED velocity: data (0x92,0x05).
  *
- * The same field as mip_gnss_1_ned_velocity.
+ * GNSS velocity in the local level frame.
+ *
+ * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
  */
@@ -64,21 +72,26 @@ extern "C" {
 /**
  * GNSS ECEF velocity: data (0x92,0x06).
  *
- * The same field as mip_gnss_1_gnss_ecef_velocity.
+ * GNSS velocity in Earth-fixed coordinates.
+ *
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06)
  */
-#define mip_gnss_2_gnss_ecef_velocity mip_gnss_1_gnss_ecef_velocity
-#define mip_gnss_2_gnss_ecef_velocity_codec mip_gnss_1_gnss_ecef_velocity_codec
-#define mip_gnss_2_gnss_ecef_velocity_decode mip_gnss_1_gnss_ecef_velocity_decode
-#define mip_gnss_2_gnss_ecef_velocity_encode mip_gnss_1_gnss_ecef_velocity_encode
-#define MIP_GNSS_2_GNSS_ECEF_VELOCITY_DESCRIPTOR 0x06
-#define MIP_GNSS_2_GNSS_ECEF_VELOCITY_NAME "gnss_2.gnss_ecef_velocity"
+#define mip_gnss_2_ecef_velocity mip_gnss_1_ecef_velocity
+#define mip_gnss_2_ecef_velocity_codec mip_gnss_1_ecef_velocity_codec
+#define mip_gnss_2_ecef_velocity_decode mip_gnss_1_ecef_velocity_decode
+#define mip_gnss_2_ecef_velocity_encode mip_gnss_1_ecef_velocity_encode
+#define MIP_GNSS_2_ECEF_VELOCITY_DESCRIPTOR 0x06
+#define MIP_GNSS_2_ECEF_VELOCITY_NAME "gnss_2.ecef_velocity"
 
 /**
  * DOP: data (0x92,0x07).
  *
- * The same field as mip_gnss_1_dop.
+ * Dilution of precision of the satellite geometry.
+ *
+ * Has the layout of mip_gnss_1_dop. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
  */
@@ -92,7 +105,9 @@ extern "C" {
 /**
  * UTC time: data (0x92,0x08).
  *
- * The same field as mip_gnss_1_utc_time.
+ * Coordinated universal time as the receiver knows it.
+ *
+ * Has the layout of mip_gnss_1_utc_time. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
  */
@@ -106,7 +121,9 @@ extern "C" {
 /**
  * GPS time: data (0x92,0x09).
  *
- * The same field as mip_gnss_1_gps_time.
+ * GPS time as the receiver knows it.
+ *
+ * Has the layout of mip_gnss_1_gps_time. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
  */
@@ -118,9 +135,29 @@ extern "C" {
 #define MIP_GNSS_2_GPS_TIME_NAME "gnss_2.gps_time"
 
 /**
+ * Clock info: data (0x92,0x0A).
+ *
+ * Bias and drift of the receiver clock.
+ *
+ * Has the layout of mip_gnss_1_clock_info.
+ *
+ * Clock info 2 replaces it and tells more.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_clock_info mip_gnss_1_clock_info
+#define mip_gnss_2_clock_info_codec mip_gnss_1_clock_info_codec
+#define mip_gnss_2_clock_info_decode mip_gnss_1_clock_info_decode
+#define mip_gnss_2_clock_info_encode mip_gnss_1_clock_info_encode
+#define MIP_GNSS_2_CLOCK_INFO_DESCRIPTOR 0x0A
+#define MIP_GNSS_2_CLOCK_INFO_NAME "gnss_2.clock_info"
+
+/**
  * Fix info: data (0x92,0x0B).
  *
- * The same field as mip_gnss_1_fix_info.
+ * Type of the position fix and what it is made of.
+ *
+ * Has the layout of mip_gnss_1_fix_info. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
  */
@@ -132,23 +169,86 @@ extern "C" {
 #define MIP_GNSS_2_FIX_INFO_NAME "gnss_2.fix_info"
 
 /**
+ * Satellite info: data (0x92,0x0C).
+ *
+ * One satellite that is tracked.
+ *
+ * Has the layout of mip_gnss_1_sv_info. Uncertain: Whether a packet holds one of these fields or
+ * several.
+ *
+ * The satellites come as one field each, in packets apart from other GNSS data.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_sv_info mip_gnss_1_sv_info
+#define mip_gnss_2_sv_info_codec mip_gnss_1_sv_info_codec
+#define mip_gnss_2_sv_info_decode mip_gnss_1_sv_info_decode
+#define mip_gnss_2_sv_info_encode mip_gnss_1_sv_info_encode
+#define MIP_GNSS_2_SV_INFO_DESCRIPTOR 0x0C
+#define MIP_GNSS_2_SV_INFO_NAME "gnss_2.sv_info"
+
+/**
  * GNSS hardware status: data (0x92,0x0D).
  *
- * The same field as mip_gnss_1_gnss_hardware_status.
+ * State of the receiver and of its antenna.
+ *
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
  */
-#define mip_gnss_2_gnss_hardware_status mip_gnss_1_gnss_hardware_status
-#define mip_gnss_2_gnss_hardware_status_codec mip_gnss_1_gnss_hardware_status_codec
-#define mip_gnss_2_gnss_hardware_status_decode mip_gnss_1_gnss_hardware_status_decode
-#define mip_gnss_2_gnss_hardware_status_encode mip_gnss_1_gnss_hardware_status_encode
-#define MIP_GNSS_2_GNSS_HARDWARE_STATUS_DESCRIPTOR 0x0D
-#define MIP_GNSS_2_GNSS_HARDWARE_STATUS_NAME "gnss_2.gnss_hardware_status"
+#define mip_gnss_2_hardware_status mip_gnss_1_hardware_status
+#define mip_gnss_2_hardware_status_codec mip_gnss_1_hardware_status_codec
+#define mip_gnss_2_hardware_status_decode mip_gnss_1_hardware_status_decode
+#define mip_gnss_2_hardware_status_encode mip_gnss_1_hardware_status_encode
+#define MIP_GNSS_2_HARDWARE_STATUS_DESCRIPTOR 0x0D
+#define MIP_GNSS_2_HARDWARE_STATUS_NAME "gnss_2.hardware_status"
+
+/**
+ * DGPS info: data (0x92,0x0E).
+ *
+ * State of the differential corrections.
+ *
+ * Has the layout of mip_gnss_1_dgps_info. Uncertain: The layout is that of a manual of the
+ * 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain:
+ * The SDK has another one, u8, three floats and u16, which is that of dgps_channel and does not
+ * agree with its own valid flags (age, base station id, base station status, number of channels).
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_dgps_info mip_gnss_1_dgps_info
+#define mip_gnss_2_dgps_info_codec mip_gnss_1_dgps_info_codec
+#define mip_gnss_2_dgps_info_decode mip_gnss_1_dgps_info_decode
+#define mip_gnss_2_dgps_info_encode mip_gnss_1_dgps_info_encode
+#define MIP_GNSS_2_DGPS_INFO_DESCRIPTOR 0x0E
+#define MIP_GNSS_2_DGPS_INFO_NAME "gnss_2.dgps_info"
+
+/**
+ * DGPS channel: data (0x92,0x0F).
+ *
+ * Differential correction for one satellite.
+ *
+ * Has the layout of mip_gnss_1_dgps_channel.
+ *
+ * The active satellites come as one field each, all in one packet.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_dgps_channel mip_gnss_1_dgps_channel
+#define mip_gnss_2_dgps_channel_codec mip_gnss_1_dgps_channel_codec
+#define mip_gnss_2_dgps_channel_decode mip_gnss_1_dgps_channel_decode
+#define mip_gnss_2_dgps_channel_encode mip_gnss_1_dgps_channel_encode
+#define MIP_GNSS_2_DGPS_CHANNEL_DESCRIPTOR 0x0F
+#define MIP_GNSS_2_DGPS_CHANNEL_NAME "gnss_2.dgps_channel"
 
 /**
  * Clock info 2: data (0x92,0x10).
  *
- * The same field as mip_gnss_1_clock_info_2.
+ * Bias and drift of the receiver clock.
+ *
+ * Has the layout of mip_gnss_1_clock_info_2. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * It supersedes clock info.
  *
  * - 3dm-cv7-gnss-ins: Clock Info 2 (0x92,0x10)
  */
@@ -162,7 +262,9 @@ extern "C" {
 /**
  * GPS leap seconds: data (0x92,0x11).
  *
- * The same field as mip_gnss_1_gps_leap_seconds.
+ * Difference between GPS time and UTC.
+ *
+ * Has the layout of mip_gnss_1_gps_leap_seconds. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
  */
@@ -176,7 +278,9 @@ extern "C" {
 /**
  * SBAS info: data (0x92,0x12).
  *
- * The same field as mip_gnss_1_sbas_info.
+ * Status of the satellite based augmentation.
+ *
+ * Has the layout of mip_gnss_1_sbas_info. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
  */
@@ -188,9 +292,50 @@ extern "C" {
 #define MIP_GNSS_2_SBAS_INFO_NAME "gnss_2.sbas_info"
 
 /**
+ * SBAS correction: data (0x92,0x13).
+ *
+ * SBAS correction for one satellite.
+ *
+ * Has the layout of mip_gnss_1_sbas_correction.
+ *
+ * An epoch is sent as one field for each satellite; index and count number the fields.
+ *
+ * udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992,
+ * 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_sbas_correction mip_gnss_1_sbas_correction
+#define mip_gnss_2_sbas_correction_codec mip_gnss_1_sbas_correction_codec
+#define mip_gnss_2_sbas_correction_decode mip_gnss_1_sbas_correction_decode
+#define mip_gnss_2_sbas_correction_encode mip_gnss_1_sbas_correction_encode
+#define MIP_GNSS_2_SBAS_CORRECTION_DESCRIPTOR 0x13
+#define MIP_GNSS_2_SBAS_CORRECTION_NAME "gnss_2.sbas_correction"
+
+/**
+ * RF error detection: data (0x92,0x14).
+ *
+ * Jamming and spoofing as the receiver detects them in one band.
+ *
+ * Has the layout of mip_gnss_1_rf_error_detection.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_rf_error_detection mip_gnss_1_rf_error_detection
+#define mip_gnss_2_rf_error_detection_codec mip_gnss_1_rf_error_detection_codec
+#define mip_gnss_2_rf_error_detection_decode mip_gnss_1_rf_error_detection_decode
+#define mip_gnss_2_rf_error_detection_encode mip_gnss_1_rf_error_detection_encode
+#define MIP_GNSS_2_RF_ERROR_DETECTION_DESCRIPTOR 0x14
+#define MIP_GNSS_2_RF_ERROR_DETECTION_NAME "gnss_2.rf_error_detection"
+
+/**
  * Satellite status: data (0x92,0x20).
  *
- * The same field as mip_gnss_1_satellite_status.
+ * Where one satellite stands, and its health.
+ *
+ * Has the layout of mip_gnss_1_satellite_status. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * An epoch is sent as one field for each satellite; index and count number the fields.
  *
  * - 3dm-cv7-gnss-ins: Satellite Status (0x92,0x20)
  */
@@ -204,7 +349,13 @@ extern "C" {
 /**
  * Raw: data (0x92,0x22).
  *
- * The same field as mip_gnss_1_raw.
+ * Raw observation of one signal of one satellite.
+ *
+ * Has the layout of mip_gnss_1_raw. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * An epoch is sent as one field for each signal; index and count number the fields.
+ *
+ * The greatest lock time depends on the receiver.
  *
  * - 3dm-cv7-gnss-ins: Raw (0x92,0x22)
  */
@@ -216,9 +367,45 @@ extern "C" {
 #define MIP_GNSS_2_RAW_NAME "gnss_2.raw"
 
 /**
+ * Base station info: data (0x92,0x30).
+ *
+ * The base station of the corrections, from an RTCM message 1005 or 1006.
+ *
+ * Has the layout of mip_gnss_1_base_station_info.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_base_station_info mip_gnss_1_base_station_info
+#define mip_gnss_2_base_station_info_codec mip_gnss_1_base_station_info_codec
+#define mip_gnss_2_base_station_info_decode mip_gnss_1_base_station_info_decode
+#define mip_gnss_2_base_station_info_encode mip_gnss_1_base_station_info_encode
+#define MIP_GNSS_2_BASE_STATION_INFO_DESCRIPTOR 0x30
+#define MIP_GNSS_2_BASE_STATION_INFO_NAME "gnss_2.base_station_info"
+
+/**
+ * RTK corrections status: data (0x92,0x31).
+ *
+ * Which corrections come, and how old they are.
+ *
+ * Has the layout of mip_gnss_1_rtk_corrections_status.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_rtk_corrections_status mip_gnss_1_rtk_corrections_status
+#define mip_gnss_2_rtk_corrections_status_codec mip_gnss_1_rtk_corrections_status_codec
+#define mip_gnss_2_rtk_corrections_status_decode mip_gnss_1_rtk_corrections_status_decode
+#define mip_gnss_2_rtk_corrections_status_encode mip_gnss_1_rtk_corrections_status_encode
+#define MIP_GNSS_2_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
+#define MIP_GNSS_2_RTK_CORRECTIONS_STATUS_NAME "gnss_2.rtk_corrections_status"
+
+/**
  * GPS ephemeris: data (0x92,0x61).
  *
- * The same field as mip_gnss_1_gps_ephemeris.
+ * Broadcast orbit and clock of one GPS satellite.
+ *
+ * Has the layout of mip_gnss_1_gps_ephemeris. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61)
  */
@@ -232,7 +419,14 @@ extern "C" {
 /**
  * GLONASS ephemeris: data (0x92,0x62).
  *
- * The same field as mip_gnss_1_glonass_ephemeris.
+ * Broadcast orbit and clock of one GLONASS satellite.
+ *
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. Supported by
+ * 3DM-CV7-GNSS/INS.
+ *
+ * The interface control document of GLONASS explains p and ft.
+ *
+ * A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
  *
  * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
  */
@@ -246,7 +440,14 @@ extern "C" {
 /**
  * Galileo ephemeris: data (0x92,0x63).
  *
- * The same field as mip_gnss_1_galileo_ephemeris.
+ * Broadcast orbit and clock of one Galileo satellite.
+ *
+ * Has the layout of mip_gnss_1_galileo_ephemeris. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+ * corrections hold here.
+ *
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
  */
@@ -260,7 +461,14 @@ extern "C" {
 /**
  * BeiDou ephemeris: data (0x92,0x64).
  *
- * The same field as mip_gnss_1_beidou_ephemeris.
+ * Broadcast orbit and clock of one BeiDou satellite.
+ *
+ * Has the layout of mip_gnss_1_beidou_ephemeris. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+ * corrections hold here.
+ *
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
  */
@@ -270,6 +478,54 @@ extern "C" {
 #define mip_gnss_2_beidou_ephemeris_encode mip_gnss_1_beidou_ephemeris_encode
 #define MIP_GNSS_2_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
 #define MIP_GNSS_2_BEIDOU_EPHEMERIS_NAME "gnss_2.beidou_ephemeris"
+
+/**
+ * GPS ionospheric correction: data (0x92,0x71).
+ *
+ * Model of the ionosphere that GPS broadcasts.
+ *
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_gps_iono_correction mip_gnss_1_gps_iono_correction
+#define mip_gnss_2_gps_iono_correction_codec mip_gnss_1_gps_iono_correction_codec
+#define mip_gnss_2_gps_iono_correction_decode mip_gnss_1_gps_iono_correction_decode
+#define mip_gnss_2_gps_iono_correction_encode mip_gnss_1_gps_iono_correction_encode
+#define MIP_GNSS_2_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
+#define MIP_GNSS_2_GPS_IONO_CORRECTION_NAME "gnss_2.gps_iono_correction"
+
+/**
+ * Galileo ionospheric correction: data (0x92,0x73).
+ *
+ * Model of the ionosphere that Galileo broadcasts.
+ *
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_galileo_iono_correction mip_gnss_1_galileo_iono_correction
+#define mip_gnss_2_galileo_iono_correction_codec mip_gnss_1_galileo_iono_correction_codec
+#define mip_gnss_2_galileo_iono_correction_decode mip_gnss_1_galileo_iono_correction_decode
+#define mip_gnss_2_galileo_iono_correction_encode mip_gnss_1_galileo_iono_correction_encode
+#define MIP_GNSS_2_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
+#define MIP_GNSS_2_GALILEO_IONO_CORRECTION_NAME "gnss_2.galileo_iono_correction"
+
+/**
+ * BeiDou ionospheric correction: data (0x92,0x74).
+ *
+ * Model of the ionosphere that BeiDou broadcasts.
+ *
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_beidou_iono_correction mip_gnss_1_beidou_iono_correction
+#define mip_gnss_2_beidou_iono_correction_codec mip_gnss_1_beidou_iono_correction_codec
+#define mip_gnss_2_beidou_iono_correction_decode mip_gnss_1_beidou_iono_correction_decode
+#define mip_gnss_2_beidou_iono_correction_encode mip_gnss_1_beidou_iono_correction_encode
+#define MIP_GNSS_2_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
+#define MIP_GNSS_2_BEIDOU_IONO_CORRECTION_NAME "gnss_2.beidou_iono_correction"
 
 #ifdef __cplusplus
 }

@@ -8,215 +8,523 @@
 #define MIP_GNSS_CORRECTIONS_H
 
 #include "mip/protocol.h"
+#include "mip/gnss_1.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/gnss_corrections.h and mip/core.h are not of one version"
+#error "mip/gnss_corrections.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_GNSS_CORRECTIONS_SET 0x93
 
-/** Properties of a base station, as its RTCM message gives them. */
-typedef uint16_t mip_gnss_corrections_base_station_indicators;
-/** Bit 0: GPS is supported. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_GPS 0x0001U
-/** Bit 1: GLONASS is supported. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_GLONASS 0x0002U
-/** Bit 2: Galileo is supported. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_GALILEO 0x0004U
-/** Bit 3: BeiDou is supported. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_BEIDOU 0x0008U
-/** Bit 4: Reference station indicator. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_REF_STATION 0x0010U
-/** Bit 5: Single receiver oscillator indicator. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_SINGLE_RECEIVER 0x0020U
-/** Bit 6: First bit of the quarter cycle indicator. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_QUARTER_CYCLE_BIT1 0x0040U
-/** Bit 7: Second bit of the quarter cycle indicator. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_QUARTER_CYCLE_BIT2 0x0080U
-/** Bits 6 to 7: Quarter cycle indicator. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_QUARTER_CYCLE_BITS 0x00C0U
+/**
+ * GNSS LLH position: data (0x93,0x03).
+ *
+ * GNSS position as latitude, longitude and height.
+ *
+ * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_llh_position mip_gnss_1_llh_position
+#define mip_gnss_corrections_llh_position_codec mip_gnss_1_llh_position_codec
+#define mip_gnss_corrections_llh_position_decode mip_gnss_1_llh_position_decode
+#define mip_gnss_corrections_llh_position_encode mip_gnss_1_llh_position_encode
+#define MIP_GNSS_CORRECTIONS_LLH_POSITION_DESCRIPTOR 0x03
+#define MIP_GNSS_CORRECTIONS_LLH_POSITION_NAME "gnss_corrections.llh_position"
 
-/** Which values are valid. */
-typedef uint16_t mip_gnss_corrections_base_station_info_flags;
-/** Bit 0: Time of week. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: Position. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_ECEF_POSITION 0x0004U
-/** Bit 3: Antenna height. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_HEIGHT 0x0008U
-/** Bit 4: Station. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_STATION_ID 0x0010U
-/** Bit 5: Indicators. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_INDICATORS 0x0020U
-/** Bits 0 to 5: All of them. */
-#define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_FLAGS 0x003FU
+/**
+ * GNSS ECEF position: data (0x93,0x04).
+ *
+ * GNSS position in Earth-fixed coordinates.
+ *
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_ecef_position mip_gnss_1_ecef_position
+#define mip_gnss_corrections_ecef_position_codec mip_gnss_1_ecef_position_codec
+#define mip_gnss_corrections_ecef_position_decode mip_gnss_1_ecef_position_decode
+#define mip_gnss_corrections_ecef_position_encode mip_gnss_1_ecef_position_encode
+#define MIP_GNSS_CORRECTIONS_ECEF_POSITION_DESCRIPTOR 0x04
+#define MIP_GNSS_CORRECTIONS_ECEF_POSITION_NAME "gnss_corrections.ecef_position"
 
-/** Corrections that came during an epoch. */
-typedef uint16_t mip_gnss_corrections_rtk_epoch_status;
-/** Bit 0: Antenna location. */
-#define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_ANTENNA_LOCATION_RECEIVED 0x0001U
-/** Bit 1: Antenna description. */
-#define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_ANTENNA_DESCRIPTION_RECEIVED 0x0002U
-/** Bit 2: GPS corrections. */
-#define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_GPS_RECEIVED 0x0004U
-/** Bit 3: GLONASS corrections. */
-#define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_GLONASS_RECEIVED 0x0008U
-/** Bit 4: Galileo corrections. */
-#define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_GALILEO_RECEIVED 0x0010U
-/** Bit 5: BeiDou corrections. */
-#define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_BEIDOU_RECEIVED 0x0020U
-/** Bit 6: GPS corrections come in MSM messages, not in the RTCM messages 1001-1004. */
-#define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_USING_GPS_MSM_MESSAGES 0x0040U
-/** Bit 7: GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012. */
-#define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_USING_GLONASS_MSM_MESSAGES 0x0080U
-/** Bit 8: The status of the dongle could not be read. */
-#define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_DONGLE_STATUS_READ_FAILED 0x0100U
+/**
+ * NED velocity: data (0x93,0x05).
+ *
+ * GNSS velocity in the local level frame.
+ *
+ * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_ned_velocity mip_gnss_1_ned_velocity
+#define mip_gnss_corrections_ned_velocity_codec mip_gnss_1_ned_velocity_codec
+#define mip_gnss_corrections_ned_velocity_decode mip_gnss_1_ned_velocity_decode
+#define mip_gnss_corrections_ned_velocity_encode mip_gnss_1_ned_velocity_encode
+#define MIP_GNSS_CORRECTIONS_NED_VELOCITY_DESCRIPTOR 0x05
+#define MIP_GNSS_CORRECTIONS_NED_VELOCITY_NAME "gnss_corrections.ned_velocity"
 
-/** Which values are valid. */
-typedef uint16_t mip_gnss_corrections_rtk_corrections_status_flags;
-/** Bit 0: Time of week. */
-#define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
-#define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: Epoch status. */
-#define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS 0x0004U
-/** Bit 3: Status of the dongle. */
-#define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS 0x0008U
-/** Bit 4: Latency of GPS corrections. */
-#define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_GPS_LATENCY 0x0010U
-/** Bit 5: Latency of GLONASS corrections. */
-#define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_GLONASS_LATENCY 0x0020U
-/** Bit 6: Latency of Galileo corrections. */
-#define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_GALILEO_LATENCY 0x0040U
-/** Bit 7: Latency of BeiDou corrections. */
-#define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY 0x0080U
-/** Bits 0 to 7: All of them. */
-#define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_FLAGS 0x00FFU
+/**
+ * GNSS ECEF velocity: data (0x93,0x06).
+ *
+ * GNSS velocity in Earth-fixed coordinates.
+ *
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_ecef_velocity mip_gnss_1_ecef_velocity
+#define mip_gnss_corrections_ecef_velocity_codec mip_gnss_1_ecef_velocity_codec
+#define mip_gnss_corrections_ecef_velocity_decode mip_gnss_1_ecef_velocity_decode
+#define mip_gnss_corrections_ecef_velocity_encode mip_gnss_1_ecef_velocity_encode
+#define MIP_GNSS_CORRECTIONS_ECEF_VELOCITY_DESCRIPTOR 0x06
+#define MIP_GNSS_CORRECTIONS_ECEF_VELOCITY_NAME "gnss_corrections.ecef_velocity"
+
+/**
+ * DOP: data (0x93,0x07).
+ *
+ * Dilution of precision of the satellite geometry.
+ *
+ * Has the layout of mip_gnss_1_dop.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_dop mip_gnss_1_dop
+#define mip_gnss_corrections_dop_codec mip_gnss_1_dop_codec
+#define mip_gnss_corrections_dop_decode mip_gnss_1_dop_decode
+#define mip_gnss_corrections_dop_encode mip_gnss_1_dop_encode
+#define MIP_GNSS_CORRECTIONS_DOP_DESCRIPTOR 0x07
+#define MIP_GNSS_CORRECTIONS_DOP_NAME "gnss_corrections.dop"
+
+/**
+ * UTC time: data (0x93,0x08).
+ *
+ * Coordinated universal time as the receiver knows it.
+ *
+ * Has the layout of mip_gnss_1_utc_time.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_utc_time mip_gnss_1_utc_time
+#define mip_gnss_corrections_utc_time_codec mip_gnss_1_utc_time_codec
+#define mip_gnss_corrections_utc_time_decode mip_gnss_1_utc_time_decode
+#define mip_gnss_corrections_utc_time_encode mip_gnss_1_utc_time_encode
+#define MIP_GNSS_CORRECTIONS_UTC_TIME_DESCRIPTOR 0x08
+#define MIP_GNSS_CORRECTIONS_UTC_TIME_NAME "gnss_corrections.utc_time"
+
+/**
+ * GPS time: data (0x93,0x09).
+ *
+ * GPS time as the receiver knows it.
+ *
+ * Has the layout of mip_gnss_1_gps_time.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_gps_time mip_gnss_1_gps_time
+#define mip_gnss_corrections_gps_time_codec mip_gnss_1_gps_time_codec
+#define mip_gnss_corrections_gps_time_decode mip_gnss_1_gps_time_decode
+#define mip_gnss_corrections_gps_time_encode mip_gnss_1_gps_time_encode
+#define MIP_GNSS_CORRECTIONS_GPS_TIME_DESCRIPTOR 0x09
+#define MIP_GNSS_CORRECTIONS_GPS_TIME_NAME "gnss_corrections.gps_time"
+
+/**
+ * Clock info: data (0x93,0x0A).
+ *
+ * Bias and drift of the receiver clock.
+ *
+ * Has the layout of mip_gnss_1_clock_info.
+ *
+ * Clock info 2 replaces it and tells more.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_clock_info mip_gnss_1_clock_info
+#define mip_gnss_corrections_clock_info_codec mip_gnss_1_clock_info_codec
+#define mip_gnss_corrections_clock_info_decode mip_gnss_1_clock_info_decode
+#define mip_gnss_corrections_clock_info_encode mip_gnss_1_clock_info_encode
+#define MIP_GNSS_CORRECTIONS_CLOCK_INFO_DESCRIPTOR 0x0A
+#define MIP_GNSS_CORRECTIONS_CLOCK_INFO_NAME "gnss_corrections.clock_info"
+
+/**
+ * Fix info: data (0x93,0x0B).
+ *
+ * Type of the position fix and what it is made of.
+ *
+ * Has the layout of mip_gnss_1_fix_info.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_fix_info mip_gnss_1_fix_info
+#define mip_gnss_corrections_fix_info_codec mip_gnss_1_fix_info_codec
+#define mip_gnss_corrections_fix_info_decode mip_gnss_1_fix_info_decode
+#define mip_gnss_corrections_fix_info_encode mip_gnss_1_fix_info_encode
+#define MIP_GNSS_CORRECTIONS_FIX_INFO_DESCRIPTOR 0x0B
+#define MIP_GNSS_CORRECTIONS_FIX_INFO_NAME "gnss_corrections.fix_info"
+
+/**
+ * Satellite info: data (0x93,0x0C).
+ *
+ * One satellite that is tracked.
+ *
+ * Has the layout of mip_gnss_1_sv_info. Uncertain: Whether a packet holds one of these fields or
+ * several.
+ *
+ * The satellites come as one field each, in packets apart from other GNSS data.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_sv_info mip_gnss_1_sv_info
+#define mip_gnss_corrections_sv_info_codec mip_gnss_1_sv_info_codec
+#define mip_gnss_corrections_sv_info_decode mip_gnss_1_sv_info_decode
+#define mip_gnss_corrections_sv_info_encode mip_gnss_1_sv_info_encode
+#define MIP_GNSS_CORRECTIONS_SV_INFO_DESCRIPTOR 0x0C
+#define MIP_GNSS_CORRECTIONS_SV_INFO_NAME "gnss_corrections.sv_info"
+
+/**
+ * GNSS hardware status: data (0x93,0x0D).
+ *
+ * State of the receiver and of its antenna.
+ *
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_hardware_status mip_gnss_1_hardware_status
+#define mip_gnss_corrections_hardware_status_codec mip_gnss_1_hardware_status_codec
+#define mip_gnss_corrections_hardware_status_decode mip_gnss_1_hardware_status_decode
+#define mip_gnss_corrections_hardware_status_encode mip_gnss_1_hardware_status_encode
+#define MIP_GNSS_CORRECTIONS_HARDWARE_STATUS_DESCRIPTOR 0x0D
+#define MIP_GNSS_CORRECTIONS_HARDWARE_STATUS_NAME "gnss_corrections.hardware_status"
+
+/**
+ * DGPS info: data (0x93,0x0E).
+ *
+ * State of the differential corrections.
+ *
+ * Has the layout of mip_gnss_1_dgps_info. Uncertain: The layout is that of a manual of the
+ * 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain:
+ * The SDK has another one, u8, three floats and u16, which is that of dgps_channel and does not
+ * agree with its own valid flags (age, base station id, base station status, number of channels).
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_dgps_info mip_gnss_1_dgps_info
+#define mip_gnss_corrections_dgps_info_codec mip_gnss_1_dgps_info_codec
+#define mip_gnss_corrections_dgps_info_decode mip_gnss_1_dgps_info_decode
+#define mip_gnss_corrections_dgps_info_encode mip_gnss_1_dgps_info_encode
+#define MIP_GNSS_CORRECTIONS_DGPS_INFO_DESCRIPTOR 0x0E
+#define MIP_GNSS_CORRECTIONS_DGPS_INFO_NAME "gnss_corrections.dgps_info"
+
+/**
+ * DGPS channel: data (0x93,0x0F).
+ *
+ * Differential correction for one satellite.
+ *
+ * Has the layout of mip_gnss_1_dgps_channel.
+ *
+ * The active satellites come as one field each, all in one packet.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_dgps_channel mip_gnss_1_dgps_channel
+#define mip_gnss_corrections_dgps_channel_codec mip_gnss_1_dgps_channel_codec
+#define mip_gnss_corrections_dgps_channel_decode mip_gnss_1_dgps_channel_decode
+#define mip_gnss_corrections_dgps_channel_encode mip_gnss_1_dgps_channel_encode
+#define MIP_GNSS_CORRECTIONS_DGPS_CHANNEL_DESCRIPTOR 0x0F
+#define MIP_GNSS_CORRECTIONS_DGPS_CHANNEL_NAME "gnss_corrections.dgps_channel"
+
+/**
+ * Clock info 2: data (0x93,0x10).
+ *
+ * Bias and drift of the receiver clock.
+ *
+ * Has the layout of mip_gnss_1_clock_info_2.
+ *
+ * It supersedes clock info.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_clock_info_2 mip_gnss_1_clock_info_2
+#define mip_gnss_corrections_clock_info_2_codec mip_gnss_1_clock_info_2_codec
+#define mip_gnss_corrections_clock_info_2_decode mip_gnss_1_clock_info_2_decode
+#define mip_gnss_corrections_clock_info_2_encode mip_gnss_1_clock_info_2_encode
+#define MIP_GNSS_CORRECTIONS_CLOCK_INFO_2_DESCRIPTOR 0x10
+#define MIP_GNSS_CORRECTIONS_CLOCK_INFO_2_NAME "gnss_corrections.clock_info_2"
+
+/**
+ * GPS leap seconds: data (0x93,0x11).
+ *
+ * Difference between GPS time and UTC.
+ *
+ * Has the layout of mip_gnss_1_gps_leap_seconds.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_gps_leap_seconds mip_gnss_1_gps_leap_seconds
+#define mip_gnss_corrections_gps_leap_seconds_codec mip_gnss_1_gps_leap_seconds_codec
+#define mip_gnss_corrections_gps_leap_seconds_decode mip_gnss_1_gps_leap_seconds_decode
+#define mip_gnss_corrections_gps_leap_seconds_encode mip_gnss_1_gps_leap_seconds_encode
+#define MIP_GNSS_CORRECTIONS_GPS_LEAP_SECONDS_DESCRIPTOR 0x11
+#define MIP_GNSS_CORRECTIONS_GPS_LEAP_SECONDS_NAME "gnss_corrections.gps_leap_seconds"
+
+/**
+ * SBAS info: data (0x93,0x12).
+ *
+ * Status of the satellite based augmentation.
+ *
+ * Has the layout of mip_gnss_1_sbas_info.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_sbas_info mip_gnss_1_sbas_info
+#define mip_gnss_corrections_sbas_info_codec mip_gnss_1_sbas_info_codec
+#define mip_gnss_corrections_sbas_info_decode mip_gnss_1_sbas_info_decode
+#define mip_gnss_corrections_sbas_info_encode mip_gnss_1_sbas_info_encode
+#define MIP_GNSS_CORRECTIONS_SBAS_INFO_DESCRIPTOR 0x12
+#define MIP_GNSS_CORRECTIONS_SBAS_INFO_NAME "gnss_corrections.sbas_info"
+
+/**
+ * SBAS correction: data (0x93,0x13).
+ *
+ * SBAS correction for one satellite.
+ *
+ * Has the layout of mip_gnss_1_sbas_correction.
+ *
+ * An epoch is sent as one field for each satellite; index and count number the fields.
+ *
+ * udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992,
+ * 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_sbas_correction mip_gnss_1_sbas_correction
+#define mip_gnss_corrections_sbas_correction_codec mip_gnss_1_sbas_correction_codec
+#define mip_gnss_corrections_sbas_correction_decode mip_gnss_1_sbas_correction_decode
+#define mip_gnss_corrections_sbas_correction_encode mip_gnss_1_sbas_correction_encode
+#define MIP_GNSS_CORRECTIONS_SBAS_CORRECTION_DESCRIPTOR 0x13
+#define MIP_GNSS_CORRECTIONS_SBAS_CORRECTION_NAME "gnss_corrections.sbas_correction"
+
+/**
+ * RF error detection: data (0x93,0x14).
+ *
+ * Jamming and spoofing as the receiver detects them in one band.
+ *
+ * Has the layout of mip_gnss_1_rf_error_detection.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_rf_error_detection mip_gnss_1_rf_error_detection
+#define mip_gnss_corrections_rf_error_detection_codec mip_gnss_1_rf_error_detection_codec
+#define mip_gnss_corrections_rf_error_detection_decode mip_gnss_1_rf_error_detection_decode
+#define mip_gnss_corrections_rf_error_detection_encode mip_gnss_1_rf_error_detection_encode
+#define MIP_GNSS_CORRECTIONS_RF_ERROR_DETECTION_DESCRIPTOR 0x14
+#define MIP_GNSS_CORRECTIONS_RF_ERROR_DETECTION_NAME "gnss_corrections.rf_error_detection"
+
+/**
+ * Satellite status: data (0x93,0x20).
+ *
+ * Where one satellite stands, and its health.
+ *
+ * Has the layout of mip_gnss_1_satellite_status.
+ *
+ * An epoch is sent as one field for each satellite; index and count number the fields.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_satellite_status mip_gnss_1_satellite_status
+#define mip_gnss_corrections_satellite_status_codec mip_gnss_1_satellite_status_codec
+#define mip_gnss_corrections_satellite_status_decode mip_gnss_1_satellite_status_decode
+#define mip_gnss_corrections_satellite_status_encode mip_gnss_1_satellite_status_encode
+#define MIP_GNSS_CORRECTIONS_SATELLITE_STATUS_DESCRIPTOR 0x20
+#define MIP_GNSS_CORRECTIONS_SATELLITE_STATUS_NAME "gnss_corrections.satellite_status"
+
+/**
+ * Raw: data (0x93,0x22).
+ *
+ * Raw observation of one signal of one satellite.
+ *
+ * Has the layout of mip_gnss_1_raw.
+ *
+ * An epoch is sent as one field for each signal; index and count number the fields.
+ *
+ * The greatest lock time depends on the receiver.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_raw mip_gnss_1_raw
+#define mip_gnss_corrections_raw_codec mip_gnss_1_raw_codec
+#define mip_gnss_corrections_raw_decode mip_gnss_1_raw_decode
+#define mip_gnss_corrections_raw_encode mip_gnss_1_raw_encode
+#define MIP_GNSS_CORRECTIONS_RAW_DESCRIPTOR 0x22
+#define MIP_GNSS_CORRECTIONS_RAW_NAME "gnss_corrections.raw"
 
 /**
  * Base station info: data (0x93,0x30).
  *
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Has the layout of mip_gnss_1_base_station_info. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Base Station Info (0x93,0x30)
  */
-struct mip_gnss_corrections_base_station_info {
-    /**
-     * GPS time of week at which the message was received. Unit: s. Valid if
-     * MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_TOW in valid_flags is set.
-     */
-    double time_of_week;
-    /**
-     * GPS week number. Unit: week. Valid if
-     * MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_WEEK_NUMBER in valid_flags is set.
-     */
-    uint16_t week_number;
-    /**
-     * Position of the station. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
-     * MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_ECEF_POSITION in valid_flags is set.
-     */
-    double ecef_pos[3];
-    /**
-     * Height of the antenna above the marker that was surveyed. Unit: m. Valid if
-     * MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_HEIGHT in valid_flags is set.
-     */
-    float height;
-    /**
-     * Number of the station. Range: 0 to 4095. Valid if
-     * MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_STATION_ID in valid_flags is set.
-     */
-    uint16_t station_id;
-    /**
-     * Properties of the station. Valid if MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_INDICATORS
-     * in valid_flags is set.
-     */
-    mip_gnss_corrections_base_station_indicators indicators;
-    /** Which values are valid. */
-    mip_gnss_corrections_base_station_info_flags valid_flags;
-};
-
+#define mip_gnss_corrections_base_station_info mip_gnss_1_base_station_info
+#define mip_gnss_corrections_base_station_info_codec mip_gnss_1_base_station_info_codec
+#define mip_gnss_corrections_base_station_info_decode mip_gnss_1_base_station_info_decode
+#define mip_gnss_corrections_base_station_info_encode mip_gnss_1_base_station_info_encode
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_DESCRIPTOR 0x30
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_NAME "gnss_corrections.base_station_info"
-
-extern const struct mip_codec mip_gnss_corrections_base_station_info_codec;
-mip_error mip_gnss_corrections_base_station_info_decode(
-    struct mip_gnss_corrections_base_station_info *value, const struct mip_field *field);
-mip_error mip_gnss_corrections_base_station_info_encode(
-    const struct mip_gnss_corrections_base_station_info *value, struct mip_builder *builder);
 
 /**
  * RTK corrections status: data (0x93,0x31).
  *
  * Which corrections come, and how old they are.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Has the layout of mip_gnss_1_rtk_corrections_status. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
  */
-struct mip_gnss_corrections_rtk_corrections_status {
-    /**
-     * GPS time of week. Unit: s. Valid if MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_TOW in
-     * valid_flags is set.
-     */
-    double time_of_week;
-    /**
-     * GPS week number. Unit: week. Valid if
-     * MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_WEEK_NUMBER in valid_flags is set.
-     */
-    uint16_t week_number;
-    /**
-     * Corrections that came during this epoch. Valid if
-     * MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS in valid_flags is set.
-     */
-    mip_gnss_corrections_rtk_epoch_status epoch_status;
-    /**
-     * Status flags of the RTK dongle; of use only with a dongle. Valid if
-     * MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set. The
-     * manual does not define the flags.
-     */
-    uint32_t dongle_status;
-    /**
-     * Latency of the last GPS correction. Unit: s. Valid if
-     * MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_GPS_LATENCY in valid_flags is set.
-     */
-    float gps_correction_latency;
-    /**
-     * Latency of the last GLONASS correction. Unit: s. Valid if
-     * MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_GLONASS_LATENCY in valid_flags is set.
-     */
-    float glonass_correction_latency;
-    /**
-     * Latency of the last Galileo correction. Unit: s. Valid if
-     * MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_GALILEO_LATENCY in valid_flags is set.
-     */
-    float galileo_correction_latency;
-    /**
-     * Latency of the last BeiDou correction. Unit: s. Valid if
-     * MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY in valid_flags is set.
-     */
-    float beidou_correction_latency;
-    /**  */
-    uint32_t reserved[4];
-    /** Which values are valid. */
-    mip_gnss_corrections_rtk_corrections_status_flags valid_flags;
-};
-
+#define mip_gnss_corrections_rtk_corrections_status mip_gnss_1_rtk_corrections_status
+#define mip_gnss_corrections_rtk_corrections_status_codec mip_gnss_1_rtk_corrections_status_codec
+#define mip_gnss_corrections_rtk_corrections_status_decode mip_gnss_1_rtk_corrections_status_decode
+#define mip_gnss_corrections_rtk_corrections_status_encode mip_gnss_1_rtk_corrections_status_encode
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_NAME "gnss_corrections.rtk_corrections_status"
 
-extern const struct mip_codec mip_gnss_corrections_rtk_corrections_status_codec;
-mip_error mip_gnss_corrections_rtk_corrections_status_decode(
-    struct mip_gnss_corrections_rtk_corrections_status *value, const struct mip_field *field);
-mip_error mip_gnss_corrections_rtk_corrections_status_encode(
-    const struct mip_gnss_corrections_rtk_corrections_status *value, struct mip_builder *builder);
+/**
+ * GPS ephemeris: data (0x93,0x61).
+ *
+ * Broadcast orbit and clock of one GPS satellite.
+ *
+ * Has the layout of mip_gnss_1_gps_ephemeris.
+ *
+ * iodc changes with the clock data; the manual has it roll over at 4.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_gps_ephemeris mip_gnss_1_gps_ephemeris
+#define mip_gnss_corrections_gps_ephemeris_codec mip_gnss_1_gps_ephemeris_codec
+#define mip_gnss_corrections_gps_ephemeris_decode mip_gnss_1_gps_ephemeris_decode
+#define mip_gnss_corrections_gps_ephemeris_encode mip_gnss_1_gps_ephemeris_encode
+#define MIP_GNSS_CORRECTIONS_GPS_EPHEMERIS_DESCRIPTOR 0x61
+#define MIP_GNSS_CORRECTIONS_GPS_EPHEMERIS_NAME "gnss_corrections.gps_ephemeris"
+
+/**
+ * GLONASS ephemeris: data (0x93,0x62).
+ *
+ * Broadcast orbit and clock of one GLONASS satellite.
+ *
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`.
+ *
+ * The interface control document of GLONASS explains p and ft.
+ *
+ * A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_glonass_ephemeris mip_gnss_1_glonass_ephemeris
+#define mip_gnss_corrections_glonass_ephemeris_codec mip_gnss_1_glonass_ephemeris_codec
+#define mip_gnss_corrections_glonass_ephemeris_decode mip_gnss_1_glonass_ephemeris_decode
+#define mip_gnss_corrections_glonass_ephemeris_encode mip_gnss_1_glonass_ephemeris_encode
+#define MIP_GNSS_CORRECTIONS_GLONASS_EPHEMERIS_DESCRIPTOR 0x62
+#define MIP_GNSS_CORRECTIONS_GLONASS_EPHEMERIS_NAME "gnss_corrections.glonass_ephemeris"
+
+/**
+ * Galileo ephemeris: data (0x93,0x63).
+ *
+ * Broadcast orbit and clock of one Galileo satellite.
+ *
+ * Has the layout of mip_gnss_1_galileo_ephemeris.
+ *
+ * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+ * corrections hold here.
+ *
+ * iodc changes with the clock data; the manual has it roll over at 4.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_galileo_ephemeris mip_gnss_1_galileo_ephemeris
+#define mip_gnss_corrections_galileo_ephemeris_codec mip_gnss_1_galileo_ephemeris_codec
+#define mip_gnss_corrections_galileo_ephemeris_decode mip_gnss_1_galileo_ephemeris_decode
+#define mip_gnss_corrections_galileo_ephemeris_encode mip_gnss_1_galileo_ephemeris_encode
+#define MIP_GNSS_CORRECTIONS_GALILEO_EPHEMERIS_DESCRIPTOR 0x63
+#define MIP_GNSS_CORRECTIONS_GALILEO_EPHEMERIS_NAME "gnss_corrections.galileo_ephemeris"
+
+/**
+ * BeiDou ephemeris: data (0x93,0x64).
+ *
+ * Broadcast orbit and clock of one BeiDou satellite.
+ *
+ * Has the layout of mip_gnss_1_beidou_ephemeris.
+ *
+ * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+ * corrections hold here.
+ *
+ * iodc changes with the clock data; the manual has it roll over at 4.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_beidou_ephemeris mip_gnss_1_beidou_ephemeris
+#define mip_gnss_corrections_beidou_ephemeris_codec mip_gnss_1_beidou_ephemeris_codec
+#define mip_gnss_corrections_beidou_ephemeris_decode mip_gnss_1_beidou_ephemeris_decode
+#define mip_gnss_corrections_beidou_ephemeris_encode mip_gnss_1_beidou_ephemeris_encode
+#define MIP_GNSS_CORRECTIONS_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
+#define MIP_GNSS_CORRECTIONS_BEIDOU_EPHEMERIS_NAME "gnss_corrections.beidou_ephemeris"
+
+/**
+ * GPS ionospheric correction: data (0x93,0x71).
+ *
+ * Model of the ionosphere that GPS broadcasts.
+ *
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_gps_iono_correction mip_gnss_1_gps_iono_correction
+#define mip_gnss_corrections_gps_iono_correction_codec mip_gnss_1_gps_iono_correction_codec
+#define mip_gnss_corrections_gps_iono_correction_decode mip_gnss_1_gps_iono_correction_decode
+#define mip_gnss_corrections_gps_iono_correction_encode mip_gnss_1_gps_iono_correction_encode
+#define MIP_GNSS_CORRECTIONS_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
+#define MIP_GNSS_CORRECTIONS_GPS_IONO_CORRECTION_NAME "gnss_corrections.gps_iono_correction"
+
+/**
+ * Galileo ionospheric correction: data (0x93,0x73).
+ *
+ * Model of the ionosphere that Galileo broadcasts.
+ *
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_galileo_iono_correction mip_gnss_1_galileo_iono_correction
+#define mip_gnss_corrections_galileo_iono_correction_codec mip_gnss_1_galileo_iono_correction_codec
+#define mip_gnss_corrections_galileo_iono_correction_decode \
+    mip_gnss_1_galileo_iono_correction_decode
+#define mip_gnss_corrections_galileo_iono_correction_encode \
+    mip_gnss_1_galileo_iono_correction_encode
+#define MIP_GNSS_CORRECTIONS_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
+#define MIP_GNSS_CORRECTIONS_GALILEO_IONO_CORRECTION_NAME "gnss_corrections.galileo_iono_correction"
+
+/**
+ * BeiDou ionospheric correction: data (0x93,0x74).
+ *
+ * Model of the ionosphere that BeiDou broadcasts.
+ *
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`.
+ *
+ * - mip-sdk-4: Gnss3 Data (0x93)
+ */
+#define mip_gnss_corrections_beidou_iono_correction mip_gnss_1_beidou_iono_correction
+#define mip_gnss_corrections_beidou_iono_correction_codec mip_gnss_1_beidou_iono_correction_codec
+#define mip_gnss_corrections_beidou_iono_correction_decode mip_gnss_1_beidou_iono_correction_decode
+#define mip_gnss_corrections_beidou_iono_correction_encode mip_gnss_1_beidou_iono_correction_encode
+#define MIP_GNSS_CORRECTIONS_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
+#define MIP_GNSS_CORRECTIONS_BEIDOU_IONO_CORRECTION_NAME "gnss_corrections.beidou_iono_correction"
 
 #ifdef __cplusplus
 }

@@ -8,7 +8,7 @@
 #include "mip/types.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/protocol.h and mip/core.h are not of one version"
+#error "mip/protocol.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus

@@ -10,42 +10,110 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/sensor.h and mip/core.h are not of one version"
+#error "mip/sensor.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_SENSOR_SET 0x80
 
 /** Sensor axes that were near or outside their range. */
 typedef uint16_t mip_sensor_overrange_flags;
-/** Bit 0: Accelerometer X axis. */
+/** Bit 0. Accelerometer X axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_X 0x0001U
-/** Bit 1: Accelerometer Y axis. */
+/** Bit 1. Accelerometer Y axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_Y 0x0002U
-/** Bit 2: Accelerometer Z axis. */
+/** Bit 2. Accelerometer Z axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_Z 0x0004U
-/** Bit 4: Gyroscope X axis. */
+/** Bit 4. Gyroscope X axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_X 0x0010U
-/** Bit 5: Gyroscope Y axis. */
+/** Bit 5. Gyroscope Y axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Y 0x0020U
-/** Bit 6: Gyroscope Z axis. */
+/** Bit 6. Gyroscope Z axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Z 0x0040U
-/** Bit 8: Magnetometer X axis. */
+/** Bit 8. Magnetometer X axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_X 0x0100U
-/** Bit 9: Magnetometer Y axis. */
+/** Bit 9. Magnetometer Y axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Y 0x0200U
-/** Bit 10: Magnetometer Z axis. */
+/** Bit 10. Magnetometer Z axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Z 0x0400U
-/** Bit 12: Pressure sensor. */
-#define MIP_SENSOR_OVERRANGE_FLAGS_PRESS 0x1000U
+/** Bit 12. Pressure sensor. */
+#define MIP_SENSOR_OVERRANGE_FLAGS_PRESSURE 0x1000U
 
 /** Whether the odometer values are valid. */
 typedef uint16_t mip_sensor_odometer_flags;
-/** Bit 0: The odometer is configured. */
+/** Bit 0. The odometer is configured. */
 #define MIP_SENSOR_ODOMETER_FLAGS_ODOMETER 0x0001U
+
+/**
+ * Raw accel: data (0x80,0x01).
+ *
+ * Raw acceleration in counts of the sensor, temperature compensated.
+ *
+ * - mip-sdk-4: Raw Accel (0x80,0x01)
+ */
+struct mip_sensor_raw_accel {
+    /** Acceleration in counts. Elements: x, y, z. Unit: 1. Frame: sensor. */
+    float raw_accel[3];
+};
+
+#define MIP_SENSOR_RAW_ACCEL_DESCRIPTOR 0x01
+#define MIP_SENSOR_RAW_ACCEL_NAME "sensor.raw_accel"
+
+extern const struct mip_codec mip_sensor_raw_accel_codec;
+mip_error mip_sensor_raw_accel_decode(struct mip_sensor_raw_accel *value,
+                                      const struct mip_field *field);
+mip_error mip_sensor_raw_accel_encode(const struct mip_sensor_raw_accel *value,
+                                      struct mip_builder *builder);
+
+/**
+ * Raw gyro: data (0x80,0x02).
+ *
+ * Raw angular rate in counts of the sensor, temperature compensated.
+ *
+ * - mip-sdk-4: Raw Gyro (0x80,0x02)
+ */
+struct mip_sensor_raw_gyro {
+    /** Angular rate in counts. Elements: x, y, z. Unit: 1. Frame: sensor. */
+    float raw_gyro[3];
+};
+
+#define MIP_SENSOR_RAW_GYRO_DESCRIPTOR 0x02
+#define MIP_SENSOR_RAW_GYRO_NAME "sensor.raw_gyro"
+
+extern const struct mip_codec mip_sensor_raw_gyro_codec;
+mip_error mip_sensor_raw_gyro_decode(struct mip_sensor_raw_gyro *value,
+                                     const struct mip_field *field);
+mip_error mip_sensor_raw_gyro_encode(const struct mip_sensor_raw_gyro *value,
+                                     struct mip_builder *builder);
+
+/**
+ * Raw mag: data (0x80,0x03).
+ *
+ * Raw magnetic field in counts of the sensor, temperature compensated.
+ *
+ * - mip-sdk-4: Raw Mag (0x80,0x03)
+ */
+struct mip_sensor_raw_mag {
+    /**
+     * Magnetic field in counts. Elements: x, y, z. Unit: 1. Frame: vehicle. Uncertain: The frame.
+     * The SDK has the vehicle frame here, but the sensor frame for raw acceleration and raw angular
+     * rate.
+     */
+    float raw_mag[3];
+};
+
+#define MIP_SENSOR_RAW_MAG_DESCRIPTOR 0x03
+#define MIP_SENSOR_RAW_MAG_NAME "sensor.raw_mag"
+
+extern const struct mip_codec mip_sensor_raw_mag_codec;
+mip_error mip_sensor_raw_mag_decode(struct mip_sensor_raw_mag *value,
+                                    const struct mip_field *field);
+mip_error mip_sensor_raw_mag_encode(const struct mip_sensor_raw_mag *value,
+                                    struct mip_builder *builder);
 
 /**
  * Scaled accel: data (0x80,0x04).
@@ -147,9 +215,9 @@ mip_error mip_sensor_delta_theta_encode(const struct mip_sensor_delta_theta *val
  *
  * Time integral of the acceleration over the period that the message format sets.
  *
- * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
- *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
  *
  * - 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
  * - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
@@ -173,75 +241,98 @@ mip_error mip_sensor_delta_velocity_encode(const struct mip_sensor_delta_velocit
  *
  * Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
  *
- * v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
- *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)
  * - 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
  */
-struct mip_sensor_complementary_filter_orientation_matrix {
+struct mip_sensor_comp_orientation_matrix {
     /**
      * Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
-     * m31, m32, m33. Unit: 1. On 3dm-gx5-15: From the NED frame to the sensor frame.
+     * m31, m32, m33. Unit: 1. On the 3DM-GX5-15: From the NED frame to the sensor frame.
      */
     float m[9];
 };
 
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_DESCRIPTOR 0x09
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_NAME \
-    "sensor.complementary_filter_orientation_matrix"
+#define MIP_SENSOR_COMP_ORIENTATION_MATRIX_DESCRIPTOR 0x09
+#define MIP_SENSOR_COMP_ORIENTATION_MATRIX_NAME "sensor.comp_orientation_matrix"
 
-extern const struct mip_codec mip_sensor_complementary_filter_orientation_matrix_codec;
-mip_error mip_sensor_complementary_filter_orientation_matrix_decode(
-    struct mip_sensor_complementary_filter_orientation_matrix *value,
-    const struct mip_field *field);
-mip_error mip_sensor_complementary_filter_orientation_matrix_encode(
-    const struct mip_sensor_complementary_filter_orientation_matrix *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_sensor_comp_orientation_matrix_codec;
+mip_error mip_sensor_comp_orientation_matrix_decode(
+    struct mip_sensor_comp_orientation_matrix *value, const struct mip_field *field);
+mip_error mip_sensor_comp_orientation_matrix_encode(
+    const struct mip_sensor_comp_orientation_matrix *value, struct mip_builder *builder);
 
 /**
  * Complementary filter quaternion: data (0x80,0x0A).
  *
  * Attitude by the complementary filter as a quaternion, relative to the NED frame.
  *
- * v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
- *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
  * - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
  */
-struct mip_sensor_complementary_filter_quaternion {
+struct mip_sensor_comp_quaternion {
     /**
-     * Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. On
-     * 3dm-gx5-15: Between NED and the sensor frame.
+     * Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. On the
+     * 3DM-GX5-15: Between NED and the sensor frame.
      */
     float q[4];
 };
 
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_DESCRIPTOR 0x0A
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_NAME "sensor.complementary_filter_quaternion"
+#define MIP_SENSOR_COMP_QUATERNION_DESCRIPTOR 0x0A
+#define MIP_SENSOR_COMP_QUATERNION_NAME "sensor.comp_quaternion"
 
-extern const struct mip_codec mip_sensor_complementary_filter_quaternion_codec;
-mip_error mip_sensor_complementary_filter_quaternion_decode(
-    struct mip_sensor_complementary_filter_quaternion *value, const struct mip_field *field);
-mip_error mip_sensor_complementary_filter_quaternion_encode(
-    const struct mip_sensor_complementary_filter_quaternion *value, struct mip_builder *builder);
+extern const struct mip_codec mip_sensor_comp_quaternion_codec;
+mip_error mip_sensor_comp_quaternion_decode(struct mip_sensor_comp_quaternion *value,
+                                            const struct mip_field *field);
+mip_error mip_sensor_comp_quaternion_encode(const struct mip_sensor_comp_quaternion *value,
+                                            struct mip_builder *builder);
+
+/**
+ * Complementary filter orientation update matrix: data (0x80,0x0B).
+ *
+ * Change of the attitude by the complementary filter as a matrix.
+ *
+ * Deprecated: the SDK marks it so and names no replacement. Uncertain: The interval of the change
+ * and the frames. The SDK gives the name only.
+ *
+ * - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
+ */
+struct mip_sensor_comp_orientation_update_matrix {
+    /**
+     * Matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1.
+     */
+    float m[9];
+};
+
+#define MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_DESCRIPTOR 0x0B
+#define MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_NAME "sensor.comp_orientation_update_matrix"
+
+extern const struct mip_codec mip_sensor_comp_orientation_update_matrix_codec;
+mip_error mip_sensor_comp_orientation_update_matrix_decode(
+    struct mip_sensor_comp_orientation_update_matrix *value, const struct mip_field *field);
+mip_error mip_sensor_comp_orientation_update_matrix_encode(
+    const struct mip_sensor_comp_orientation_update_matrix *value, struct mip_builder *builder);
 
 /**
  * Complementary filter Euler angles: data (0x80,0x0C).
  *
  * Attitude by the complementary filter as Euler angles, relative to the NED frame.
  *
- * The rotations are in the order yaw, pitch, roll (3-2-1).
- *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * The rotations are in the order yaw, pitch, roll (3-2-1).
  *
  * - 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C)
  * - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
  */
-struct mip_sensor_complementary_filter_euler_angles {
+struct mip_sensor_comp_euler_angles {
     /** Roll angle. Unit: rad. */
     float roll;
     /** Pitch angle. Unit: rad. */
@@ -250,57 +341,127 @@ struct mip_sensor_complementary_filter_euler_angles {
     float yaw;
 };
 
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_DESCRIPTOR 0x0C
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_NAME "sensor.complementary_filter_euler_angles"
+#define MIP_SENSOR_COMP_EULER_ANGLES_DESCRIPTOR 0x0C
+#define MIP_SENSOR_COMP_EULER_ANGLES_NAME "sensor.comp_euler_angles"
 
-extern const struct mip_codec mip_sensor_complementary_filter_euler_angles_codec;
-mip_error mip_sensor_complementary_filter_euler_angles_decode(
-    struct mip_sensor_complementary_filter_euler_angles *value, const struct mip_field *field);
-mip_error mip_sensor_complementary_filter_euler_angles_encode(
-    const struct mip_sensor_complementary_filter_euler_angles *value, struct mip_builder *builder);
+extern const struct mip_codec mip_sensor_comp_euler_angles_codec;
+mip_error mip_sensor_comp_euler_angles_decode(struct mip_sensor_comp_euler_angles *value,
+                                              const struct mip_field *field);
+mip_error mip_sensor_comp_euler_angles_encode(const struct mip_sensor_comp_euler_angles *value,
+                                              struct mip_builder *builder);
+
+/**
+ * Orientation raw temperatures: data (0x80,0x0D).
+ *
+ * Raw readings of four temperature sensors.
+ *
+ * Deprecated: the SDK marks it so and names no replacement. Also called `orientation_raw_temp`.
+ *
+ * - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
+ */
+struct mip_sensor_orientation_raw_temperature {
+    /**
+     * Temperatures in counts. Unit: 1. Uncertain: The scale. Uncertain: and which sensor is which.
+     */
+    uint16_t raw_temperature[4];
+};
+
+#define MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE_DESCRIPTOR 0x0D
+#define MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE_NAME "sensor.orientation_raw_temperature"
+
+extern const struct mip_codec mip_sensor_orientation_raw_temperature_codec;
+mip_error mip_sensor_orientation_raw_temperature_decode(
+    struct mip_sensor_orientation_raw_temperature *value, const struct mip_field *field);
+mip_error mip_sensor_orientation_raw_temperature_encode(
+    const struct mip_sensor_orientation_raw_temperature *value, struct mip_builder *builder);
+
+/**
+ * Internal timestamp: data (0x80,0x0E).
+ *
+ * Free-running counter of the device.
+ *
+ * Deprecated: the SDK marks it so and names no replacement.
+ *
+ * - mip-sdk-4: Internal Timestamp (0x80,0x0E)
+ */
+struct mip_sensor_internal_timestamp {
+    /** Counter. Unit: 1. Uncertain: The period of one count. */
+    uint32_t counts;
+};
+
+#define MIP_SENSOR_INTERNAL_TIMESTAMP_DESCRIPTOR 0x0E
+#define MIP_SENSOR_INTERNAL_TIMESTAMP_NAME "sensor.internal_timestamp"
+
+extern const struct mip_codec mip_sensor_internal_timestamp_codec;
+mip_error mip_sensor_internal_timestamp_decode(struct mip_sensor_internal_timestamp *value,
+                                               const struct mip_field *field);
+mip_error mip_sensor_internal_timestamp_encode(const struct mip_sensor_internal_timestamp *value,
+                                               struct mip_builder *builder);
+
+/**
+ * PPS timestamp: data (0x80,0x0F).
+ *
+ * Time that is counted with the pulse per second.
+ *
+ * Deprecated: the SDK marks it so and names no replacement. Uncertain: The epoch.
+ *
+ * - mip-sdk-4: Pps Timestamp (0x80,0x0F)
+ */
+struct mip_sensor_pps_timestamp {
+    /** Whole seconds. Unit: s. Uncertain: The unit; it follows from the name. */
+    uint32_t seconds;
+    /** Fraction of the second. Unit: us. Uncertain: The unit; it follows from the name. */
+    uint32_t useconds;
+};
+
+#define MIP_SENSOR_PPS_TIMESTAMP_DESCRIPTOR 0x0F
+#define MIP_SENSOR_PPS_TIMESTAMP_NAME "sensor.pps_timestamp"
+
+extern const struct mip_codec mip_sensor_pps_timestamp_codec;
+mip_error mip_sensor_pps_timestamp_decode(struct mip_sensor_pps_timestamp *value,
+                                          const struct mip_field *field);
+mip_error mip_sensor_pps_timestamp_encode(const struct mip_sensor_pps_timestamp *value,
+                                          struct mip_builder *builder);
 
 /**
  * Complementary filter stabilized north vector: data (0x80,0x10).
  *
  * Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
  *
+ * Supported by 3DM-GX5-15.
+ *
  * Without magnetic disturbance it equals the measured magnetic field.
  *
  * A lasting disturbance is not compensated.
  *
- * Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
  */
-struct mip_sensor_complementary_filter_stabilized_north_vector {
+struct mip_sensor_north_vector {
     /** Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor. */
     float stabilized_mag[3];
 };
 
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_DESCRIPTOR 0x10
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_NAME \
-    "sensor.complementary_filter_stabilized_north_vector"
+#define MIP_SENSOR_NORTH_VECTOR_DESCRIPTOR 0x10
+#define MIP_SENSOR_NORTH_VECTOR_NAME "sensor.north_vector"
 
-extern const struct mip_codec mip_sensor_complementary_filter_stabilized_north_vector_codec;
-mip_error mip_sensor_complementary_filter_stabilized_north_vector_decode(
-    struct mip_sensor_complementary_filter_stabilized_north_vector *value,
-    const struct mip_field *field);
-mip_error mip_sensor_complementary_filter_stabilized_north_vector_encode(
-    const struct mip_sensor_complementary_filter_stabilized_north_vector *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_sensor_north_vector_codec;
+mip_error mip_sensor_north_vector_decode(struct mip_sensor_north_vector *value,
+                                         const struct mip_field *field);
+mip_error mip_sensor_north_vector_encode(const struct mip_sensor_north_vector *value,
+                                         struct mip_builder *builder);
 
 /**
  * Complementary filter stabilized up vector: data (0x80,0x11).
  *
  * Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
  *
- * At rest it equals the measured acceleration.
- *
  * Supported by 3DM-GX5-15.
+ *
+ * At rest it equals the measured acceleration.
  *
  * - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
  */
-struct mip_sensor_complementary_filter_stabilized_up_vector {
+struct mip_sensor_up_vector {
     /**
      * The part of the measured acceleration that gravity causes. Elements: x, y, z. Unit: g. Frame:
      * sensor.
@@ -308,22 +469,21 @@ struct mip_sensor_complementary_filter_stabilized_up_vector {
     float stabilized_accel[3];
 };
 
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_DESCRIPTOR 0x11
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_NAME \
-    "sensor.complementary_filter_stabilized_up_vector"
+#define MIP_SENSOR_UP_VECTOR_DESCRIPTOR 0x11
+#define MIP_SENSOR_UP_VECTOR_NAME "sensor.up_vector"
 
-extern const struct mip_codec mip_sensor_complementary_filter_stabilized_up_vector_codec;
-mip_error mip_sensor_complementary_filter_stabilized_up_vector_decode(
-    struct mip_sensor_complementary_filter_stabilized_up_vector *value,
-    const struct mip_field *field);
-mip_error mip_sensor_complementary_filter_stabilized_up_vector_encode(
-    const struct mip_sensor_complementary_filter_stabilized_up_vector *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_sensor_up_vector_codec;
+mip_error mip_sensor_up_vector_decode(struct mip_sensor_up_vector *value,
+                                      const struct mip_field *field);
+mip_error mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value,
+                                      struct mip_builder *builder);
 
 /**
  * GPS timestamp: data (0x80,0x12).
  *
  * GPS time of the sensor data.
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
  *
@@ -333,8 +493,6 @@ mip_error mip_sensor_complementary_filter_stabilized_up_vector_encode(
  *
  * Where the device has it, use the shared GPS timestamp (0xFF,0xD3) instead; this field may be
  * deprecated.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
  * - 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
@@ -350,7 +508,7 @@ struct mip_sensor_gps_timestamp {
      * valid_flags is set.
      */
     uint16_t week_number;
-    /** State of the time. */
+    /** State of the time. On the 3DM-GX5-15: values of mip_gx5_sensor_gps_timestamp_flags. */
     mip_sensor_gps_timestamp_flags valid_flags;
 };
 
@@ -368,19 +526,19 @@ mip_error mip_sensor_gps_timestamp_encode(const struct mip_sensor_gps_timestamp 
  *
  * Temperatures since the last power-on or reset.
  *
- * The values come from the inertial sensors, alone or together with sensors on the board.
+ * Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * The values come from the inertial sensors, alone or together with sensors on the board.
  *
  * - 3dm-cv7-gnss-ins: Temperature Statistics (0x80,0x14)
  */
 struct mip_sensor_temperature_statistics {
     /** Lowest temperature. Unit: degC. */
-    float min_temp;
+    float min_temperature;
     /** Highest temperature. Unit: degC. */
-    float max_temp;
+    float max_temperature;
     /** Mean temperature. Unit: degC. */
-    float mean_temp;
+    float mean_temperature;
 };
 
 #define MIP_SENSOR_TEMPERATURE_STATISTICS_DESCRIPTOR 0x14
@@ -391,6 +549,27 @@ mip_error mip_sensor_temperature_statistics_decode(struct mip_sensor_temperature
                                                    const struct mip_field *field);
 mip_error mip_sensor_temperature_statistics_encode(
     const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder);
+
+/**
+ * Raw pressure: data (0x80,0x16).
+ *
+ * Raw ambient pressure in counts of the sensor, temperature compensated.
+ *
+ * - mip-sdk-4: Raw Pressure (0x80,0x16)
+ */
+struct mip_sensor_raw_pressure {
+    /** Pressure in counts. Unit: 1. */
+    float raw_pressure;
+};
+
+#define MIP_SENSOR_RAW_PRESSURE_DESCRIPTOR 0x16
+#define MIP_SENSOR_RAW_PRESSURE_NAME "sensor.raw_pressure"
+
+extern const struct mip_codec mip_sensor_raw_pressure_codec;
+mip_error mip_sensor_raw_pressure_decode(struct mip_sensor_raw_pressure *value,
+                                         const struct mip_field *field);
+mip_error mip_sensor_raw_pressure_encode(const struct mip_sensor_raw_pressure *value,
+                                         struct mip_builder *builder);
 
 /**
  * Scaled pressure: data (0x80,0x17).
@@ -444,7 +623,7 @@ mip_error mip_sensor_overrange_status_encode(const struct mip_sensor_overrange_s
  *
  * Speed by the wheel encoder.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
  */

@@ -10,32 +10,33 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/shared.h and mip/core.h are not of one version"
+#error "mip/shared.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_SHARED_SET 0xFF
 
 /** Which parts of the GPS time are valid. */
 typedef uint16_t mip_shared_gps_timestamp_flags;
-/** Bit 0: The whole seconds of the time of week have been set. */
+/** Bit 0. The whole seconds of the time of week have been set. */
 #define MIP_SHARED_GPS_TIMESTAMP_FLAGS_TOW 0x0001U
-/** Bit 1: The week number has been set. */
+/** Bit 1. The week number has been set. */
 #define MIP_SHARED_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER 0x0002U
-/** Bits 0 to 1: Both are set. */
+/** Bits 0 to 1. Both are set. Overlaps other bits. */
 #define MIP_SHARED_GPS_TIMESTAMP_FLAGS_TIME_VALID 0x0003U
 
 /** Whether the external time is valid. */
 typedef uint16_t mip_shared_external_timestamp_flags;
-/** Bit 0: The time is valid. */
+/** Bit 0. The time is valid. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP_FLAGS_NANOSECONDS 0x0001U
 
 /** Whether the difference of external time is valid. */
 typedef uint16_t mip_shared_external_time_delta_flags;
-/** Bit 0: The difference is valid. */
+/** Bit 0. The difference is valid. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA_FLAGS_DT_NANOS 0x0001U
 
 /**
@@ -43,9 +44,9 @@ typedef uint16_t mip_shared_external_time_delta_flags;
  *
  * The event trigger that caused the packet.
  *
- * Put it first in the format of event messages, to tell their packets from scheduled ones.
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * Put it first in the format of event messages, to tell their packets from scheduled ones.
  *
  * - 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0)
  */
@@ -66,9 +67,62 @@ mip_error mip_shared_event_source_encode(const struct mip_shared_event_source *v
                                          struct mip_builder *builder);
 
 /**
+ * Ticks: data (0xFF,0xD1).
+ *
+ * Base periods since power-up.
+ *
+ * Uncertain: The SDK has the counter return to 0 after about 50 days. That fits 2^32 ticks at 1000
+ * Hz; at other rates it would take longer or shorter.
+ *
+ * One tick is one period of the base rate.
+ *
+ * - mip-sdk-4: Ticks (0xFF,0xD1)
+ */
+struct mip_shared_ticks {
+    /** Ticks. Unit: 1. */
+    uint32_t ticks;
+};
+
+#define MIP_SHARED_TICKS_DESCRIPTOR 0xD1
+#define MIP_SHARED_TICKS_NAME "shared.ticks"
+
+extern const struct mip_codec mip_shared_ticks_codec;
+mip_error mip_shared_ticks_decode(struct mip_shared_ticks *value, const struct mip_field *field);
+mip_error mip_shared_ticks_encode(const struct mip_shared_ticks *value,
+                                  struct mip_builder *builder);
+
+/**
+ * Delta ticks: data (0xFF,0xD2).
+ *
+ * Base periods since this field was last sent.
+ *
+ * Uncertain: Whether each set and each event instance counts for itself, as with delta time
+ * (0xFF,0xD4).
+ *
+ * One tick is one period of the base rate.
+ *
+ * - mip-sdk-4: Delta Ticks (0xFF,0xD2)
+ */
+struct mip_shared_delta_ticks {
+    /** Ticks. Unit: 1. */
+    uint32_t ticks;
+};
+
+#define MIP_SHARED_DELTA_TICKS_DESCRIPTOR 0xD2
+#define MIP_SHARED_DELTA_TICKS_NAME "shared.delta_ticks"
+
+extern const struct mip_codec mip_shared_delta_ticks_codec;
+mip_error mip_shared_delta_ticks_decode(struct mip_shared_delta_ticks *value,
+                                        const struct mip_field *field);
+mip_error mip_shared_delta_ticks_encode(const struct mip_shared_delta_ticks *value,
+                                        struct mip_builder *builder);
+
+/**
  * GPS timestamp: data (0xFF,0xD3).
  *
  * External time of the data as GPS time of week and week number.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * In event messages it is the time of the trigger.
  *
@@ -76,8 +130,6 @@ mip_error mip_shared_event_source_encode(const struct mip_shared_event_source *v
  * number.
  *
  * An internal GNSS receiver as PPS source sets the time by itself.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3)
  */
@@ -109,11 +161,11 @@ mip_error mip_shared_gps_timestamp_encode(const struct mip_shared_gps_timestamp 
  *
  * External time since this field was last sent in the same set and event instance.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * It is the same as external time delta (0xFF,0xD8), in other units.
  *
  * Sending either restarts the counter that both share, so use only one of them.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Delta Time (0xFF,0xD4)
  */
@@ -136,11 +188,11 @@ mip_error mip_shared_delta_time_encode(const struct mip_shared_delta_time *value
  *
  * Time of the data by the internal reference clock.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * The clock starts at power-on, only moves forward and never jumps; the value is always valid.
  *
  * In event messages it is the time of the trigger.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Reference Timestamp (0xFF,0xD5)
  */
@@ -163,9 +215,9 @@ mip_error mip_shared_reference_timestamp_encode(const struct mip_shared_referenc
  *
  * Reference time since this field was last sent in the same set and event instance.
  *
- * The value is always valid.
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The value is always valid.
  *
  * - 3dm-cv7-gnss-ins: Reference Time Delta (0xFF,0xD6)
  */
@@ -188,13 +240,13 @@ mip_error mip_shared_reference_time_delta_encode(
  *
  * Time of the data in the external clock domain.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * It is the GPS timestamp (0xFF,0xD3) in nanoseconds.
  *
  * In event messages it is the time of the trigger.
  *
  * It becomes valid when the external clock is synchronized through the PPS.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7)
  */
@@ -222,11 +274,11 @@ mip_error mip_shared_external_timestamp_encode(const struct mip_shared_external_
  *
  * External time since this field was last sent in the same set and event instance.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * It is the same as delta time (0xFF,0xD4), in other units.
  *
  * Sending either restarts the counter that both share, so use only one of them.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: External Time Delta (0xFF,0xD8)
  */

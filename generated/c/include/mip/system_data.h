@@ -9,30 +9,33 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/system_data.h and mip/core.h are not of one version"
+#error "mip/system_data.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_SYSTEM_DATA_SET 0xA0
 
 /** Level of each GPIO pin, set for high. Bits of pins that do not exist read 0. */
 typedef uint8_t mip_system_data_gpio_pin_states;
-/** Bit 0: GPIO pin 1. */
+/** Bit 0. GPIO pin 1. */
 #define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_1 0x01U
-/** Bit 1: GPIO pin 2. */
+/** Bit 1. GPIO pin 2. */
 #define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_2 0x02U
-/** Bit 2: GPIO pin 3. */
+/** Bit 2. GPIO pin 3. */
 #define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_3 0x04U
-/** Bit 3: GPIO pin 4. */
+/** Bit 3. GPIO pin 4. */
 #define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_4 0x08U
 
 /**
  * Built-in test: data (0xA0,0x01).
  *
  * Flags of the tests that run all the time.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * The field is long; stream it at a low rate or poll it.
  *
@@ -45,14 +48,12 @@ typedef uint8_t mip_system_data_gpio_pin_states;
  *
  * Unnamed bits are reserved and must be ignored.
  *
- * Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Built In Test (0xA0,0x01)
  */
 struct mip_system_data_built_in_test {
     /**
      * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
-     * byte. On the 3dm-cv7-gnss-ins: mip_cv7_continuous_built_in_test.
+     * byte. On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_built_in_test.
      */
     uint8_t result[16];
 };
@@ -79,7 +80,7 @@ struct mip_system_data_time_sync_status {
     /** True while the lock is valid; false if the PPS is disabled or no pulse is found. */
     mip_bool time_sync;
     /** Time since the last pulse, at most 255. Unit: s. */
-    uint8_t last_pps_rcvd;
+    uint8_t last_pps_received;
 };
 
 #define MIP_SYSTEM_DATA_TIME_SYNC_STATUS_DESCRIPTOR 0x02
@@ -96,13 +97,13 @@ mip_error mip_system_data_time_sync_status_encode(
  *
  * Levels of all user GPIO pins.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * The pins are sampled within one base period of this set; shorter pulses can be missed.
  *
  * Only pins that are configured to the GPIO feature by (0x0C,0x41) are sure to give valid levels.
  *
  * For fast signals and exact times use the timestamp feature and the event system.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03)
  */
@@ -119,6 +120,31 @@ mip_error mip_system_data_gpio_state_decode(struct mip_system_data_gpio_state *v
                                             const struct mip_field *field);
 mip_error mip_system_data_gpio_state_encode(const struct mip_system_data_gpio_state *value,
                                             struct mip_builder *builder);
+
+/**
+ * GPIO analog value: data (0xA0,0x04).
+ *
+ * Voltage at one GPIO pin.
+ *
+ * Only for pins that are configured as analog inputs.
+ *
+ * - mip-sdk-4: Gpio Analog Value (0xA0,0x04)
+ */
+struct mip_system_data_gpio_analog_value {
+    /** GPIO pin, counted from 1. Range: at least 1. */
+    uint8_t gpio_id;
+    /** Scaled voltage. Unit: V. */
+    float value;
+};
+
+#define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE_DESCRIPTOR 0x04
+#define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE_NAME "system_data.gpio_analog_value"
+
+extern const struct mip_codec mip_system_data_gpio_analog_value_codec;
+mip_error mip_system_data_gpio_analog_value_decode(struct mip_system_data_gpio_analog_value *value,
+                                                   const struct mip_field *field);
+mip_error mip_system_data_gpio_analog_value_encode(
+    const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder);
 
 #ifdef __cplusplus
 }

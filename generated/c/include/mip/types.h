@@ -8,7 +8,7 @@
 #include "mip/core.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/types.h and mip/core.h are not of one version"
+#error "mip/types.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
@@ -21,15 +21,15 @@ extern "C" {
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  */
 typedef uint32_t mip_gx5_built_in_test;
-/** Bit 0: The watchdog has reset the processor; cleared by the first commanded test. */
+/** Bit 0. The watchdog has reset the processor; cleared by the first commanded test. */
 #define MIP_GX5_BUILT_IN_TEST_WATCHDOG_RESET UINT32_C(0x00000001)
-/** Bit 8: No communication with the inertial sensor. */
-#define MIP_GX5_BUILT_IN_TEST_IMU_COMMUNICATION_FAULT UINT32_C(0x00000100)
-/** Bit 9: Magnetometer fault, on devices that have one. */
-#define MIP_GX5_BUILT_IN_TEST_MAGNETOMETER_FAULT UINT32_C(0x00000200)
-/** Bit 10: Pressure sensor fault, on devices that have one. */
+/** Bit 8. No communication with the inertial sensor. */
+#define MIP_GX5_BUILT_IN_TEST_IMU_COMM_FAULT UINT32_C(0x00000100)
+/** Bit 9. Magnetometer fault, on devices that have one. */
+#define MIP_GX5_BUILT_IN_TEST_MAG_FAULT UINT32_C(0x00000200)
+/** Bit 10. Pressure sensor fault, on devices that have one. */
 #define MIP_GX5_BUILT_IN_TEST_PRESSURE_SENSOR_FAULT UINT32_C(0x00000400)
-/** Bit 24: Fault of the estimation filter solution. */
+/** Bit 24. Fault of the estimation filter solution. */
 #define MIP_GX5_BUILT_IN_TEST_SOLUTION_FAULT UINT32_C(0x01000000)
 
 /**
@@ -38,29 +38,29 @@ typedef uint32_t mip_gx5_built_in_test;
  * - 3dm-cv7-gnss-ins: Commanded Built-in Test
  */
 typedef uint32_t mip_cv7_built_in_test;
-/** Bit 0: A vital part, such as the oscillator, has failed. */
+/** Bit 0. A vital part, such as the oscillator, has failed. */
 #define MIP_CV7_BUILT_IN_TEST_GENERAL_HARDWARE_FAULT UINT32_C(0x00000001)
-/** Bit 1: The firmware met a serious or unexpected condition. */
+/** Bit 1. The firmware met a serious or unexpected condition. */
 #define MIP_CV7_BUILT_IN_TEST_GENERAL_FIRMWARE_FAULT UINT32_C(0x00000002)
-/** Bit 2: The processor cannot keep up; cleared by reading the result. */
+/** Bit 2. The processor cannot keep up; cleared by reading the result. */
 #define MIP_CV7_BUILT_IN_TEST_TIMING_OVERLOAD UINT32_C(0x00000004)
-/** Bit 3: A data buffer was full, mostly because too much is streamed. */
+/** Bit 3. A data buffer was full, mostly because too much is streamed. */
 #define MIP_CV7_BUILT_IN_TEST_BUFFER_OVERRUN UINT32_C(0x00000008)
-/** Bit 12: The accelerometer is damaged or does not work. */
-#define MIP_CV7_BUILT_IN_TEST_ACCELEROMETER_FAULT UINT32_C(0x00001000)
-/** Bit 13: The gyroscope is damaged or does not work. */
-#define MIP_CV7_BUILT_IN_TEST_GYROSCOPE_FAULT UINT32_C(0x00002000)
-/** Bit 14: The magnetometer is damaged or does not work. */
-#define MIP_CV7_BUILT_IN_TEST_MAGNETOMETER_FAULT UINT32_C(0x00004000)
-/** Bit 15: The pressure sensor is damaged or does not work. */
+/** Bit 12. The accelerometer is damaged or does not work. */
+#define MIP_CV7_BUILT_IN_TEST_ACCEL_FAULT UINT32_C(0x00001000)
+/** Bit 13. The gyroscope is damaged or does not work. */
+#define MIP_CV7_BUILT_IN_TEST_GYRO_FAULT UINT32_C(0x00002000)
+/** Bit 14. The magnetometer is damaged or does not work. */
+#define MIP_CV7_BUILT_IN_TEST_MAG_FAULT UINT32_C(0x00004000)
+/** Bit 15. The pressure sensor is damaged or does not work. */
 #define MIP_CV7_BUILT_IN_TEST_PRESSURE_SENSOR_FAULT UINT32_C(0x00008000)
-/** Bit 18: At least one calibration table of the sensors is invalid. */
+/** Bit 18. At least one calibration table of the sensors is invalid. */
 #define MIP_CV7_BUILT_IN_TEST_CALIBRATION_ERROR UINT32_C(0x00040000)
-/** Bit 19: A fault of the inertial sensor subsystem that no other bit names. */
+/** Bit 19. A fault of the inertial sensor subsystem that no other bit names. */
 #define MIP_CV7_BUILT_IN_TEST_GENERAL_IMU_FAULT UINT32_C(0x00080000)
-/** Bit 22: The filter output is invalid (not a number); reset the filter. */
+/** Bit 22. The filter output is invalid (not a number); reset the filter. */
 #define MIP_CV7_BUILT_IN_TEST_FILTER_SOLUTION_FAULT UINT32_C(0x00400000)
-/** Bit 23: A fault of the filter subsystem that no other bit names. */
+/** Bit 23. A fault of the filter subsystem that no other bit names. */
 #define MIP_CV7_BUILT_IN_TEST_GENERAL_FILTER_FAULT UINT32_C(0x00800000)
 
 /**
@@ -74,7 +74,7 @@ struct mip_cv7_continuous_built_in_test {
     uint8_t bytes[16];
 };
 
-/** Bit 0: The system clock does not work properly. */
+/** Bit 0. The system clock does not work properly. */
 static inline bool mip_cv7_continuous_built_in_test_get_system_clock_failure(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 0, 1);
@@ -84,7 +84,7 @@ static inline void mip_cv7_continuous_built_in_test_set_system_clock_failure(
     mip_set_bits(flags->bytes, 0, 1, value);
 }
 
-/** Bit 1: The supply voltage is out of range, or an internal supply has failed. */
+/** Bit 1. The supply voltage is out of range, or an internal supply has failed. */
 static inline bool mip_cv7_continuous_built_in_test_get_power_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 1, 1);
@@ -94,7 +94,7 @@ static inline void mip_cv7_continuous_built_in_test_set_power_fault(
     mip_set_bits(flags->bytes, 1, 1, value);
 }
 
-/** Bit 4: The firmware met an unexpected condition. */
+/** Bit 4. The firmware met an unexpected condition. */
 static inline bool mip_cv7_continuous_built_in_test_get_firmware_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 4, 1);
@@ -104,7 +104,7 @@ static inline void mip_cv7_continuous_built_in_test_set_firmware_fault(
     mip_set_bits(flags->bytes, 4, 1, value);
 }
 
-/** Bit 5: The processor cannot keep up. */
+/** Bit 5. The processor cannot keep up. */
 static inline bool mip_cv7_continuous_built_in_test_get_timing_overload(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 5, 1);
@@ -114,7 +114,7 @@ static inline void mip_cv7_continuous_built_in_test_set_timing_overload(
     mip_set_bits(flags->bytes, 5, 1, value);
 }
 
-/** Bit 6: A data buffer was full and data may be lost. */
+/** Bit 6. A data buffer was full and data may be lost. */
 static inline bool mip_cv7_continuous_built_in_test_get_buffer_overrun(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 6, 1);
@@ -124,7 +124,7 @@ static inline void mip_cv7_continuous_built_in_test_set_buffer_overrun(
     mip_set_bits(flags->bytes, 6, 1, value);
 }
 
-/** Bit 16: The inertial sensor subsystem does not run or did not start. */
+/** Bit 16. The inertial sensor subsystem does not run or did not start. */
 static inline bool mip_cv7_continuous_built_in_test_get_imu_process_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 16, 1);
@@ -134,7 +134,7 @@ static inline void mip_cv7_continuous_built_in_test_set_imu_process_fault(
     mip_set_bits(flags->bytes, 16, 1, value);
 }
 
-/** Bit 17: The processing of sensor data took too long. */
+/** Bit 17. The processing of sensor data took too long. */
 static inline bool mip_cv7_continuous_built_in_test_get_imu_data_process_time_exceeded(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 17, 1);
@@ -144,7 +144,7 @@ static inline void mip_cv7_continuous_built_in_test_set_imu_data_process_time_ex
     mip_set_bits(flags->bytes, 17, 1, value);
 }
 
-/** Bit 18: Sensor data does not come at its base rate. */
+/** Bit 18. Sensor data does not come at its base rate. */
 static inline bool mip_cv7_continuous_built_in_test_get_imu_data_rate_error(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 18, 1);
@@ -154,7 +154,7 @@ static inline void mip_cv7_continuous_built_in_test_set_imu_data_rate_error(
     mip_set_bits(flags->bytes, 18, 1, value);
 }
 
-/** Bit 19: The inertial sensor subsystem produces no data. */
+/** Bit 19. The inertial sensor subsystem produces no data. */
 static inline bool mip_cv7_continuous_built_in_test_get_imu_stall(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 19, 1);
@@ -164,7 +164,7 @@ static inline void mip_cv7_continuous_built_in_test_set_imu_stall(
     mip_set_bits(flags->bytes, 19, 1, value);
 }
 
-/** Bits 20 to 23: Any of these: the filter does not work normally. */
+/** Bits 20 to 23. Any of these: the filter does not work normally. Overlaps other bits. */
 static inline uint8_t mip_cv7_continuous_built_in_test_get_filter_process_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 20, 4);
@@ -174,7 +174,7 @@ static inline void mip_cv7_continuous_built_in_test_set_filter_process_fault(
     mip_set_bits(flags->bytes, 20, 4, value);
 }
 
-/** Bit 20: Major cycle of the filter; bits 22 and 23 say what. */
+/** Bit 20. Major cycle of the filter; bits 22 and 23 say what. */
 static inline bool mip_cv7_continuous_built_in_test_get_filter_major_cycle_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 20, 1);
@@ -184,7 +184,7 @@ static inline void mip_cv7_continuous_built_in_test_set_filter_major_cycle_fault
     mip_set_bits(flags->bytes, 20, 1, value);
 }
 
-/** Bit 21: Minor cycle of the filter; bits 22 and 23 say what. */
+/** Bit 21. Minor cycle of the filter; bits 22 and 23 say what. */
 static inline bool mip_cv7_continuous_built_in_test_get_filter_minor_cycle_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 21, 1);
@@ -194,7 +194,7 @@ static inline void mip_cv7_continuous_built_in_test_set_filter_minor_cycle_fault
     mip_set_bits(flags->bytes, 21, 1, value);
 }
 
-/** Bit 22: A filter process misses its base rate; bits 20 and 21 say which. */
+/** Bit 22. A filter process misses its base rate; bits 20 and 21 say which. */
 static inline bool mip_cv7_continuous_built_in_test_get_filter_data_rate_error(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 22, 1);
@@ -204,7 +204,7 @@ static inline void mip_cv7_continuous_built_in_test_set_filter_data_rate_error(
     mip_set_bits(flags->bytes, 22, 1, value);
 }
 
-/** Bit 23: A filter process produces no data; bits 20 and 21 say which. */
+/** Bit 23. A filter process produces no data; bits 20 and 21 say which. */
 static inline bool mip_cv7_continuous_built_in_test_get_filter_process_stall(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 23, 1);
@@ -214,7 +214,7 @@ static inline void mip_cv7_continuous_built_in_test_set_filter_process_stall(
     mip_set_bits(flags->bytes, 23, 1, value);
 }
 
-/** Bits 24 to 27: Any of these: GNSS does not work normally. */
+/** Bits 24 to 27. Any of these: GNSS does not work normally. Overlaps other bits. */
 static inline uint8_t mip_cv7_continuous_built_in_test_get_gnss_subsystem_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 24, 4);
@@ -224,7 +224,7 @@ static inline void mip_cv7_continuous_built_in_test_set_gnss_subsystem_fault(
     mip_set_bits(flags->bytes, 24, 4, value);
 }
 
-/** Bit 24: The main GNSS process did not run in time. */
+/** Bit 24. The main GNSS process did not run in time. */
 static inline bool mip_cv7_continuous_built_in_test_get_gnss_main_process_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 24, 1);
@@ -234,7 +234,7 @@ static inline void mip_cv7_continuous_built_in_test_set_gnss_main_process_fault(
     mip_set_bits(flags->bytes, 24, 1, value);
 }
 
-/** Bit 25: No data from internal receiver 1 in time. */
+/** Bit 25. No data from internal receiver 1 in time. */
 static inline bool mip_cv7_continuous_built_in_test_get_gnss_receiver_1_stall(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 25, 1);
@@ -244,7 +244,7 @@ static inline void mip_cv7_continuous_built_in_test_set_gnss_receiver_1_stall(
     mip_set_bits(flags->bytes, 25, 1, value);
 }
 
-/** Bit 26: No data from internal receiver 2 in time. */
+/** Bit 26. No data from internal receiver 2 in time. */
 static inline bool mip_cv7_continuous_built_in_test_get_gnss_receiver_2_stall(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 26, 1);
@@ -254,17 +254,17 @@ static inline void mip_cv7_continuous_built_in_test_set_gnss_receiver_2_stall(
     mip_set_bits(flags->bytes, 26, 1, value);
 }
 
-/** Bit 33: No communication with the inertial sensors. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_communication_fault(
+/** Bit 33. No communication with the inertial sensors. */
+static inline bool mip_cv7_continuous_built_in_test_get_imu_comm_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 33, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_communication_fault(
+static inline void mip_cv7_continuous_built_in_test_set_imu_comm_fault(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 33, 1, value);
 }
 
-/** Bit 34: Inertial sensor processes take longer than their time. */
+/** Bit 34. Inertial sensor processes take longer than their time. */
 static inline bool mip_cv7_continuous_built_in_test_get_imu_timing_overrun(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 34, 1);
@@ -274,127 +274,127 @@ static inline void mip_cv7_continuous_built_in_test_set_imu_timing_overrun(
     mip_set_bits(flags->bytes, 34, 1, value);
 }
 
-/** Bit 36: Fault of the accelerometer calibration. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_accelerometer(
+/** Bit 36. Fault of the accelerometer calibration. */
+static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_accel(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_accelerometer(
+static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_accel(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
-/** Bit 37: Fault of the gyroscope calibration. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_gyroscope(
+/** Bit 37. Fault of the gyroscope calibration. */
+static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_gyro(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_gyroscope(
+static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_gyro(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
-/** Bit 38: Fault of the magnetometer calibration. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_magnetometer(
+/** Bit 38. Fault of the magnetometer calibration. */
+static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_mag(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_magnetometer(
+static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_mag(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 38, 1, value);
 }
 
-/** Bit 40: The accelerometer does not initialize. */
-static inline bool mip_cv7_continuous_built_in_test_get_accelerometer_general_fault(
+/** Bit 40. The accelerometer does not initialize. */
+static inline bool mip_cv7_continuous_built_in_test_get_accel_general_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 40, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_accelerometer_general_fault(
+static inline void mip_cv7_continuous_built_in_test_set_accel_general_fault(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 40, 1, value);
 }
 
-/** Bit 41: An axis is near or outside the selected range. */
-static inline bool mip_cv7_continuous_built_in_test_get_accelerometer_over_range(
+/** Bit 41. An axis is near or outside the selected range. */
+static inline bool mip_cv7_continuous_built_in_test_get_accel_over_range(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 41, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_accelerometer_over_range(
+static inline void mip_cv7_continuous_built_in_test_set_accel_over_range(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 41, 1, value);
 }
 
-/** Bit 42: The self test failed; updated by the commanded test. */
-static inline bool mip_cv7_continuous_built_in_test_get_accelerometer_self_test_fail(
+/** Bit 42. The self test failed; updated by the commanded test. */
+static inline bool mip_cv7_continuous_built_in_test_get_accel_self_test_fail(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 42, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_accelerometer_self_test_fail(
+static inline void mip_cv7_continuous_built_in_test_set_accel_self_test_fail(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 42, 1, value);
 }
 
-/** Bit 44: The gyroscope does not initialize. */
-static inline bool mip_cv7_continuous_built_in_test_get_gyroscope_general_fault(
+/** Bit 44. The gyroscope does not initialize. */
+static inline bool mip_cv7_continuous_built_in_test_get_gyro_general_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 44, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_gyroscope_general_fault(
+static inline void mip_cv7_continuous_built_in_test_set_gyro_general_fault(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 44, 1, value);
 }
 
-/** Bit 45: An axis is near or outside the selected range. */
-static inline bool mip_cv7_continuous_built_in_test_get_gyroscope_over_range(
+/** Bit 45. An axis is near or outside the selected range. */
+static inline bool mip_cv7_continuous_built_in_test_get_gyro_over_range(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 45, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_gyroscope_over_range(
+static inline void mip_cv7_continuous_built_in_test_set_gyro_over_range(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 45, 1, value);
 }
 
-/** Bit 46: The self test failed; updated by the commanded test. */
-static inline bool mip_cv7_continuous_built_in_test_get_gyroscope_self_test_fail(
+/** Bit 46. The self test failed; updated by the commanded test. */
+static inline bool mip_cv7_continuous_built_in_test_get_gyro_self_test_fail(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 46, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_gyroscope_self_test_fail(
+static inline void mip_cv7_continuous_built_in_test_set_gyro_self_test_fail(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 46, 1, value);
 }
 
-/** Bit 48: The magnetometer does not initialize. */
-static inline bool mip_cv7_continuous_built_in_test_get_magnetometer_general_fault(
+/** Bit 48. The magnetometer does not initialize. */
+static inline bool mip_cv7_continuous_built_in_test_get_mag_general_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 48, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_magnetometer_general_fault(
+static inline void mip_cv7_continuous_built_in_test_set_mag_general_fault(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 48, 1, value);
 }
 
-/** Bit 49: An axis is near or outside the supported range. */
-static inline bool mip_cv7_continuous_built_in_test_get_magnetometer_over_range(
+/** Bit 49. An axis is near or outside the supported range. */
+static inline bool mip_cv7_continuous_built_in_test_get_mag_over_range(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 49, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_magnetometer_over_range(
+static inline void mip_cv7_continuous_built_in_test_set_mag_over_range(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 49, 1, value);
 }
 
-/** Bit 50: The self test failed; updated by the commanded test. */
-static inline bool mip_cv7_continuous_built_in_test_get_magnetometer_self_test_fail(
+/** Bit 50. The self test failed; updated by the commanded test. */
+static inline bool mip_cv7_continuous_built_in_test_get_mag_self_test_fail(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 50, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_magnetometer_self_test_fail(
+static inline void mip_cv7_continuous_built_in_test_set_mag_self_test_fail(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 50, 1, value);
 }
 
-/** Bit 52: The pressure sensor does not initialize. */
+/** Bit 52. The pressure sensor does not initialize. */
 static inline bool mip_cv7_continuous_built_in_test_get_pressure_sensor_general_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 52, 1);
@@ -404,7 +404,7 @@ static inline void mip_cv7_continuous_built_in_test_set_pressure_sensor_general_
     mip_set_bits(flags->bytes, 52, 1, value);
 }
 
-/** Bit 53: The pressure is outside the supported range. */
+/** Bit 53. The pressure is outside the supported range. */
 static inline bool mip_cv7_continuous_built_in_test_get_pressure_sensor_over_range(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 53, 1);
@@ -414,7 +414,7 @@ static inline void mip_cv7_continuous_built_in_test_set_pressure_sensor_over_ran
     mip_set_bits(flags->bytes, 53, 1, value);
 }
 
-/** Bit 54: The self test failed; updated by the commanded test. */
+/** Bit 54. The self test failed; updated by the commanded test. */
 static inline bool mip_cv7_continuous_built_in_test_get_pressure_sensor_self_test_fail(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 54, 1);
@@ -424,7 +424,7 @@ static inline void mip_cv7_continuous_built_in_test_set_pressure_sensor_self_tes
     mip_set_bits(flags->bytes, 54, 1, value);
 }
 
-/** Bit 56: The device has lost its factory configuration. */
+/** Bit 56. The device has lost its factory configuration. */
 static inline bool mip_cv7_continuous_built_in_test_get_factory_bits_invalid(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 56, 1);
@@ -434,7 +434,7 @@ static inline void mip_cv7_continuous_built_in_test_set_factory_bits_invalid(
     mip_set_bits(flags->bytes, 56, 1, value);
 }
 
-/** Bit 66: Filter processes take longer than their time. */
+/** Bit 66. Filter processes take longer than their time. */
 static inline bool mip_cv7_continuous_built_in_test_get_filter_timing_overrun(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 66, 1);
@@ -444,7 +444,7 @@ static inline void mip_cv7_continuous_built_in_test_set_filter_timing_overrun(
     mip_set_bits(flags->bytes, 66, 1, value);
 }
 
-/** Bit 67: Filter processes are skipped. */
+/** Bit 67. Filter processes are skipped. */
 static inline bool mip_cv7_continuous_built_in_test_get_filter_timing_underrun(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 67, 1);
@@ -454,7 +454,7 @@ static inline void mip_cv7_continuous_built_in_test_set_filter_timing_underrun(
     mip_set_bits(flags->bytes, 67, 1, value);
 }
 
-/** Bit 105: No communication with internal receiver 1. */
+/** Bit 105. No communication with internal receiver 1. */
 static inline bool mip_cv7_continuous_built_in_test_get_receiver_1_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 105, 1);
@@ -464,7 +464,7 @@ static inline void mip_cv7_continuous_built_in_test_set_receiver_1_fault(
     mip_set_bits(flags->bytes, 105, 1, value);
 }
 
-/** Bit 108: Internal receiver 1 has no valid solution; mostly no sky view. */
+/** Bit 108. Internal receiver 1 has no valid solution; mostly no sky view. */
 static inline bool mip_cv7_continuous_built_in_test_get_receiver_1_no_solution(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 108, 1);
@@ -474,7 +474,7 @@ static inline void mip_cv7_continuous_built_in_test_set_receiver_1_no_solution(
     mip_set_bits(flags->bytes, 108, 1, value);
 }
 
-/** Bit 110: No communication with internal receiver 2. */
+/** Bit 110. No communication with internal receiver 2. */
 static inline bool mip_cv7_continuous_built_in_test_get_receiver_2_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 110, 1);
@@ -484,7 +484,7 @@ static inline void mip_cv7_continuous_built_in_test_set_receiver_2_fault(
     mip_set_bits(flags->bytes, 110, 1, value);
 }
 
-/** Bit 113: Internal receiver 2 has no valid solution; mostly no sky view. */
+/** Bit 113. Internal receiver 2 has no valid solution; mostly no sky view. */
 static inline bool mip_cv7_continuous_built_in_test_get_receiver_2_no_solution(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 113, 1);
@@ -546,11 +546,11 @@ typedef uint8_t mip_event_trigger_mode;
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
 typedef uint8_t mip_event_trigger_status;
-/** Bit 0: Active now, by its condition or by a test mode. */
+/** Bit 0. Active now, by its condition or by a test mode. */
 #define MIP_EVENT_TRIGGER_STATUS_ACTIVE 0x01U
-/** Bit 1: Enabled. */
+/** Bit 1. Enabled. */
 #define MIP_EVENT_TRIGGER_STATUS_ENABLED 0x02U
-/** Bit 2: In a test mode. */
+/** Bit 2. In a test mode. */
 #define MIP_EVENT_TRIGGER_STATUS_TEST 0x04U
 
 /**
@@ -609,7 +609,7 @@ typedef uint8_t mip_event_action_gpio_mode;
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
 struct mip_event_trigger_gpio {
-    /** GPIO pin, counted from 1. At least 1. */
+    /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
     /** How the pin activates the trigger. */
     mip_event_trigger_gpio_mode mode;
@@ -621,12 +621,12 @@ void mip_event_trigger_gpio_write(struct mip_writer *w, const struct mip_event_t
 /** Two thresholds with a window between them. */
 struct mip_event_threshold_window {
     /** Lower threshold, in the unit of the watched value. */
-    double low_thres;
+    double low_threshold;
     /**
      * Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger
      * is active outside of the window.
      */
-    double high_thres;
+    double high_threshold;
 };
 
 void mip_event_threshold_window_read(struct mip_reader *r, struct mip_event_threshold_window *v);
@@ -638,10 +638,11 @@ struct mip_event_threshold_interval {
     /**
      * The trigger is active while the remainder is at most this, in the unit of the watched value.
      */
-    double int_thres;
+    double interval_threshold;
     /**
      * Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the
-     * two swap roles: the trigger is active while the value modulo int_thres is above this.
+     * two swap roles: the trigger is active while the value modulo interval_threshold is above
+     * this.
      */
     double interval;
 };
@@ -653,9 +654,12 @@ void mip_event_threshold_interval_write(struct mip_writer *w,
 
 /** The member of mip_event_trigger_threshold that `type` selects. */
 union mip_event_trigger_threshold_thresholds {
-    /** If type is window. */
+    /** If type is MIP_EVENT_THRESHOLD_TYPE_WINDOW. The value lies between two thresholds. */
     struct mip_event_threshold_window window;
-    /** If type is interval. */
+    /**
+     * If type is MIP_EVENT_THRESHOLD_TYPE_INTERVAL. The remainder of the value by an interval is at
+     * most a threshold.
+     */
     struct mip_event_threshold_interval interval;
 };
 
@@ -666,17 +670,17 @@ union mip_event_trigger_threshold_thresholds {
  */
 struct mip_event_trigger_threshold {
     /** Data descriptor set of the watched value. */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /** Field descriptor of the watched value. */
-    uint8_t field_desc;
+    uint8_t field_descriptor;
     /**
-     * Number of the value in its field, counted from 1; each element of a vector counts. At least
-     * 1.
+     * Number of the value in its field, counted from 1; each element of a vector counts. Range: at
+     * least 1.
      */
-    uint8_t param_id;
+    uint8_t parameter_id;
     /** Kind of comparison. */
     mip_event_threshold_type type;
-    /** What the value is compared with. */
+    /** What the value is compared with. Selected by type. */
     union mip_event_trigger_threshold_thresholds thresholds;
 };
 
@@ -697,8 +701,9 @@ struct mip_event_trigger_combination {
      */
     uint16_t logic_table;
     /**
-     * Trigger instances for the inputs a to d; 0 is always inactive. An input may name the trigger
-     * itself; it is then the output of the event cycle before.
+     * Trigger instances for the inputs a to d; 0 is always inactive.
+     *
+     * An input may name the trigger itself; it is then the output of the event cycle before.
      */
     uint8_t input_triggers[4];
 };
@@ -714,7 +719,7 @@ void mip_event_trigger_combination_write(struct mip_writer *w,
  * - 3dm-cv7-gnss-ins: GpioParams
  */
 struct mip_event_action_gpio {
-    /** GPIO pin, counted from 1. At least 1. */
+    /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
     /** What happens to the pin. */
     mip_event_action_gpio_mode mode;
@@ -730,13 +735,13 @@ void mip_event_action_gpio_write(struct mip_writer *w, const struct mip_event_ac
  */
 struct mip_event_action_message {
     /** Data descriptor set of the packet. */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /**
      * 0 sends one packet per activation. Any other value streams while the trigger is active, at
      * the base rate of the descriptor set divided by it.
      */
     uint16_t decimation;
-    /** Number of fields in the packet. Range: 0 to 12. */
+    /** Number of fields in the packet. The number of elements of descriptors. Range: 0 to 12. */
     uint8_t num_fields;
     /** Field descriptors, in order. */
     uint8_t descriptors[249];
@@ -1002,12 +1007,12 @@ typedef uint8_t mip_gpio_uart_behavior;
  * - 3dm-cv7-gnss-ins: Pin Mode
  */
 typedef uint8_t mip_gpio_pin_mode;
-/** Bit 0: The output drives low or floats. It usually needs a pull-up. */
+/** Bit 0. The output drives low or floats. It usually needs a pull-up. */
 #define MIP_GPIO_PIN_MODE_OPEN_DRAIN 0x01U
-/** Bit 1: Internal pull-down resistor; not together with the pull-up. */
+/** Bit 1. Internal pull-down resistor; not together with the pull-up. */
 #define MIP_GPIO_PIN_MODE_PULLDOWN 0x02U
 /**
- * Bit 2: Internal pull-up resistor; not together with the pull-down. May lower the allowed input
+ * Bit 2. Internal pull-up resistor; not together with the pull-down. May lower the allowed input
  * voltage.
  */
 #define MIP_GPIO_PIN_MODE_PULLUP 0x04U
@@ -1067,13 +1072,278 @@ struct mip_nmea_message {
     /** The talker that the sentence names. */
     mip_nmea_talker_id talker_id;
     /** Data descriptor set that the contents are taken from. */
-    uint8_t source_desc_set;
+    uint8_t source_descriptor_set;
     /** Base rate of the source descriptor set divided by the wanted rate; a poll ignores it. */
     uint16_t decimation;
 };
 
 void mip_nmea_message_read(struct mip_reader *r, struct mip_nmea_message *v);
 void mip_nmea_message_write(struct mip_writer *w, const struct mip_nmea_message *v);
+
+/**
+ * State of the modem and of the corrections. Models of another kind send rtk_status_flags_legacy.
+ * Uncertain: Which model sends which of the two forms. The SDK says only that the model number
+ * decides it. Uncertain: Other software of the vendor looks at `version`: 0 is the legacy form, 1
+ * is this one. In the legacy form of the SDK the same two bits are `sinr`. Uncertain: The SDK gives
+ * the names only; the descriptions follow from them. What the values mean is open.
+ *
+ * - mip-sdk-4: Get Status Flags (0x0F,0x01)
+ */
+typedef uint32_t mip_rtk_status_flags;
+/** Bits 0 to 3. State of the modem. */
+#define MIP_RTK_STATUS_FLAGS_MODEM_STATE UINT32_C(0x0000000F)
+/** Bits 4 to 7. Kind of the cellular connection. */
+#define MIP_RTK_STATUS_FLAGS_CONNECTION_TYPE UINT32_C(0x000000F0)
+/**
+ * Bits 8 to 15. Received signal strength. Uncertain: Its unit and sign; other software of the
+ * vendor takes it as negative.
+ */
+#define MIP_RTK_STATUS_FLAGS_RSSI UINT32_C(0x0000FF00)
+/** Bits 16 to 19. Signal quality. */
+#define MIP_RTK_STATUS_FLAGS_SIGNAL_QUALITY UINT32_C(0x000F0000)
+/** Bits 20 to 23. Changes of the cell tower. */
+#define MIP_RTK_STATUS_FLAGS_TOWER_CHANGE_INDICATOR UINT32_C(0x00F00000)
+/** Bit 24. No NMEA came from the device in time. */
+#define MIP_RTK_STATUS_FLAGS_NMEA_TIMEOUT UINT32_C(0x01000000)
+/** Bit 25. The server did not answer in time. */
+#define MIP_RTK_STATUS_FLAGS_SERVER_TIMEOUT UINT32_C(0x02000000)
+/** Bit 26. No corrections came in time. */
+#define MIP_RTK_STATUS_FLAGS_CORRECTIONS_TIMEOUT UINT32_C(0x04000000)
+/** Bit 27. The device is outside of the area of the service. */
+#define MIP_RTK_STATUS_FLAGS_DEVICE_OUT_OF_RANGE UINT32_C(0x08000000)
+/** Bit 28. There are no corrections. */
+#define MIP_RTK_STATUS_FLAGS_CORRECTIONS_UNAVAILABLE UINT32_C(0x10000000)
+/** Bits 30 to 31. Form of these flags. */
+#define MIP_RTK_STATUS_FLAGS_VERSION UINT32_C(0xC0000000)
+
+/** Bits 0 to 3. State of the modem. */
+static inline uint8_t mip_rtk_status_flags_get_modem_state(mip_rtk_status_flags flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_MODEM_STATE;
+    return (uint8_t)bits;
+}
+static inline void mip_rtk_status_flags_set_modem_state(mip_rtk_status_flags *flags,
+                                                        uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_MODEM_STATE;
+    const uint32_t bits = value;
+    *flags = (mip_rtk_status_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 4 to 7. Kind of the cellular connection. */
+static inline uint8_t mip_rtk_status_flags_get_connection_type(mip_rtk_status_flags flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_CONNECTION_TYPE;
+    return (uint8_t)(bits >> 4);
+}
+static inline void mip_rtk_status_flags_set_connection_type(mip_rtk_status_flags *flags,
+                                                            uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_CONNECTION_TYPE;
+    const uint32_t bits = (uint32_t)value << 4;
+    *flags = (mip_rtk_status_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/**
+ * Bits 8 to 15. Received signal strength. Uncertain: Its unit and sign; other software of the
+ * vendor takes it as negative.
+ */
+static inline uint8_t mip_rtk_status_flags_get_rssi(mip_rtk_status_flags flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_RSSI;
+    return (uint8_t)(bits >> 8);
+}
+static inline void mip_rtk_status_flags_set_rssi(mip_rtk_status_flags *flags, uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_RSSI;
+    const uint32_t bits = (uint32_t)value << 8;
+    *flags = (mip_rtk_status_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 16 to 19. Signal quality. */
+static inline uint8_t mip_rtk_status_flags_get_signal_quality(mip_rtk_status_flags flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_SIGNAL_QUALITY;
+    return (uint8_t)(bits >> 16);
+}
+static inline void mip_rtk_status_flags_set_signal_quality(mip_rtk_status_flags *flags,
+                                                           uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_SIGNAL_QUALITY;
+    const uint32_t bits = (uint32_t)value << 16;
+    *flags = (mip_rtk_status_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 20 to 23. Changes of the cell tower. */
+static inline uint8_t mip_rtk_status_flags_get_tower_change_indicator(mip_rtk_status_flags flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_TOWER_CHANGE_INDICATOR;
+    return (uint8_t)(bits >> 20);
+}
+static inline void mip_rtk_status_flags_set_tower_change_indicator(mip_rtk_status_flags *flags,
+                                                                   uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_TOWER_CHANGE_INDICATOR;
+    const uint32_t bits = (uint32_t)value << 20;
+    *flags = (mip_rtk_status_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 30 to 31. Form of these flags. */
+static inline uint8_t mip_rtk_status_flags_get_version(mip_rtk_status_flags flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_VERSION;
+    return (uint8_t)(bits >> 30);
+}
+static inline void mip_rtk_status_flags_set_version(mip_rtk_status_flags *flags, uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_VERSION;
+    const uint32_t bits = (uint32_t)value << 30;
+    *flags = (mip_rtk_status_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/**
+ * State of the modem and of the corrections, in its older form. Uncertain: Which model sends which
+ * of the two forms; see rtk_status_flags. Uncertain: The SDK calls bits 20-31 reserved, and puts
+ * the four last numbers there too. Uncertain: The SDK gives the names only; the descriptions follow
+ * from them. What the values mean is open.
+ *
+ * - mip-sdk-4: Get Status Flags (0x0F,0x01)
+ */
+typedef uint32_t mip_rtk_status_flags_legacy;
+/** Bits 0 to 2. State of the controller. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATE UINT32_C(0x00000007)
+/** Bits 3 to 7. State of the platform. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATE UINT32_C(0x000000F8)
+/** Bits 8 to 10. Status code of the controller. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATUS_CODE UINT32_C(0x00000700)
+/** Bits 11 to 13. Status code of the platform. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATUS_CODE UINT32_C(0x00003800)
+/** Bits 14 to 15. Reason of the last reset. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_RESET_CODE UINT32_C(0x0000C000)
+/** Bits 16 to 19. Signal quality. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_SIGNAL_QUALITY UINT32_C(0x000F0000)
+/** Bits 20 to 25. Received signal strength. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_RSSI UINT32_C(0x03F00000)
+/** Bits 26 to 27. Received power of the reference signal. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_RSRP UINT32_C(0x0C000000)
+/** Bits 28 to 29. Received quality of the reference signal. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_RSRQ UINT32_C(0x30000000)
+/** Bits 30 to 31. Signal to interference and noise ratio. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_SINR UINT32_C(0xC0000000)
+
+/** Bits 0 to 2. State of the controller. */
+static inline uint8_t
+mip_rtk_status_flags_legacy_get_controller_state(mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATE;
+    return (uint8_t)bits;
+}
+static inline void mip_rtk_status_flags_legacy_set_controller_state(
+    mip_rtk_status_flags_legacy *flags, uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATE;
+    const uint32_t bits = value;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 3 to 7. State of the platform. */
+static inline uint8_t
+mip_rtk_status_flags_legacy_get_platform_state(mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATE;
+    return (uint8_t)(bits >> 3);
+}
+static inline void
+mip_rtk_status_flags_legacy_set_platform_state(mip_rtk_status_flags_legacy *flags, uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATE;
+    const uint32_t bits = (uint32_t)value << 3;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 8 to 10. Status code of the controller. */
+static inline uint8_t
+mip_rtk_status_flags_legacy_get_controller_status_code(mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATUS_CODE;
+    return (uint8_t)(bits >> 8);
+}
+static inline void mip_rtk_status_flags_legacy_set_controller_status_code(
+    mip_rtk_status_flags_legacy *flags, uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATUS_CODE;
+    const uint32_t bits = (uint32_t)value << 8;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 11 to 13. Status code of the platform. */
+static inline uint8_t
+mip_rtk_status_flags_legacy_get_platform_status_code(mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATUS_CODE;
+    return (uint8_t)(bits >> 11);
+}
+static inline void mip_rtk_status_flags_legacy_set_platform_status_code(
+    mip_rtk_status_flags_legacy *flags, uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATUS_CODE;
+    const uint32_t bits = (uint32_t)value << 11;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 14 to 15. Reason of the last reset. */
+static inline uint8_t
+mip_rtk_status_flags_legacy_get_reset_code(mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RESET_CODE;
+    return (uint8_t)(bits >> 14);
+}
+static inline void mip_rtk_status_flags_legacy_set_reset_code(mip_rtk_status_flags_legacy *flags,
+                                                              uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_RESET_CODE;
+    const uint32_t bits = (uint32_t)value << 14;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 16 to 19. Signal quality. */
+static inline uint8_t
+mip_rtk_status_flags_legacy_get_signal_quality(mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_SIGNAL_QUALITY;
+    return (uint8_t)(bits >> 16);
+}
+static inline void
+mip_rtk_status_flags_legacy_set_signal_quality(mip_rtk_status_flags_legacy *flags, uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_SIGNAL_QUALITY;
+    const uint32_t bits = (uint32_t)value << 16;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 20 to 25. Received signal strength. */
+static inline uint8_t mip_rtk_status_flags_legacy_get_rssi(mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RSSI;
+    return (uint8_t)(bits >> 20);
+}
+static inline void mip_rtk_status_flags_legacy_set_rssi(mip_rtk_status_flags_legacy *flags,
+                                                        uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_RSSI;
+    const uint32_t bits = (uint32_t)value << 20;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 26 to 27. Received power of the reference signal. */
+static inline uint8_t mip_rtk_status_flags_legacy_get_rsrp(mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RSRP;
+    return (uint8_t)(bits >> 26);
+}
+static inline void mip_rtk_status_flags_legacy_set_rsrp(mip_rtk_status_flags_legacy *flags,
+                                                        uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_RSRP;
+    const uint32_t bits = (uint32_t)value << 26;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 28 to 29. Received quality of the reference signal. */
+static inline uint8_t mip_rtk_status_flags_legacy_get_rsrq(mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RSRQ;
+    return (uint8_t)(bits >> 28);
+}
+static inline void mip_rtk_status_flags_legacy_set_rsrq(mip_rtk_status_flags_legacy *flags,
+                                                        uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_RSRQ;
+    const uint32_t bits = (uint32_t)value << 28;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 30 to 31. Signal to interference and noise ratio. */
+static inline uint8_t mip_rtk_status_flags_legacy_get_sinr(mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_SINR;
+    return (uint8_t)(bits >> 30);
+}
+static inline void mip_rtk_status_flags_legacy_set_sinr(mip_rtk_status_flags_legacy *flags,
+                                                        uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_SINR;
+    const uint32_t bits = (uint32_t)value << 30;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
 
 /**
  * The result of a command.
@@ -1114,15 +1384,15 @@ void mip_descriptor_rate_write(struct mip_writer *w, const struct mip_descriptor
  * - 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
  */
 typedef uint16_t mip_sensor_gps_timestamp_flags;
-/** Bit 0: The PPS signal is present. */
+/** Bit 0. The PPS signal is present. */
 #define MIP_SENSOR_GPS_TIMESTAMP_FLAGS_PPS_VALID 0x0001U
-/** Bit 1: Toggles each time that the time is updated. */
+/** Bit 1. Toggles each time that the time is updated. */
 #define MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_REFRESH 0x0002U
-/** Bit 2: The time has been set at least once. */
+/** Bit 2. The time has been set at least once. */
 #define MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED 0x0004U
-/** Bit 3: The time of week is valid. */
+/** Bit 3. The time of week is valid. */
 #define MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TOW_VALID 0x0008U
-/** Bit 4: The week number is valid. */
+/** Bit 4. The week number is valid. */
 #define MIP_SENSOR_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER_VALID 0x0010U
 
 /**
@@ -1132,11 +1402,11 @@ typedef uint16_t mip_sensor_gps_timestamp_flags;
  * - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
  */
 typedef uint16_t mip_gx5_sensor_gps_timestamp_flags;
-/** Bit 0: The PPS signal is present; without it, the internal clock drives the time. */
+/** Bit 0. The PPS signal is present; without it, the internal clock drives the time. */
 #define MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_PPS_VALID 0x0001U
-/** Bit 1: Toggles each time that the time is updated. */
+/** Bit 1. Toggles each time that the time is updated. */
 #define MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_REFRESH 0x0002U
-/** Bit 2: The time has been set at least once. */
+/** Bit 2. The time has been set at least once. */
 #define MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED 0x0004U
 
 #ifdef __cplusplus

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar, TypeVar
+from typing import Any, ClassVar, TypeAlias, TypeVar
 
 from .errors import DecodeError
 from .packet import Packet, PacketBuilder, RawField
@@ -20,7 +20,7 @@ class Structure:
     READINGS: ClassVar[dict[str, tuple[str, dict[object, type]]]] = {}
 
     @classmethod
-    def _read(cls: type[S], data: bytes, at: int) -> tuple[S, int]:
+    def _read(cls: type[S], raw: bytes, at: int) -> tuple[S, int]:
         """The values at a place, and where they end."""
         raise NotImplementedError
 
@@ -93,6 +93,10 @@ class Response(Field):
     COMMANDS: ClassVar[tuple[type[Command], ...]] = ()
 
 
+#: For where a field's own member is called `type`.
+ResponseClass: TypeAlias = "type[Response]"
+
+
 class Command(Field):
     """Is acknowledged by the device, with a response or without."""
 
@@ -109,7 +113,7 @@ class Command(Field):
         return True
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         """The response that it asks for, with these values."""
         return self.RESPONSES[0] if self.RESPONSES else None
 

@@ -98,9 +98,9 @@ bool mip_client_expect(struct mip_request *request, const struct mip_codec *code
 bool mip_client_receive(struct mip_client *client, const struct mip_packet *packet);
 
 /**
- * The same step by step, for callers who want to know what else is in the packet: goes on in a walk,
- * which may be at its beginning. True if there was something: either `*answered` is the request
- * that has been answered, and `*field` its response or, without one, the acknowledge; or
+ * The same step by step, for callers who want to know what else is in the packet: goes on in a
+ * walk, which may be at its beginning. True if there was something: either `*answered` is the
+ * request that has been answered, and `*field` its response or, without one, the acknowledge; or
  * `*answered` is NULL, and `*field` answers nothing.
  *
  *     struct mip_walk walk = mip_walk_packet(&packet);

@@ -22,11 +22,11 @@ static void write_default(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3d_default_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3D_DEFAULT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3d_default),
-    0,
+    0, /* time-out */
     read_default,
     write_default,
     NULL,

@@ -164,7 +164,8 @@ bool mip_client_receive(struct mip_client *client, const struct mip_packet *pack
 }
 
 static bool is_late(const struct mip_request *request, uint32_t now) {
-    return (uint32_t)(now - request->deadline) < UINT32_C(0x80000000); /* the time may wrap around */
+    return (uint32_t)(now - request->deadline) <
+           UINT32_C(0x80000000); /* the time may wrap around */
 }
 
 bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint32_t now,

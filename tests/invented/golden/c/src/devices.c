@@ -1,34 +1,34 @@
+
+
 /* Device profiles. */
 #include "mip/devices.h"
 
-#include <string.h>
-
-/* -------------------------------------------------------------------------------------- Model A */
+/* Model A. */
 
 static const struct mip_device_field model_a_fields[] = {
-    {0x01, 0x01, ""}, /* tools.ping */
+    {0x01, 0x01, ""},       /* tools.ping */
     {0x01, 0x02, "WRSLDA"}, /* tools.settings */
-    {0x01, 0x03, "WRA"}, /* tools.set_time */
-    {0x01, 0x04, ""}, /* tools.status */
-    {0x01, 0x05, "WRSLD"}, /* tools.bias */
-    {0x01, 0x06, ""}, /* tools.capture_bias */
-    {0x01, 0x07, ""}, /* tools.formats */
-    {0x01, 0x08, "WR"}, /* tools.choice */
-    {0x01, 0x09, "WRS"}, /* tools.list */
-    {0x01, 0x0A, ""}, /* tools.inventory */
-    {0x01, 0x0B, "WR"}, /* tools.pin */
-    {0x0C, 0x10, ""}, /* 3d.default */
-    {0x80, 0x01, ""}, /* measurements.accel */
-    {0x80, 0x02, ""}, /* measurements.numbers */
-    {0x80, 0x03, ""}, /* measurements.strings */
-    {0x80, 0x04, ""}, /* measurements.health */
-    {0x80, 0x05, ""}, /* measurements.arrays */
-    {0x80, 0x06, ""}, /* measurements.growing */
-    {0x80, 0x07, ""}, /* measurements.cloud */
-    {0x81, 0x01, ""}, /* more.accel */
-    {0x81, 0x03, ""}, /* more.strings */
-    {0x81, 0x07, ""}, /* more.own */
-    {0xFF, 0xD3, ""}, /* shared.timestamp */
+    {0x01, 0x03, "WRA"},    /* tools.set_time */
+    {0x01, 0x04, ""},       /* tools.status */
+    {0x01, 0x05, "WRSLD"},  /* tools.bias */
+    {0x01, 0x06, ""},       /* tools.capture_bias */
+    {0x01, 0x07, ""},       /* tools.formats */
+    {0x01, 0x08, "WR"},     /* tools.choice */
+    {0x01, 0x09, "WRS"},    /* tools.list */
+    {0x01, 0x0A, ""},       /* tools.inventory */
+    {0x01, 0x0B, "WR"},     /* tools.pin */
+    {0x0C, 0x10, ""},       /* 3d.default */
+    {0x80, 0x01, ""},       /* measurements.accel */
+    {0x80, 0x02, ""},       /* measurements.numbers */
+    {0x80, 0x03, ""},       /* measurements.strings */
+    {0x80, 0x04, ""},       /* measurements.health */
+    {0x80, 0x05, ""},       /* measurements.arrays */
+    {0x80, 0x06, ""},       /* measurements.growing */
+    {0x80, 0x08, ""},       /* measurements.cloud */
+    {0x81, 0x01, ""},       /* more.accel */
+    {0x81, 0x03, ""},       /* more.strings */
+    {0x81, 0x07, ""},       /* more.own */
+    {0xFF, 0xD3, ""},       /* shared.timestamp */
 };
 
 static const struct mip_device_rate model_a_rates[] = {
@@ -49,9 +49,10 @@ static const struct mip_device_limit model_a_limits[] = {
 };
 
 static const char *const model_a_pins_cells[] = {
-    "Pin", "Use",
-    "1", "pulse",
-    "2", "serial"};
+    "Pin", "Use",    /* heading */
+    "1",   "pulse",  /* row 1 */
+    "2",   "serial", /* row 2 */
+};
 
 static const struct mip_device_note model_a_notes[] = {
     {"pins", "Pins", "What each pin can do.", model_a_pins_cells, 3, 2},
@@ -69,14 +70,14 @@ const struct mip_device mip_device_model_a = {
     "Model A",
     "guide",
     "Supports nearly everything.",
-    4711,
-    23,
-    2,
-    2,
-    2,
-    1,
-    2,
-    3,
+    4711, /* model number */
+    23,   /* fields */
+    2,    /* base rates */
+    2,    /* ports */
+    2,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    3,    /* acknowledge codes */
     model_a_fields,
     model_a_rates,
     model_a_ports,
@@ -86,13 +87,13 @@ const struct mip_device mip_device_model_a = {
     model_a_ack_codes,
 };
 
-/* -------------------------------------------------------------------------------------- Model B */
+/* Model B. */
 
 static const struct mip_device_field model_b_fields[] = {
-    {0x01, 0x01, ""}, /* tools.ping */
+    {0x01, 0x01, ""},   /* tools.ping */
     {0x01, 0x02, "WR"}, /* tools.settings */
-    {0x01, 0x04, ""}, /* tools.status */
-    {0x80, 0x01, ""}, /* measurements.accel */
+    {0x01, 0x04, ""},   /* tools.status */
+    {0x80, 0x01, ""},   /* measurements.accel */
 };
 
 static const struct mip_device_rate model_b_rates[] = {
@@ -100,9 +101,9 @@ static const struct mip_device_rate model_b_rates[] = {
 };
 
 static const struct mip_device_reading model_b_readings[] = {
+    {"protocol.acknowledge.code", "mode"},
     {"tools.status_short.flags", "tools.model_b_faults"},
     {"tools.status_long.flags", "tools.model_b_faults"},
-    {"ack_code", "mode"},
 };
 
 static const uint8_t model_b_ack_codes[] = {0, 1};
@@ -112,14 +113,14 @@ const struct mip_device mip_device_model_b = {
     "Model B",
     "leaflet",
     "Small, and reads the acknowledge code in its own way.",
-    0,
-    4,
-    1,
-    0,
-    0,
-    0,
-    3,
-    2,
+    0, /* model number */
+    4, /* fields */
+    1, /* base rates */
+    0, /* ports */
+    0, /* limits */
+    0, /* notes */
+    3, /* readings */
+    2, /* acknowledge codes */
     model_b_fields,
     model_b_rates,
     NULL,
@@ -129,49 +130,10 @@ const struct mip_device mip_device_model_b = {
     model_b_ack_codes,
 };
 
-/* ------------------------------------------------------------------------------------------ all */
+/* All of them. */
 
 const struct mip_device *const mip_devices[] = {
     &mip_device_model_a,
     &mip_device_model_b,
 };
 const size_t mip_device_count = 2;
-
-const struct mip_device *mip_device_find(const char *id) {
-    for (size_t i = 0; i < mip_device_count; i++) {
-        if (strcmp(mip_devices[i]->id, id) == 0) {
-            return mip_devices[i];
-        }
-    }
-    return NULL;
-}
-
-const struct mip_device_field *mip_device_supports(const struct mip_device *device,
-                                                   uint8_t descriptor_set, uint8_t descriptor) {
-    for (size_t i = 0; i < device->field_count; i++) {
-        const struct mip_device_field *f = &device->fields[i];
-        const bool shared = f->descriptor_set == 0xFF && descriptor_set >= 0x80;
-        if ((f->descriptor_set == descriptor_set || shared) && f->descriptor == descriptor) {
-            return f;
-        }
-    }
-    return NULL;
-}
-
-double mip_device_base_rate(const struct mip_device *device, uint8_t descriptor_set) {
-    for (size_t i = 0; i < device->rate_count; i++) {
-        if (device->rates[i].descriptor_set == descriptor_set) {
-            return device->rates[i].rate;
-        }
-    }
-    return -1.0;
-}
-
-const char *mip_device_reading_of(const struct mip_device *device, const char *of) {
-    for (size_t i = 0; i < device->reading_count; i++) {
-        if (strcmp(device->readings[i].of, of) == 0) {
-            return device->readings[i].type;
-        }
-    }
-    return NULL;
-}

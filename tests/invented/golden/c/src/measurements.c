@@ -16,11 +16,11 @@ static void write_accel(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_measurements_accel_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_MEASUREMENTS_ACCEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_measurements_accel),
-    0,
+    0, /* time-out */
     read_accel,
     write_accel,
     NULL,
@@ -70,11 +70,11 @@ static void write_numbers(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_measurements_numbers_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_MEASUREMENTS_NUMBERS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_measurements_numbers),
-    0,
+    0, /* time-out */
     read_numbers,
     write_numbers,
     NULL,
@@ -110,11 +110,11 @@ static void write_strings(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_measurements_strings_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_MEASUREMENTS_STRINGS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_measurements_strings),
-    0,
+    0, /* time-out */
     read_strings,
     write_strings,
     NULL,
@@ -145,11 +145,11 @@ static void write_health(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_measurements_health_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_MEASUREMENTS_HEALTH_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_measurements_health),
-    0,
+    0, /* time-out */
     read_health,
     write_health,
     NULL,
@@ -195,11 +195,11 @@ static void write_arrays(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_measurements_arrays_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_MEASUREMENTS_ARRAYS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_measurements_arrays),
-    0,
+    0, /* time-out */
     read_arrays,
     write_arrays,
     NULL,
@@ -237,11 +237,11 @@ static void write_growing(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_measurements_growing_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_MEASUREMENTS_GROWING_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_measurements_growing),
-    0,
+    0, /* time-out */
     read_growing,
     write_growing,
     NULL,
@@ -257,6 +257,46 @@ mip_error mip_measurements_growing_encode(const struct mip_measurements_growing 
                                           struct mip_builder *builder) {
     return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_GROWING_DESCRIPTOR, write_growing,
                             value);
+}
+
+static void read_radio(struct mip_reader *r, void *value) {
+    struct mip_measurements_radio *v = (struct mip_measurements_radio *)value;
+    mip_read_bool(r, &v->connected, 1);
+    mip_read_s32(r, &v->strength, 1);
+    mip_read_float(r, &v->noise, 1);
+    mip_read_float(r, &v->gap, 1);
+    mip_read_double(r, v->gaps, 2);
+}
+
+static void write_radio(struct mip_writer *w, const void *value) {
+    const struct mip_measurements_radio *v = (const struct mip_measurements_radio *)value;
+    mip_write_bool(w, &v->connected, 1);
+    mip_write_s32(w, &v->strength, 1);
+    mip_write_float(w, &v->noise, 1);
+    mip_write_float(w, &v->gap, 1);
+    mip_write_double(w, v->gaps, 2);
+}
+
+const struct mip_codec mip_measurements_radio_codec = {
+    0x80, /* descriptor set */
+    MIP_MEASUREMENTS_RADIO_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_measurements_radio),
+    0, /* time-out */
+    read_radio,
+    write_radio,
+    NULL,
+    NULL,
+};
+
+mip_error mip_measurements_radio_decode(struct mip_measurements_radio *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_radio, value, sizeof(*value), NULL);
+}
+
+mip_error mip_measurements_radio_encode(const struct mip_measurements_radio *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_RADIO_DESCRIPTOR, write_radio, value);
 }
 
 static void read_cloud(struct mip_reader *r, void *value) {
@@ -278,11 +318,11 @@ static void write_cloud(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_measurements_cloud_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_MEASUREMENTS_CLOUD_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_measurements_cloud),
-    0,
+    0, /* time-out */
     read_cloud,
     write_cloud,
     NULL,

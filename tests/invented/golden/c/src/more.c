@@ -14,11 +14,11 @@ static void write_own(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_more_own_codec = {
-    0x81,
+    0x81, /* descriptor set */
     MIP_MORE_OWN_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_more_own),
-    0,
+    0, /* time-out */
     read_own,
     write_own,
     NULL,

@@ -14,11 +14,11 @@ static void write_acknowledge(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_protocol_acknowledge_codec = {
-    0x00,
+    0x00, /* descriptor set */
     MIP_PROTOCOL_ACKNOWLEDGE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_protocol_acknowledge),
-    0,
+    0, /* time-out */
     read_acknowledge,
     write_acknowledge,
     NULL,

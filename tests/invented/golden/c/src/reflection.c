@@ -1,3 +1,5 @@
+
+
 /* The parameters, types and names of all fields. */
 #include "mip/reflect.h"
 
@@ -6,6 +8,7 @@
 #include "mip/3d.h"
 #include "mip/measurements.h"
 #include "mip/more.h"
+#include "mip/copy.h"
 #include "mip/shared.h"
 
 /* A member's place and the bytes of one item of it. */
@@ -15,15 +18,11 @@
 /* ---------------------------------------------------------------------------------------- names */
 
 static const struct mip_named_value values_function_selector[] = {
-    {"write", 1},
-    {"read", 2},
-    {"save", 3},
-    {"load", 4},
-    {"default", 5},
-    {"apply", 6},
+    {"write", 1}, {"read", 2}, {"save", 3}, {"load", 4}, {"default", 5}, {"apply", 6},
 };
 static const struct mip_names names_function_selector = {
-    "function_selector", values_function_selector, NULL, 6, 1};
+    "function_selector", values_function_selector, NULL, 6, 1,
+};
 
 static const struct mip_named_value values_ack_code[] = {
     {"ok", 0},
@@ -31,7 +30,8 @@ static const struct mip_named_value values_ack_code[] = {
     {"invalid_parameter", 3},
 };
 static const struct mip_names names_ack_code = {
-    "ack_code", values_ack_code, NULL, 3, 1};
+    "ack_code", values_ack_code, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_mode[] = {
     {"default", 0},
@@ -39,24 +39,24 @@ static const struct mip_named_value values_mode[] = {
     {"slow", 2},
 };
 static const struct mip_names names_mode = {
-    "mode", values_mode, NULL, 3, 1};
+    "mode", values_mode, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_wide_code[] = {
     {"low", 1},
     {"high", UINT32_C(0xFFFF0000)},
 };
 static const struct mip_names names_wide_code = {
-    "wide_code", values_wide_code, NULL, 2, 4};
+    "wide_code", values_wide_code, NULL, 2, 4,
+};
 
 static const struct mip_named_bits bits_state_flags[] = {
-    {"ready", 0, 1, NULL},
-    {"hot", 1, 1, NULL},
-    {"level", 4, 3, NULL},
-    {"mode", 8, 2, &names_mode},
-    {"any", 0, 2, NULL},
+    {"ready", 0, 1, NULL},       {"hot", 1, 1, NULL}, {"level", 4, 3, NULL},
+    {"mode", 8, 2, &names_mode}, {"any", 0, 2, NULL},
 };
 static const struct mip_names names_state_flags = {
-    "state_flags", NULL, bits_state_flags, 5, 2};
+    "state_flags", NULL, bits_state_flags, 5, 2,
+};
 
 static const struct mip_named_bits bits_health[] = {
     {"clock", 0, 1, NULL},
@@ -65,33 +65,15 @@ static const struct mip_named_bits bits_health[] = {
     {"last", 127, 1, NULL},
 };
 static const struct mip_names names_health = {
-    "health", NULL, bits_health, 4, 16};
-
-static const struct mip_named_bits bits_tools_model_a_faults[] = {
-    {"clock", 0, 1, NULL},
-    {"sensor", 8, 1, NULL},
-    {"solution", 24, 1, NULL},
+    "health", NULL, bits_health, 4, 16,
 };
-static const struct mip_names names_tools_model_a_faults = {
-    "tools.model_a_faults", NULL, bits_tools_model_a_faults, 3, 4};
-
-static const struct mip_named_bits bits_tools_model_b_faults[] = {
-    {"general", 0, 1, NULL},
-    {"overload", 1, 1, NULL},
-    {"accel", 12, 1, NULL},
-};
-static const struct mip_names names_tools_model_b_faults = {
-    "tools.model_b_faults", NULL, bits_tools_model_b_faults, 3, 4};
 
 static const struct mip_named_value values_tools_shape[] = {
-    {"none", 0},
-    {"circle", 1},
-    {"path", 2},
-    {"turn", 3},
-    {"label", 4},
+    {"none", 0}, {"circle", 1}, {"path", 2}, {"turn", 3}, {"label", 4},
 };
 static const struct mip_names names_tools_shape = {
-    "tools.shape", values_tools_shape, NULL, 5, 1};
+    "tools.shape", values_tools_shape, NULL, 5, 1,
+};
 
 static const struct mip_named_value values_tools_fill[] = {
     {"empty", 0},
@@ -99,7 +81,8 @@ static const struct mip_named_value values_tools_fill[] = {
     {"striped", 2},
 };
 static const struct mip_names names_tools_fill = {
-    "tools.fill", values_tools_fill, NULL, 3, 1};
+    "tools.fill", values_tools_fill, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_tools_drive[] = {
     {"off", 0},
@@ -107,21 +90,42 @@ static const struct mip_named_value values_tools_drive[] = {
     {"serial", 2},
 };
 static const struct mip_names names_tools_drive = {
-    "tools.drive", values_tools_drive, NULL, 3, 1};
+    "tools.drive", values_tools_drive, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_tools_pulse_use[] = {
     {"input", 1},
     {"output", 2},
 };
 static const struct mip_names names_tools_pulse_use = {
-    "tools.pulse_use", values_tools_pulse_use, NULL, 2, 1};
+    "tools.pulse_use", values_tools_pulse_use, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_tools_serial_use[] = {
     {"receive", 1},
     {"transmit", 33},
 };
 static const struct mip_names names_tools_serial_use = {
-    "tools.serial_use", values_tools_serial_use, NULL, 2, 1};
+    "tools.serial_use", values_tools_serial_use, NULL, 2, 1,
+};
+
+static const struct mip_named_bits bits_tools_model_a_faults[] = {
+    {"clock", 0, 1, NULL},
+    {"sensor", 8, 1, NULL},
+    {"solution", 24, 1, NULL},
+};
+static const struct mip_names names_tools_model_a_faults = {
+    "tools.model_a_faults", NULL, bits_tools_model_a_faults, 3, 4,
+};
+
+static const struct mip_named_bits bits_tools_model_b_faults[] = {
+    {"general", 0, 1, NULL},
+    {"overload", 1, 1, NULL},
+    {"accel", 12, 1, NULL},
+};
+static const struct mip_names names_tools_model_b_faults = {
+    "tools.model_b_faults", NULL, bits_tools_model_b_faults, 3, 4,
+};
 
 const struct mip_names *const mip_all_names[] = {
     &names_function_selector,
@@ -130,13 +134,13 @@ const struct mip_names *const mip_all_names[] = {
     &names_wide_code,
     &names_state_flags,
     &names_health,
-    &names_tools_model_a_faults,
-    &names_tools_model_b_faults,
     &names_tools_shape,
     &names_tools_fill,
     &names_tools_drive,
     &names_tools_pulse_use,
     &names_tools_serial_use,
+    &names_tools_model_a_faults,
+    &names_tools_model_b_faults,
 };
 const size_t mip_all_names_count = sizeof(mip_all_names) / sizeof(mip_all_names[0]);
 
@@ -149,7 +153,10 @@ static const struct mip_parameter parameters_point[] = {
      ONE(struct mip_point, y), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_point = {
-    parameters_point, 2, sizeof(struct mip_point)};
+    parameters_point,
+    2,
+    sizeof(struct mip_point),
+};
 
 static const struct mip_parameter parameters_segment[] = {
     {"from", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -160,7 +167,10 @@ static const struct mip_parameter parameters_segment[] = {
      MANY(struct mip_segment, weights), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_segment = {
-    parameters_segment, 3, sizeof(struct mip_segment)};
+    parameters_segment,
+    3,
+    sizeof(struct mip_segment),
+};
 
 static const struct mip_parameter parameters_tools_stripes[] = {
     {"width", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -169,7 +179,10 @@ static const struct mip_parameter parameters_tools_stripes[] = {
      ONE(struct mip_tools_stripes, angle), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_stripes = {
-    parameters_tools_stripes, 2, sizeof(struct mip_tools_stripes)};
+    parameters_tools_stripes,
+    2,
+    sizeof(struct mip_tools_stripes),
+};
 
 static const struct mip_parameter members_tools_circle_filling[] = {
     {"solid", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -191,7 +204,10 @@ static const struct mip_parameter parameters_tools_circle[] = {
      ONE(struct mip_tools_circle, filling), 0, NULL, NULL, NULL, cases_tools_circle_filling, 3},
 };
 static const struct mip_record record_tools_circle = {
-    parameters_tools_circle, 3, sizeof(struct mip_tools_circle)};
+    parameters_tools_circle,
+    3,
+    sizeof(struct mip_tools_circle),
+};
 
 static const struct mip_parameter parameters_tools_path[] = {
     {"closed", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -202,19 +218,32 @@ static const struct mip_parameter parameters_tools_path[] = {
      MANY(struct mip_tools_path, points), 0, NULL, NULL, &record_point, NULL, 0},
 };
 static const struct mip_record record_tools_path = {
-    parameters_tools_path, 3, sizeof(struct mip_tools_path)};
+    parameters_tools_path,
+    3,
+    sizeof(struct mip_tools_path),
+};
 
+static const struct mip_reading readings_protocol_acknowledge_code[] = {
+    {"model-b", 0, 0, &names_mode},
+};
 static const struct mip_parameter parameters_protocol_acknowledge[] = {
     {"command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_protocol_acknowledge, command), 0, NULL, NULL, NULL, NULL, 0},
     {"code", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_protocol_acknowledge, code), 0, &names_ack_code, NULL, NULL, NULL, 0},
+     ONE(struct mip_protocol_acknowledge, code), 0, &names_ack_code,
+     readings_protocol_acknowledge_code, NULL, NULL, 1},
 };
 static const struct mip_record record_protocol_acknowledge = {
-    parameters_protocol_acknowledge, 2, sizeof(struct mip_protocol_acknowledge)};
+    parameters_protocol_acknowledge,
+    2,
+    sizeof(struct mip_protocol_acknowledge),
+};
 
 static const struct mip_record record_tools_ping = {
-    NULL, 0, sizeof(struct mip_tools_ping)};
+    NULL,
+    0,
+    sizeof(struct mip_tools_ping),
+};
 
 static const struct mip_parameter parameters_tools_settings[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -231,7 +260,10 @@ static const struct mip_parameter parameters_tools_settings[] = {
      ONE(struct mip_tools_settings, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_settings = {
-    parameters_tools_settings, 6, sizeof(struct mip_tools_settings)};
+    parameters_tools_settings,
+    6,
+    sizeof(struct mip_tools_settings),
+};
 static const uint8_t required_tools_settings[] = {0, 3, 2, 1, 1, 1, 3};
 
 static const struct mip_parameter parameters_tools_set_time[] = {
@@ -243,7 +275,10 @@ static const struct mip_parameter parameters_tools_set_time[] = {
      ONE(struct mip_tools_set_time, value), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_set_time = {
-    parameters_tools_set_time, 3, sizeof(struct mip_tools_set_time)};
+    parameters_tools_set_time,
+    3,
+    sizeof(struct mip_tools_set_time),
+};
 static const uint8_t required_tools_set_time[] = {0, 2, 1, 0, 0, 0, 2};
 
 static const struct mip_parameter parameters_tools_status[] = {
@@ -253,7 +288,10 @@ static const struct mip_parameter parameters_tools_status[] = {
      ONE(struct mip_tools_status, selector), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_status = {
-    parameters_tools_status, 2, sizeof(struct mip_tools_status)};
+    parameters_tools_status,
+    2,
+    sizeof(struct mip_tools_status),
+};
 
 static const struct mip_parameter parameters_tools_bias[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -262,7 +300,10 @@ static const struct mip_parameter parameters_tools_bias[] = {
      ONE(struct mip_tools_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_bias = {
-    parameters_tools_bias, 2, sizeof(struct mip_tools_bias)};
+    parameters_tools_bias,
+    2,
+    sizeof(struct mip_tools_bias),
+};
 static const uint8_t required_tools_bias[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_tools_capture_bias[] = {
@@ -270,7 +311,10 @@ static const struct mip_parameter parameters_tools_capture_bias[] = {
      ONE(struct mip_tools_capture_bias, time), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_capture_bias = {
-    parameters_tools_capture_bias, 1, sizeof(struct mip_tools_capture_bias)};
+    parameters_tools_capture_bias,
+    1,
+    sizeof(struct mip_tools_capture_bias),
+};
 
 static const struct mip_parameter parameters_tools_formats[] = {
     {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -283,14 +327,17 @@ static const struct mip_parameter parameters_tools_formats[] = {
      MANY(struct mip_tools_formats, segments), 0, NULL, NULL, &record_segment, NULL, 0},
 };
 static const struct mip_record record_tools_formats = {
-    parameters_tools_formats, 4, sizeof(struct mip_tools_formats)};
+    parameters_tools_formats,
+    4,
+    sizeof(struct mip_tools_formats),
+};
 
 static const struct mip_parameter members_tools_choice_parameters[] = {
     {"circle", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(union mip_tools_choice_parameters, circle), 0, NULL, NULL, &record_tools_circle, NULL, 0},
     {"path", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(union mip_tools_choice_parameters, path), 0, NULL, NULL, &record_tools_path, NULL, 0},
-    {"rotation", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+    {"rotation", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
      ONE(union mip_tools_choice_parameters, rotation), 0, NULL, NULL, NULL, NULL, 0},
     {"label", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 8, 1, 0, 0, 0,
      MANY(union mip_tools_choice_parameters, label), 0, NULL, NULL, NULL, NULL, 0},
@@ -314,7 +361,10 @@ static const struct mip_parameter parameters_tools_choice[] = {
      5},
 };
 static const struct mip_record record_tools_choice = {
-    parameters_tools_choice, 4, sizeof(struct mip_tools_choice)};
+    parameters_tools_choice,
+    4,
+    sizeof(struct mip_tools_choice),
+};
 static const uint8_t required_tools_choice[] = {0, 3, 1};
 
 static const struct mip_parameter parameters_tools_list[] = {
@@ -326,11 +376,17 @@ static const struct mip_parameter parameters_tools_list[] = {
      MANY(struct mip_tools_list, items), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_list = {
-    parameters_tools_list, 3, sizeof(struct mip_tools_list)};
+    parameters_tools_list,
+    3,
+    sizeof(struct mip_tools_list),
+};
 static const uint8_t required_tools_list[] = {0, 2, 0, 0};
 
 static const struct mip_record record_tools_inventory = {
-    NULL, 0, sizeof(struct mip_tools_inventory)};
+    NULL,
+    0,
+    sizeof(struct mip_tools_inventory),
+};
 
 static const struct mip_reading readings_tools_pin_use[] = {
     {NULL, 1, 1, &names_tools_pulse_use},
@@ -345,8 +401,23 @@ static const struct mip_parameter parameters_tools_pin[] = {
      ONE(struct mip_tools_pin, use), 0, NULL, readings_tools_pin_use, NULL, NULL, 2},
 };
 static const struct mip_record record_tools_pin = {
-    parameters_tools_pin, 3, sizeof(struct mip_tools_pin)};
+    parameters_tools_pin,
+    3,
+    sizeof(struct mip_tools_pin),
+};
 static const uint8_t required_tools_pin[] = {0, 2, 1};
+
+static const struct mip_parameter parameters_tools_hello[] = {
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_hello, reserved), 0, NULL, NULL, NULL, NULL, 0},
+    {"later", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 2, 1, 0, 2, 0,
+     MANY(struct mip_tools_hello, later), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_hello = {
+    parameters_tools_hello,
+    2,
+    sizeof(struct mip_tools_hello),
+};
 
 static const struct mip_parameter parameters_tools_settings_response[] = {
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -361,21 +432,30 @@ static const struct mip_parameter parameters_tools_settings_response[] = {
      ONE(struct mip_tools_settings_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_settings_response = {
-    parameters_tools_settings_response, 5, sizeof(struct mip_tools_settings_response)};
+    parameters_tools_settings_response,
+    5,
+    sizeof(struct mip_tools_settings_response),
+};
 
 static const struct mip_parameter parameters_tools_set_time_fast_response[] = {
     {"value", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_tools_set_time_fast_response, value), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_set_time_fast_response = {
-    parameters_tools_set_time_fast_response, 1, sizeof(struct mip_tools_set_time_fast_response)};
+    parameters_tools_set_time_fast_response,
+    1,
+    sizeof(struct mip_tools_set_time_fast_response),
+};
 
 static const struct mip_parameter parameters_tools_set_time_slow_response[] = {
     {"value", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_tools_set_time_slow_response, value), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_set_time_slow_response = {
-    parameters_tools_set_time_slow_response, 1, sizeof(struct mip_tools_set_time_slow_response)};
+    parameters_tools_set_time_slow_response,
+    1,
+    sizeof(struct mip_tools_set_time_slow_response),
+};
 
 static const struct mip_parameter members_tools_choice_response_parameters[] = {
     {"circle", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -384,7 +464,7 @@ static const struct mip_parameter members_tools_choice_response_parameters[] = {
     {"path", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(union mip_tools_choice_response_parameters, path), 0, NULL, NULL, &record_tools_path, NULL,
      0},
-    {"rotation", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+    {"rotation", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
      ONE(union mip_tools_choice_response_parameters, rotation), 0, NULL, NULL, NULL, NULL, 0},
     {"label", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 8, 1, 0, 0, 0,
      MANY(union mip_tools_choice_response_parameters, label), 0, NULL, NULL, NULL, NULL, 0},
@@ -406,7 +486,10 @@ static const struct mip_parameter parameters_tools_choice_response[] = {
      cases_tools_choice_response_parameters, 5},
 };
 static const struct mip_record record_tools_choice_response = {
-    parameters_tools_choice_response, 3, sizeof(struct mip_tools_choice_response)};
+    parameters_tools_choice_response,
+    3,
+    sizeof(struct mip_tools_choice_response),
+};
 
 static const struct mip_parameter parameters_tools_list_response[] = {
     {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -415,7 +498,10 @@ static const struct mip_parameter parameters_tools_list_response[] = {
      MANY(struct mip_tools_list_response, items), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_list_response = {
-    parameters_tools_list_response, 2, sizeof(struct mip_tools_list_response)};
+    parameters_tools_list_response,
+    2,
+    sizeof(struct mip_tools_list_response),
+};
 
 static const struct mip_parameter parameters_tools_inventory_response[] = {
     {"descriptors", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_REST, 126, 1, 0, 0, 0,
@@ -423,7 +509,10 @@ static const struct mip_parameter parameters_tools_inventory_response[] = {
      offsetof(struct mip_tools_inventory_response, descriptors_count), NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_inventory_response = {
-    parameters_tools_inventory_response, 1, sizeof(struct mip_tools_inventory_response)};
+    parameters_tools_inventory_response,
+    1,
+    sizeof(struct mip_tools_inventory_response),
+};
 
 static const struct mip_reading readings_tools_pin_response_use[] = {
     {NULL, 0, 1, &names_tools_pulse_use},
@@ -437,7 +526,20 @@ static const struct mip_parameter parameters_tools_pin_response[] = {
      2},
 };
 static const struct mip_record record_tools_pin_response = {
-    parameters_tools_pin_response, 2, sizeof(struct mip_tools_pin_response)};
+    parameters_tools_pin_response,
+    2,
+    sizeof(struct mip_tools_pin_response),
+};
+
+static const struct mip_parameter parameters_tools_hello_response[] = {
+    {"seen", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_hello_response, seen), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_hello_response = {
+    parameters_tools_hello_response,
+    1,
+    sizeof(struct mip_tools_hello_response),
+};
 
 static const struct mip_reading readings_tools_status_short_flags[] = {
     {"model-a", 0, 0, &names_tools_model_a_faults},
@@ -453,7 +555,10 @@ static const struct mip_parameter parameters_tools_status_short[] = {
      NULL, 2},
 };
 static const struct mip_record record_tools_status_short = {
-    parameters_tools_status_short, 3, sizeof(struct mip_tools_status_short)};
+    parameters_tools_status_short,
+    3,
+    sizeof(struct mip_tools_status_short),
+};
 
 static const struct mip_reading readings_tools_status_long_flags[] = {
     {"model-a", 0, 0, &names_tools_model_a_faults},
@@ -471,14 +576,20 @@ static const struct mip_parameter parameters_tools_status_long[] = {
      ONE(struct mip_tools_status_long, uptime), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_status_long = {
-    parameters_tools_status_long, 4, sizeof(struct mip_tools_status_long)};
+    parameters_tools_status_long,
+    4,
+    sizeof(struct mip_tools_status_long),
+};
 
 static const struct mip_parameter parameters_tools_bias_vector[] = {
     {"bias", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_tools_bias_vector, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_bias_vector = {
-    parameters_tools_bias_vector, 1, sizeof(struct mip_tools_bias_vector)};
+    parameters_tools_bias_vector,
+    1,
+    sizeof(struct mip_tools_bias_vector),
+};
 
 static const struct mip_parameter parameters_3d_default[] = {
     {"class", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -493,7 +604,10 @@ static const struct mip_parameter parameters_3d_default[] = {
      ONE(struct mip_3d_default, present_), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3d_default = {
-    parameters_3d_default, 5, sizeof(struct mip_3d_default)};
+    parameters_3d_default,
+    5,
+    sizeof(struct mip_3d_default),
+};
 
 static const struct mip_parameter parameters_measurements_accel[] = {
     {"scaled_accel", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -502,7 +616,10 @@ static const struct mip_parameter parameters_measurements_accel[] = {
      ONE(struct mip_measurements_accel, valid_flags), 0, &names_state_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_measurements_accel = {
-    parameters_measurements_accel, 2, sizeof(struct mip_measurements_accel)};
+    parameters_measurements_accel,
+    2,
+    sizeof(struct mip_measurements_accel),
+};
 
 static const struct mip_parameter parameters_measurements_numbers[] = {
     {"u8", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -521,9 +638,9 @@ static const struct mip_parameter parameters_measurements_numbers[] = {
      ONE(struct mip_measurements_numbers, s32), 0, NULL, NULL, NULL, NULL, 0},
     {"s64", "", MIP_KIND_NUMBER, MIP_SCALAR_S64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_measurements_numbers, s64), 0, NULL, NULL, NULL, NULL, 0},
-    {"float", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+    {"float", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_measurements_numbers, float_), 0, NULL, NULL, NULL, NULL, 0},
-    {"double", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+    {"double", "1", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_measurements_numbers, double_), 0, NULL, NULL, NULL, NULL, 0},
     {"bool", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_measurements_numbers, bool_), 0, NULL, NULL, NULL, NULL, 0},
@@ -531,7 +648,10 @@ static const struct mip_parameter parameters_measurements_numbers[] = {
      ONE(struct mip_measurements_numbers, char_), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_measurements_numbers = {
-    parameters_measurements_numbers, 12, sizeof(struct mip_measurements_numbers)};
+    parameters_measurements_numbers,
+    12,
+    sizeof(struct mip_measurements_numbers),
+};
 
 static const struct mip_parameter parameters_measurements_strings[] = {
     {"model", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 16, 1, 0, 0, 0,
@@ -545,7 +665,10 @@ static const struct mip_parameter parameters_measurements_strings[] = {
      offsetof(struct mip_measurements_strings, rest_count), NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_measurements_strings = {
-    parameters_measurements_strings, 4, sizeof(struct mip_measurements_strings)};
+    parameters_measurements_strings,
+    4,
+    sizeof(struct mip_measurements_strings),
+};
 
 static const struct mip_parameter parameters_measurements_health[] = {
     {"result", "", MIP_KIND_BITS, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -554,14 +677,17 @@ static const struct mip_parameter parameters_measurements_health[] = {
      ONE(struct mip_measurements_health, code), 0, &names_wide_code, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_measurements_health = {
-    parameters_measurements_health, 2, sizeof(struct mip_measurements_health)};
+    parameters_measurements_health,
+    2,
+    sizeof(struct mip_measurements_health),
+};
 
 static const struct mip_parameter parameters_measurements_arrays[] = {
     {"modes", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 0, 0,
      MANY(struct mip_measurements_arrays, modes), 0, &names_mode, NULL, NULL, NULL, 0},
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_FIXED, 2, 1, 0, 0, 0,
      MANY(struct mip_measurements_arrays, flags), 0, &names_state_flags, NULL, NULL, NULL, 0},
-    {"vectors", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_FIXED, 2, 3, 0, 0, 0,
+    {"vectors", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_FIXED, 2, 3, 0, 0, 0,
      MANY(struct mip_measurements_arrays, vectors), 0, NULL, NULL, NULL, NULL, 0},
     {"points", "m", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 2, 1, 0, 0, 0,
      MANY(struct mip_measurements_arrays, points), 0, NULL, NULL, &record_point, NULL, 0},
@@ -571,18 +697,42 @@ static const struct mip_parameter parameters_measurements_arrays[] = {
      MANY(struct mip_measurements_arrays, offsets), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_measurements_arrays = {
-    parameters_measurements_arrays, 6, sizeof(struct mip_measurements_arrays)};
+    parameters_measurements_arrays,
+    6,
+    sizeof(struct mip_measurements_arrays),
+};
 
 static const struct mip_parameter parameters_measurements_growing[] = {
     {"first", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_measurements_growing, first), 0, NULL, NULL, NULL, NULL, 0},
     {"second", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_measurements_growing, second), 0, NULL, NULL, NULL, NULL, 0},
-    {"third", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+    {"third", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
      ONE(struct mip_measurements_growing, third), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_measurements_growing = {
-    parameters_measurements_growing, 3, sizeof(struct mip_measurements_growing)};
+    parameters_measurements_growing,
+    3,
+    sizeof(struct mip_measurements_growing),
+};
+
+static const struct mip_parameter parameters_measurements_radio[] = {
+    {"connected", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_radio, connected), 0, NULL, NULL, NULL, NULL, 0},
+    {"strength", "", MIP_KIND_NUMBER, MIP_SCALAR_S32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_radio, strength), 0, NULL, NULL, NULL, NULL, 0},
+    {"noise", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_radio, noise), 0, NULL, NULL, NULL, NULL, 0},
+    {"gap", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_radio, gap), 0, NULL, NULL, NULL, NULL, 0},
+    {"gaps", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 2, 1, 0, 0, 0,
+     MANY(struct mip_measurements_radio, gaps), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_measurements_radio = {
+    parameters_measurements_radio,
+    5,
+    sizeof(struct mip_measurements_radio),
+};
 
 static const struct mip_parameter parameters_measurements_cloud[] = {
     {"num_points", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -593,14 +743,20 @@ static const struct mip_parameter parameters_measurements_cloud[] = {
      ONE(struct mip_measurements_cloud, stamp), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_measurements_cloud = {
-    parameters_measurements_cloud, 3, sizeof(struct mip_measurements_cloud)};
+    parameters_measurements_cloud,
+    3,
+    sizeof(struct mip_measurements_cloud),
+};
 
 static const struct mip_parameter parameters_more_own[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_more_own, mode), 0, &names_mode, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_more_own = {
-    parameters_more_own, 1, sizeof(struct mip_more_own)};
+    parameters_more_own,
+    1,
+    sizeof(struct mip_more_own),
+};
 
 static const struct mip_parameter parameters_shared_timestamp[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -609,7 +765,10 @@ static const struct mip_parameter parameters_shared_timestamp[] = {
      ONE(struct mip_shared_timestamp, valid_flags), 0, &names_state_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_timestamp = {
-    parameters_shared_timestamp, 2, sizeof(struct mip_shared_timestamp)};
+    parameters_shared_timestamp,
+    2,
+    sizeof(struct mip_shared_timestamp),
+};
 
 /* --------------------------------------------------------------------------------------- fields */
 
@@ -632,6 +791,8 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_tools_inventory_codec, &record_tools_inventory, false, false, NULL, 0, 0},
     {&mip_tools_pin_codec, &record_tools_pin, true, true, required_tools_pin,
      sizeof(required_tools_pin), offsetof(struct mip_tools_pin, present)},
+    {&mip_tools_hello_codec, &record_tools_hello, false, true, NULL, 0,
+     offsetof(struct mip_tools_hello, present)},
     {&mip_tools_settings_response_codec, &record_tools_settings_response, false, false, NULL, 0, 0},
     {&mip_tools_set_time_fast_response_codec, &record_tools_set_time_fast_response, false, false,
      NULL, 0, 0},
@@ -642,6 +803,7 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_tools_inventory_response_codec, &record_tools_inventory_response, false, false, NULL, 0,
      0},
     {&mip_tools_pin_response_codec, &record_tools_pin_response, false, false, NULL, 0, 0},
+    {&mip_tools_hello_response_codec, &record_tools_hello_response, false, false, NULL, 0, 0},
     {&mip_tools_status_short_codec, &record_tools_status_short, false, false, NULL, 0, 0},
     {&mip_tools_status_long_codec, &record_tools_status_long, false, false, NULL, 0, 0},
     {&mip_tools_bias_vector_codec, &record_tools_bias_vector, false, false, NULL, 0, 0},
@@ -653,6 +815,7 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_measurements_arrays_codec, &record_measurements_arrays, false, false, NULL, 0, 0},
     {&mip_measurements_growing_codec, &record_measurements_growing, false, true, NULL, 0,
      offsetof(struct mip_measurements_growing, present)},
+    {&mip_measurements_radio_codec, &record_measurements_radio, false, false, NULL, 0, 0},
     {&mip_measurements_cloud_codec, &record_measurements_cloud, false, false, NULL, 0, 0},
     {&mip_more_own_codec, &record_more_own, false, false, NULL, 0, 0},
     {&mip_shared_timestamp_codec, &record_shared_timestamp, false, false, NULL, 0, 0},

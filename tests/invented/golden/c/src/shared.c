@@ -16,11 +16,11 @@ static void write_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_timestamp_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_timestamp),
-    0,
+    0, /* time-out */
     read_timestamp,
     write_timestamp,
     NULL,

@@ -60,11 +60,11 @@ void mip_tools_path_write(struct mip_writer *w, const struct mip_tools_path *v) 
 }
 
 const struct mip_codec mip_tools_ping_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_PING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_ping),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -122,6 +122,7 @@ static bool silent_settings(const void *value) {
 
 static bool asked_settings_1(const void *value) {
     const struct mip_tools_settings *v = (const struct mip_tools_settings *)value;
+
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -131,11 +132,11 @@ static const struct mip_response responses_settings[] = {
 };
 
 const struct mip_codec mip_tools_settings_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_settings),
-    0,
+    0, /* time-out */
     read_settings,
     write_settings,
     silent_settings,
@@ -230,11 +231,11 @@ static void write_settings_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_settings_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_SETTINGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_settings_response),
-    0,
+    0, /* time-out */
     read_settings_response,
     write_settings_response,
     NULL,
@@ -283,11 +284,13 @@ static bool silent_set_time(const void *value) {
 
 static bool asked_set_time_1(const void *value) {
     const struct mip_tools_set_time *v = (const struct mip_tools_set_time *)value;
+
     return v->function == MIP_FUNCTION_SELECTOR_READ && v->part == 1;
 }
 
 static bool asked_set_time_2(const void *value) {
     const struct mip_tools_set_time *v = (const struct mip_tools_set_time *)value;
+
     return v->function == MIP_FUNCTION_SELECTOR_READ && v->part == 2;
 }
 
@@ -298,11 +301,11 @@ static const struct mip_response responses_set_time[] = {
 };
 
 const struct mip_codec mip_tools_set_time_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_SET_TIME_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_set_time),
-    0,
+    0, /* time-out */
     read_set_time,
     write_set_time,
     silent_set_time,
@@ -357,11 +360,11 @@ static void write_set_time_fast_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_tools_set_time_fast_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_SET_TIME_FAST_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_set_time_fast_response),
-    0,
+    0, /* time-out */
     read_set_time_fast_response,
     write_set_time_fast_response,
     NULL,
@@ -391,11 +394,11 @@ static void write_set_time_slow_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_tools_set_time_slow_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_SET_TIME_SLOW_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_set_time_slow_response),
-    0,
+    0, /* time-out */
     read_set_time_slow_response,
     write_set_time_slow_response,
     NULL,
@@ -427,11 +430,13 @@ static void write_status(struct mip_writer *w, const void *value) {
 
 static bool asked_status_1(const void *value) {
     const struct mip_tools_status *v = (const struct mip_tools_status *)value;
+
     return v->selector == 1;
 }
 
 static bool asked_status_2(const void *value) {
     const struct mip_tools_status *v = (const struct mip_tools_status *)value;
+
     return v->selector == 2;
 }
 
@@ -442,11 +447,11 @@ static const struct mip_response responses_status[] = {
 };
 
 const struct mip_codec mip_tools_status_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_status),
-    2500,
+    2500, /* time-out */
     read_status,
     write_status,
     NULL,
@@ -484,11 +489,11 @@ static void write_status_short(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_status_short_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_STATUS_SHORT_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_status_short),
-    0,
+    0, /* time-out */
     read_status_short,
     write_status_short,
     NULL,
@@ -523,11 +528,11 @@ static void write_status_long(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_status_long_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_STATUS_LONG_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_status_long),
-    0,
+    0, /* time-out */
     read_status_long,
     write_status_long,
     NULL,
@@ -567,6 +572,7 @@ static void write_bias(struct mip_writer *w, const void *value) {
 
 static bool asked_bias_1(const void *value) {
     const struct mip_tools_bias *v = (const struct mip_tools_bias *)value;
+
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -576,11 +582,11 @@ static const struct mip_response responses_bias[] = {
 };
 
 const struct mip_codec mip_tools_bias_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_BIAS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_bias),
-    0,
+    0, /* time-out */
     read_bias,
     write_bias,
     NULL,
@@ -642,11 +648,11 @@ static void write_bias_vector(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_bias_vector_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_BIAS_VECTOR_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_bias_vector),
-    0,
+    0, /* time-out */
     read_bias_vector,
     write_bias_vector,
     NULL,
@@ -680,11 +686,11 @@ static const struct mip_response responses_capture_bias[] = {
 };
 
 const struct mip_codec mip_tools_capture_bias_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_CAPTURE_BIAS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_capture_bias),
-    0,
+    0, /* time-out */
     read_capture_bias,
     write_capture_bias,
     NULL,
@@ -735,11 +741,11 @@ static bool silent_formats(const void *value) {
 }
 
 const struct mip_codec mip_tools_formats_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_FORMATS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_formats),
-    0,
+    0, /* time-out */
     read_formats,
     write_formats,
     silent_formats,
@@ -827,6 +833,7 @@ static void write_choice(struct mip_writer *w, const void *value) {
 
 static bool asked_choice_1(const void *value) {
     const struct mip_tools_choice *v = (const struct mip_tools_choice *)value;
+
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -836,11 +843,11 @@ static const struct mip_response responses_choice[] = {
 };
 
 const struct mip_codec mip_tools_choice_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_CHOICE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_choice),
-    0,
+    0, /* time-out */
     read_choice,
     write_choice,
     NULL,
@@ -922,11 +929,11 @@ static void write_choice_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_choice_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_CHOICE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_choice_response),
-    0,
+    0, /* time-out */
     read_choice_response,
     write_choice_response,
     NULL,
@@ -968,6 +975,7 @@ static void write_list(struct mip_writer *w, const void *value) {
 
 static bool asked_list_1(const void *value) {
     const struct mip_tools_list *v = (const struct mip_tools_list *)value;
+
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -977,11 +985,11 @@ static const struct mip_response responses_list[] = {
 };
 
 const struct mip_codec mip_tools_list_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_LIST_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_list),
-    0,
+    0, /* time-out */
     read_list,
     write_list,
     NULL,
@@ -1032,11 +1040,11 @@ static void write_list_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_list_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_LIST_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_list_response),
-    0,
+    0, /* time-out */
     read_list_response,
     write_list_response,
     NULL,
@@ -1060,11 +1068,11 @@ static const struct mip_response responses_inventory[] = {
 };
 
 const struct mip_codec mip_tools_inventory_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_INVENTORY_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_inventory),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -1095,11 +1103,11 @@ static void write_inventory_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_inventory_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_INVENTORY_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_inventory_response),
-    0,
+    0, /* time-out */
     read_inventory_response,
     write_inventory_response,
     NULL,
@@ -1143,6 +1151,7 @@ static void write_pin(struct mip_writer *w, const void *value) {
 
 static bool asked_pin_1(const void *value) {
     const struct mip_tools_pin *v = (const struct mip_tools_pin *)value;
+
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -1152,11 +1161,11 @@ static const struct mip_response responses_pin[] = {
 };
 
 const struct mip_codec mip_tools_pin_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_PIN_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_pin),
-    0,
+    0, /* time-out */
     read_pin,
     write_pin,
     NULL,
@@ -1201,11 +1210,11 @@ static void write_pin_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_pin_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_PIN_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_pin_response),
-    0,
+    0, /* time-out */
     read_pin_response,
     write_pin_response,
     NULL,
@@ -1221,4 +1230,78 @@ mip_error mip_tools_pin_response_encode(const struct mip_tools_pin_response *val
                                         struct mip_builder *builder) {
     return mip_encode_field(builder, 0x01, MIP_TOOLS_PIN_RESPONSE_DESCRIPTOR, write_pin_response,
                             value);
+}
+
+static void read_hello(struct mip_reader *r, void *value) {
+    struct mip_tools_hello *v = (struct mip_tools_hello *)value;
+    mip_read_float(r, &v->reserved, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_double(r, v->later, 2);
+    v->present = mip_read_present(r);
+}
+
+static void write_hello(struct mip_writer *w, const void *value) {
+    const struct mip_tools_hello *v = (const struct mip_tools_hello *)value;
+    w->present = v->present;
+    mip_write_float(w, &v->reserved, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_double(w, v->later, 2);
+}
+
+static const struct mip_response responses_hello[] = {
+    {&mip_tools_hello_response_codec, NULL},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_tools_hello_codec = {
+    0x01, /* descriptor set */
+    MIP_TOOLS_HELLO_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_tools_hello),
+    0, /* time-out */
+    read_hello,
+    write_hello,
+    NULL,
+    responses_hello,
+};
+
+mip_error mip_tools_hello_decode(struct mip_tools_hello *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_hello, value, sizeof(*value), NULL);
+}
+
+mip_error mip_tools_hello_encode(const struct mip_tools_hello *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_HELLO_DESCRIPTOR, write_hello, value);
+}
+
+static void read_hello_response(struct mip_reader *r, void *value) {
+    struct mip_tools_hello_response *v = (struct mip_tools_hello_response *)value;
+    mip_read_u32(r, &v->seen, 1);
+}
+
+static void write_hello_response(struct mip_writer *w, const void *value) {
+    const struct mip_tools_hello_response *v = (const struct mip_tools_hello_response *)value;
+    mip_write_u32(w, &v->seen, 1);
+}
+
+const struct mip_codec mip_tools_hello_response_codec = {
+    0x01, /* descriptor set */
+    MIP_TOOLS_HELLO_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_tools_hello_response),
+    0, /* time-out */
+    read_hello_response,
+    write_hello_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_tools_hello_response_decode(struct mip_tools_hello_response *value,
+                                          const struct mip_field *field) {
+    return mip_decode_field(field, read_hello_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_tools_hello_response_encode(const struct mip_tools_hello_response *value,
+                                          struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_HELLO_RESPONSE_DESCRIPTOR,
+                            write_hello_response, value);
 }

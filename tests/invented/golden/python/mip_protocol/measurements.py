@@ -11,7 +11,7 @@ from . import codec, types
 from .errors import Truncated
 from .field import Data, Field
 
-_ACCEL_0 = codec.Block("fffH", "scaled_accel", "scaled_accel", "scaled_accel", "valid_flags")
+_ACCEL_0 = codec.Block("fffH", *["scaled_accel"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -19,8 +19,8 @@ class Accel(Data):
     """Acceleration (0x80,0x01).
 
     A vector whose elements are valid together.
-    Sent at 100 Hz at most.
-    Supported by Model A and Model B.
+
+    Sent at 100 Hz at most. Supported by Model A and Model B.
 
     - guide: Acceleration
     - leaflet: Acceleration
@@ -32,8 +32,11 @@ class Accel(Data):
     ROLE = "data"
 
     scaled_accel: types.Vector3f
-    """Specific force. [g] Frame: sensor. Valid if valid_flags.ready, valid_flags.hot. On
-    model-b: unit m, m, s, frame ned; Turned by the device.
+    """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
+    x by `types.StateFlags.READY` of `valid_flags`, y by `types.StateFlags.HOT` of `valid_flags`, z
+    by `types.StateFlags.READY` of `valid_flags`.
+
+    - On the Model B: unit m, m, s; frame ned. Turned by the device.
     """
     valid_flags: types.StateFlags
     """What is valid."""
@@ -73,6 +76,7 @@ class Numbers(Data):
     """Numbers (0x80,0x02).
 
     One of each.
+
     Supported by Model A.
 
     - guide: Numbers
@@ -100,9 +104,9 @@ class Numbers(Data):
     s64: int
     """Signed."""
     float_: float
-    """Four bytes."""
+    """Four bytes. Unit: 1."""
     double: float
-    """Eight bytes."""
+    """Eight bytes. Unit: 1."""
     bool_: bool
     """True or false."""
     char: int
@@ -152,6 +156,7 @@ class Strings(Data):
     """Strings (0x80,0x03).
 
     Fixed, counted, and to the end.
+
     Supported by Model A.
 
     - guide: Strings
@@ -164,6 +169,7 @@ class Strings(Data):
 
     model: str
     """Padded with spaces."""
+    # On the wire: length. Of the name. The number of elements of `name`.
     name: str
     """The name."""
     rest: str
@@ -195,26 +201,7 @@ class Strings(Data):
         return codec.finished(out)
 
 
-_HEALTH_0 = codec.Block(
-    "BBBBBBBBBBBBBBBBI",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "code",
-)
+_HEALTH_0 = codec.Block("BBBBBBBBBBBBBBBBI", *["result"] * 16, "code")
 
 
 @dataclass(slots=True)
@@ -222,8 +209,8 @@ class Health(Data):
     """Health (0x80,0x04).
 
     The wide bitfield.
-    Deprecated: use measurements.numbers instead
-    Supported by Model A.
+
+    Deprecated: use `Numbers` instead. Supported by Model A.
 
     - guide: Health
     """
@@ -251,8 +238,8 @@ class Health(Data):
         return codec.finished(out)
 
 
-_ARRAYS_0 = codec.Block("BBBHH", "modes", "modes", "modes", "flags", "flags")
-_ARRAYS_1 = codec.Block("bbbb", "offsets", "offsets", "offsets", "offsets")
+_ARRAYS_0 = codec.Block("BBBHH", *["modes"] * 3, *["flags"] * 2)
+_ARRAYS_1 = codec.Block("bbbb", *["offsets"] * 4)
 
 
 @dataclass(slots=True)
@@ -260,6 +247,7 @@ class Arrays(Data):
     """Arrays (0x80,0x05).
 
     Arrays of all that can stand in one.
+
     Supported by Model A.
 
     - guide: Arrays
@@ -275,12 +263,12 @@ class Arrays(Data):
     flags: tuple[types.StateFlags, ...]
     """Bitfields."""
     vectors: tuple[types.Vector3f, types.Vector3f]
-    """Vectors."""
+    """Vectors. Elements: x, y, z. Unit: m."""
     points: tuple[types.Point, ...]
-    """Structures. [m]"""
+    """Structures. Unit: m."""
     track: types.Segment
     """A nested structure."""
-    offsets: tuple[int, int, int, int] = (0,) * 4
+    offsets: tuple[int, int, int, int] = (0, 0, 0, 0)
     """Reserved."""
 
     @classmethod
@@ -322,6 +310,7 @@ class Growing(Data):
     """Growing (0x80,0x06).
 
     Newer devices send more of it.
+
     Supported by Model A.
 
     - guide: Growing
@@ -335,9 +324,9 @@ class Growing(Data):
     first: int
     """Always there."""
     second: int | None = None
-    """From version 2 on."""
+    """From version 2 on. Optional."""
     third: float | None = None
-    """From version 3 on."""
+    """From version 3 on. Unit: deg. Optional."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Growing, int]:
@@ -378,25 +367,80 @@ class Growing(Data):
         return codec.finished(out)
 
 
+_RADIO_0 = codec.Block("Biffdd", "connected", "strength", "noise", "gap", *["gaps"] * 2)
+
+
+@dataclass(slots=True)
+class Radio(Data):
+    """Radio (0x80,0x07).
+
+    A bool vouches for values; one source has no layout that agrees with it.
+
+    Also called `modem` and `rf`. Uncertain: The leaflet gives the strength two bytes. Uncertain:
+    Inferred: the strength is never positive.
+
+    - sheet: Radio
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x07
+    NAME = "measurements.radio"
+    ROLE = "data"
+
+    connected: bool
+    """Whether there is a connection."""
+    strength: int
+    """Of the signal. Range: less than 1. Valid if `connected` is true. Uncertain: Its unit."""
+    noise: float
+    """Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true."""
+    gap: float = 0.0
+    """Reserved. Reserved."""
+    gaps: tuple[float, float] = (0.0, 0.0)
+    """Reserved."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Radio, int]:
+        v = _RADIO_0.read(raw, at)
+        at += 29
+        connected = codec.truth(v[0])
+        strength = v[1]
+        noise = v[2]
+        gap = v[3]
+        gaps = v[4:6]
+        return cls(connected, strength, noise, gap, gaps), at
+
+    def _write(self) -> bytes:
+        out = _RADIO_0.write(
+            self.connected,
+            self.strength,
+            self.noise,
+            self.gap,
+            *codec.exactly("gaps", self.gaps, 2),
+        )
+        return codec.finished(out)
+
+
 _CLOUD_0 = codec.Block("B", "num_points")
 _CLOUD_1 = codec.Block("Q", "stamp")
 
 
 @dataclass(slots=True)
 class Cloud(Data):
-    """Cloud (0x80,0x07).
+    """Cloud (0x80,0x08).
 
     The count can exceed what a field holds beside the value behind the array.
+
     Supported by Model A.
 
     - guide: Cloud
     """
 
     SET = 0x80
-    DESCRIPTOR = 0x07
+    DESCRIPTOR = 0x08
     NAME = "measurements.cloud"
     ROLE = "data"
 
+    # On the wire: num_points. Number of points. The number of elements of `points`.
     points: tuple[types.Point, ...]
     """The points."""
     stamp: int
@@ -431,5 +475,6 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x04: (Health,),
     0x05: (Arrays,),
     0x06: (Growing,),
-    0x07: (Cloud,),
+    0x07: (Radio,),
+    0x08: (Cloud,),
 }

@@ -18,7 +18,8 @@ class Default(Command):
     """Default (0x0C,0x10).
 
     Its parameters are keywords here and there.
-    Supported by Model A.
+
+    Not acknowledged if `mode` of `tools.Settings` is `types.Mode.FAST`. Supported by Model A.
 
     - guide: Default
     """
@@ -56,6 +57,4 @@ class Default(Command):
 
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
-FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0x10: (Default,),
-}
+FIELDS: dict[int, tuple[type[Field], ...]] = {0x10: (Default,)}

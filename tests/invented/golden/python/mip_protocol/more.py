@@ -18,6 +18,7 @@ class Own(Data):
     """Own (0x81,0x07).
 
     Beside those that it repeats.
+
     Supported by Model A.
 
     - guide: Own
@@ -46,8 +47,9 @@ class Own(Data):
 class Accel(measurements.Accel):
     """Second acceleration (0x81,0x01).
 
-    Has the values of measurements.Accel.
-    Supported by Model A.
+    A vector whose elements are valid together.
+
+    Has the layout of `measurements.Accel`. Sent at 100 Hz at most. Supported by Model A.
 
     - guide: Second acceleration
     """
@@ -57,12 +59,19 @@ class Accel(measurements.Accel):
     SET = 0x81
     NAME = "more.accel"
 
+    scaled_accel: types.Vector3f
+    """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
+    x by `types.StateFlags.READY` of `valid_flags`, y by `types.StateFlags.HOT` of `valid_flags`, z
+    by `types.StateFlags.READY` of `valid_flags`.
+    """
+
 
 class Strings(measurements.Strings):
     """Strings (0x81,0x03).
 
-    Has the values of measurements.Strings.
-    Supported by Model A.
+    Fixed, counted, and to the end.
+
+    Has the layout of `measurements.Strings`. Supported by Model A.
 
     - guide: Second strings
     """
@@ -74,8 +83,4 @@ class Strings(measurements.Strings):
 
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
-FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0x01: (Accel,),
-    0x03: (Strings,),
-    0x07: (Own,),
-}
+FIELDS: dict[int, tuple[type[Field], ...]] = {0x01: (Accel,), 0x03: (Strings,), 0x07: (Own,)}

@@ -45,11 +45,15 @@ class Acknowledge(Response):
     DESCRIPTOR = 0xF1
     NAME = "protocol.acknowledge"
     ROLE = "response"
+    READINGS = {"code": ("device", {"model-b": types.Mode})}
 
     command: int
     """Descriptor of the command that is answered."""
     code: types.AckCode
-    """Zero acknowledges, any other value refuses."""
+    """Zero acknowledges, any other value refuses.
+
+    - On the Model B: values of `types.Mode`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Acknowledge, int]:

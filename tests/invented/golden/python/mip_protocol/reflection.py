@@ -5,38 +5,10 @@ Importing this module imports all descriptor sets.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any
+from . import copy, measurements, mip_3d, more, protocol, shared, tools, types
+from .parameter import Parameter
 
-from . import (
-    measurements,
-    mip_3d,
-    more,
-    protocol,
-    shared,
-    tools,
-    types,
-)
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """One value on the wire, in wire order. `name` is that of the specification."""
-
-    name: str
-    attribute: str
-    kind: str  # scalar, constant, counter, bits, text, array, struct or switch
-    scalar: str = ""  # u8 … s64, float, double, bool, char; bits: a bitfield in `size` bytes
-    size: int = 0
-    elements: tuple[str, ...] = ()  # of a vector
-    length: int | str | None = None  # a number, the counter's name, or "rest"
-    constant: int | None = None
-    counts: str = ""  # attribute of the array that a counter counts
-    type: Any = None  # enumeration, bitfield or structure
-    tag: str = ""  # attribute that selects a union's member
-    cases: dict[int, Parameter | None] = field(default_factory=dict)
-    units: tuple[str, ...] = ()
-
+__all__ = ["PARAMETERS", "Parameter"]
 
 #: Fields and structures -> their parameters.
 PARAMETERS: dict[type, tuple[Parameter, ...]] = {
@@ -120,7 +92,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
                 1: Parameter("circle", "circle", "struct", type=tools.Circle),
                 2: Parameter("path", "path", "struct", type=tools.Path),
                 3: Parameter(
-                    "rotation", "rotation", "array", scalar="float", elements=("w", "x", "y", "z")
+                    "rotation",
+                    "rotation",
+                    "array",
+                    scalar="float",
+                    elements=("w", "x", "y", "z"),
+                    units=("1",),
                 ),
                 4: Parameter("label", "label", "text", scalar="char", length=8),
             },
@@ -136,6 +113,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("drive", "drive", "scalar", scalar="u8", type=tools.Drive),
         Parameter("use", "use", "scalar", scalar="u8"),
+    ),
+    tools.Hello: (
+        Parameter("reserved", "reserved", "scalar", scalar="float"),
+        Parameter("later", "later", "array", scalar="double", length=2),
     ),
     tools.SettingsResponse: (
         Parameter("port", "port", "scalar", scalar="u8"),
@@ -159,7 +140,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
                 1: Parameter("circle", "circle", "struct", type=tools.Circle),
                 2: Parameter("path", "path", "struct", type=tools.Path),
                 3: Parameter(
-                    "rotation", "rotation", "array", scalar="float", elements=("w", "x", "y", "z")
+                    "rotation",
+                    "rotation",
+                    "array",
+                    scalar="float",
+                    elements=("w", "x", "y", "z"),
+                    units=("1",),
                 ),
                 4: Parameter("label", "label", "text", scalar="char", length=8),
             },
@@ -176,6 +162,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("drive", "drive", "scalar", scalar="u8", type=tools.Drive),
         Parameter("use", "use", "scalar", scalar="u8"),
     ),
+    tools.HelloResponse: (Parameter("seen", "seen", "scalar", scalar="u32", units=("s",)),),
     tools.StatusShort: (
         Parameter("model", "model", "constant", scalar="u16", constant=4711),
         Parameter("selector", "selector", "constant", scalar="u8", constant=1),
@@ -217,8 +204,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("s16", "s16", "scalar", scalar="s16"),
         Parameter("s32", "s32", "scalar", scalar="s32"),
         Parameter("s64", "s64", "scalar", scalar="s64"),
-        Parameter("float", "float_", "scalar", scalar="float"),
-        Parameter("double", "double", "scalar", scalar="double"),
+        Parameter("float", "float_", "scalar", scalar="float", units=("1",)),
+        Parameter("double", "double", "scalar", scalar="double", units=("1",)),
         Parameter("bool", "bool_", "scalar", scalar="bool"),
         Parameter("char", "char", "scalar", scalar="char"),
     ),
@@ -236,16 +223,29 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("modes", "modes", "array", scalar="u8", length=3, type=types.Mode),
         Parameter("flags", "flags", "array", scalar="u16", length=2, type=types.StateFlags),
         Parameter(
-            "vectors", "vectors", "array", scalar="float", elements=("x", "y", "z"), length=2
+            "vectors",
+            "vectors",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            length=2,
+            units=("m",),
         ),
-        Parameter("points", "points", "array", length=2, type=types.Point, units=("m",)),
+        Parameter("points", "points", "array", length=2, units=("m",), type=types.Point),
         Parameter("track", "track", "struct", type=types.Segment),
         Parameter("offsets", "offsets", "array", scalar="s8", length=4),
     ),
     measurements.Growing: (
         Parameter("first", "first", "scalar", scalar="u16"),
         Parameter("second", "second", "scalar", scalar="u16"),
-        Parameter("third", "third", "scalar", scalar="float"),
+        Parameter("third", "third", "scalar", scalar="float", units=("deg",)),
+    ),
+    measurements.Radio: (
+        Parameter("connected", "connected", "scalar", scalar="bool"),
+        Parameter("strength", "strength", "scalar", scalar="s32"),
+        Parameter("noise", "noise", "scalar", scalar="float", units=("m",)),
+        Parameter("gap", "gap", "scalar", scalar="float"),
+        Parameter("gaps", "gaps", "array", scalar="double", length=2),
     ),
     measurements.Cloud: (
         Parameter("num_points", "num_points", "counter", scalar="u8", counts="points"),
@@ -261,3 +261,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
 
 PARAMETERS[more.Accel] = PARAMETERS[measurements.Accel]
 PARAMETERS[more.Strings] = PARAMETERS[measurements.Strings]
+PARAMETERS[copy.Accel] = PARAMETERS[measurements.Accel]
+PARAMETERS[copy.Numbers] = PARAMETERS[measurements.Numbers]
+PARAMETERS[copy.Strings] = PARAMETERS[measurements.Strings]
+PARAMETERS[copy.Health] = PARAMETERS[measurements.Health]
+PARAMETERS[copy.Arrays] = PARAMETERS[measurements.Arrays]
+PARAMETERS[copy.Growing] = PARAMETERS[measurements.Growing]
+PARAMETERS[copy.Radio] = PARAMETERS[measurements.Radio]
+PARAMETERS[copy.Cloud] = PARAMETERS[measurements.Cloud]

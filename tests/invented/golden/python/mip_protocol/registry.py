@@ -5,21 +5,15 @@ from __future__ import annotations
 from functools import cache
 from importlib import import_module
 
+from ._sets import MODULES
 from .errors import PacketError
 from .field import Field, chosen
 from .packet import Packet, RawField
 from .protocol import Acknowledge
 
-#: Descriptor set -> module of this package.
-MODULES: dict[int, str] = {
-    0x01: "tools",
-    0x0C: "mip_3d",
-    0x80: "measurements",
-    0x81: "more",
-    0xFF: "shared",
-}
-
 SHARED_SET = 0xFF
+
+__all__ = ["MODULES", "SHARED_SET", "all_types", "decode", "decode_packet", "types"]
 
 
 @cache

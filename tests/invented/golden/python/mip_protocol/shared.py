@@ -18,6 +18,7 @@ class Timestamp(Data):
     """Timestamp (0xFF,0xD3).
 
     When the packet was sent.
+
     Supported by Model A.
 
     - guide: Timestamp
@@ -29,7 +30,7 @@ class Timestamp(Data):
     ROLE = "data"
 
     tow: float
-    """Time of week. [s] Valid if valid_flags.ready."""
+    """Time of week. Unit: s. Valid if `types.StateFlags.READY` of `valid_flags` is set."""
     valid_flags: types.StateFlags
     """What is valid."""
 
@@ -47,6 +48,4 @@ class Timestamp(Data):
 
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
-FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0xD3: (Timestamp,),
-}
+FIELDS: dict[int, tuple[type[Field], ...]] = {0xD3: (Timestamp,)}

@@ -10,26 +10,8 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, Structure
+from .field import Command, Field, Response, ResponseClass, Structure
 from .protocol import FunctionSelector
-
-
-@codec.open_flag(32)
-class ModelAFaults(IntFlag):
-    """Of the model A."""
-
-    CLOCK = 1 << 0
-    SENSOR = 1 << 8
-    SOLUTION = 1 << 24
-
-
-@codec.open_flag(32)
-class ModelBFaults(IntFlag):
-    """Of the model B."""
-
-    GENERAL = 1 << 0
-    OVERLOAD = 1 << 1
-    ACCEL = 1 << 12
 
 
 class Shape(codec.OpenEnum):
@@ -58,9 +40,9 @@ class Stripes(Structure):
     """Two numbers."""
 
     width: float
-    """Of a stripe. [m]"""
+    """Of a stripe. Unit: m."""
     angle: float
-    """Of all stripes. [deg] Range: -180 to 180."""
+    """Of all stripes. Unit: deg. Range: -180 to 180."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Stripes, int]:
@@ -88,7 +70,12 @@ class Circle(Structure):
     fill: Fill
     """Which member follows."""
     filling: int | Stripes | None = None
-    """How it is filled."""
+    """How it is filled. Selected by `fill`.
+
+    - If `fill` is `Fill.EMPTY`: `None`.
+    - If `fill` is `Fill.SOLID`: `int`. A colour.
+    - If `fill` is `Fill.STRIPED`: `Stripes`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Circle, int]:
@@ -130,6 +117,7 @@ class Path(Structure):
 
     closed: bool
     """Does it return to its start?"""
+    # On the wire: num_points. Number of points. The number of elements of `points`.
     points: tuple[types.Point, ...]
     """The points."""
 
@@ -173,6 +161,30 @@ class SerialUse(codec.OpenEnum):
     TRANSMIT = 33
 
 
+@codec.open_flag(32)
+class ModelAFaults(IntFlag):
+    """Of the model A."""
+
+    CLOCK = 1 << 0
+    """Bit 0."""
+    SENSOR = 1 << 8
+    """Bit 8."""
+    SOLUTION = 1 << 24
+    """Bit 24."""
+
+
+@codec.open_flag(32)
+class ModelBFaults(IntFlag):
+    """Of the model B."""
+
+    GENERAL = 1 << 0
+    """Bit 0."""
+    OVERLOAD = 1 << 1
+    """Bit 1."""
+    ACCEL = 1 << 12
+    """Bit 12."""
+
+
 _SETTINGS_RESPONSE_0 = codec.Block("BBIHB", "port", "mode", "baud", "limit", "reserved")
 
 
@@ -180,8 +192,7 @@ _SETTINGS_RESPONSE_0 = codec.Block("BBIHB", "port", "mode", "baud", "limit", "re
 class SettingsResponse(Response):
     """Settings response (0x01,0x82).
 
-    Answers Settings (0x01,0x02).
-    Supported by Model A and Model B.
+    Answers `Settings`. Supported by Model A and Model B.
 
     - guide: Settings
     - leaflet: Settings
@@ -195,12 +206,14 @@ class SettingsResponse(Response):
     port: int
     """Number of the port, 0 for all. Range: 0 to 8."""
     mode: types.Mode
-    """What to do. Factory default: fast."""
+    """What to do. Default: `types.Mode.FAST`."""
     baud: int
-    """Speed. [Bd] Factory default: 115200."""
+    """Speed. Unit: Bd. Default: 115200."""
     limit: int
-    """Required by no function, not even by write. If mode is fast: unit s, range 1 to 10,
-    factory default 5. If mode is slow: unit m.
+    """Required by no function, not even by write.
+
+    - If `mode` is `types.Mode.FAST`: unit s; range 1 to 10; default 5.
+    - If `mode` is `types.Mode.SLOW`: unit m.
     """
     reserved: int = 1
     """Reserved."""
@@ -228,8 +241,7 @@ _SET_TIME_FAST_RESPONSE_0 = codec.Block("I", "value")
 class SetTimeFastResponse(Response):
     """Set time response (0x01,0x83).
 
-    Answers Set time (0x01,0x03).
-    Supported by Model A.
+    Answers `SetTime`. Sent if `part` is `types.Mode.FAST`. Supported by Model A.
 
     - guide: Set time
     """
@@ -240,7 +252,7 @@ class SetTimeFastResponse(Response):
     ROLE = "response"
 
     value: int
-    """The fast half. [s]"""
+    """The fast half. Unit: s."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetTimeFastResponse, int]:
@@ -261,8 +273,7 @@ _SET_TIME_SLOW_RESPONSE_0 = codec.Block("I", "value")
 class SetTimeSlowResponse(Response):
     """Set time response (0x01,0x84).
 
-    Answers Set time (0x01,0x03).
-    Supported by Model A.
+    Answers `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A.
 
     - guide: Set time
     """
@@ -273,7 +284,7 @@ class SetTimeSlowResponse(Response):
     ROLE = "response"
 
     value: int
-    """The slow half. [s]"""
+    """The slow half. Unit: s."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetTimeSlowResponse, int]:
@@ -288,15 +299,14 @@ class SetTimeSlowResponse(Response):
 
 
 _CHOICE_RESPONSE_0 = codec.Block("BB", "instance", "shape")
-_CHOICE_RESPONSE_1 = codec.Block("ffff", "parameters", "parameters", "parameters", "parameters")
+_CHOICE_RESPONSE_1 = codec.Block("ffff", *["parameters"] * 4)
 
 
 @dataclass(slots=True)
 class ChoiceResponse(Response):
     """Choice response (0x01,0x88).
 
-    Answers Choice (0x01,0x08).
-    Supported by Model A.
+    Answers `Choice`. Supported by Model A.
 
     - guide: Choice
     """
@@ -311,7 +321,14 @@ class ChoiceResponse(Response):
     shape: Shape
     """Which member follows."""
     parameters: Circle | Path | types.Quatf | str | None = None
-    """The member."""
+    """The member. Selected by `shape`.
+
+    - If `shape` is `Shape.NONE`: `None`.
+    - If `shape` is `Shape.CIRCLE`: `Circle`.
+    - If `shape` is `Shape.PATH`: `Path`.
+    - If `shape` is `Shape.TURN`: `types.Quatf`. A rotation. Elements: w, x, y, z. Unit: 1.
+    - If `shape` is `Shape.LABEL`: `str`. A name.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ChoiceResponse, int]:
@@ -364,8 +381,7 @@ _LIST_RESPONSE_0 = codec.Block("B", "count")
 class ListResponse(Response):
     """List response (0x01,0x89).
 
-    Answers List (0x01,0x09).
-    Supported by Model A.
+    Answers `List`. Supported by Model A.
 
     - guide: List
     """
@@ -375,6 +391,7 @@ class ListResponse(Response):
     NAME = "tools.list_response"
     ROLE = "response"
 
+    # On the wire: count. Number of items. The number of elements of `items`.
     items: tuple[int, ...]
     """The items."""
 
@@ -398,8 +415,7 @@ class ListResponse(Response):
 class InventoryResponse(Response):
     """Inventory response (0x01,0x8A).
 
-    Answers Inventory (0x01,0x0A).
-    Supported by Model A.
+    Answers `Inventory`. Supported by Model A.
 
     - guide: Inventory
     """
@@ -433,8 +449,7 @@ _PIN_RESPONSE_0 = codec.Block("BB", "drive", "use")
 class PinResponse(Response):
     """Pin response (0x01,0x8B).
 
-    Answers Pin (0x01,0x0B).
-    Supported by Model A.
+    Answers `Pin`. Supported by Model A.
 
     - guide: Pin
     """
@@ -443,17 +458,16 @@ class PinResponse(Response):
     DESCRIPTOR = 0x8B
     NAME = "tools.pin_response"
     ROLE = "response"
-    READINGS = {
-        "use": (
-            "drive",
-            {1: PulseUse, 2: SerialUse},
-        ),
-    }
+    READINGS = {"use": ("drive", {1: PulseUse, 2: SerialUse})}
 
     drive: Drive
     """What drives it."""
     use: int
-    """How it is used."""
+    """How it is used.
+
+    - If `drive` is `Drive.PULSE`: values of `PulseUse`.
+    - If `drive` is `Drive.SERIAL`: values of `SerialUse`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PinResponse, int]:
@@ -468,6 +482,38 @@ class PinResponse(Response):
         return codec.finished(out)
 
 
+_HELLO_RESPONSE_0 = codec.Block("I", "seen")
+
+
+@dataclass(slots=True)
+class HelloResponse(Response):
+    """Hello response (0x01,0x8C).
+
+    Also called `keep_alive_response` and `welcome`. Answers `Hello`. Uncertain: When it comes.
+
+    - sheet: Hello
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x8C
+    NAME = "tools.hello_response"
+    ROLE = "response"
+
+    seen: int
+    """When the device was seen. Unit: s."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[HelloResponse, int]:
+        v = _HELLO_RESPONSE_0.read(raw, at)
+        at += 4
+        seen = v[0]
+        return cls(seen), at
+
+    def _write(self) -> bytes:
+        out = _HELLO_RESPONSE_0.write(self.seen)
+        return codec.finished(out)
+
+
 _STATUS_SHORT_0 = codec.Block("H", "model")
 _STATUS_SHORT_1 = codec.Block("B", "selector")
 _STATUS_SHORT_2 = codec.Block("I", "flags")
@@ -477,8 +523,7 @@ _STATUS_SHORT_2 = codec.Block("I", "flags")
 class StatusShort(Response):
     """Status response (0x01,0x90).
 
-    Answers Status (0x01,0x04).
-    Supported by Model A and Model B.
+    Answers `Status`. Sent if `selector` is 1. Supported by Model A and Model B.
 
     - guide: Status
     """
@@ -487,19 +532,20 @@ class StatusShort(Response):
     DESCRIPTOR = 0x90
     NAME = "tools.status_short"
     ROLE = "response"
-    READINGS = {
-        "flags": (
-            "device",
-            {"model-a": ModelAFaults, "model-b": ModelBFaults},
-        ),
-    }
+    READINGS = {"flags": ("device", {"model-a": ModelAFaults, "model-b": ModelBFaults})}
 
+    # On the wire: model. The model. Always 4711.
+    # On the wire: selector. The short layout. Always 1.
     flags: int
-    """Faults."""
+    """Faults.
+
+    - On the Model A: values of `ModelAFaults`.
+    - On the Model B: values of `ModelBFaults`.
+    """
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x12\x67" and data[2:3] == b"\x01"
+        return data[0:2] == b"\x12g" and data[2:3] == b"\x01"
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[StatusShort, int]:
@@ -530,8 +576,7 @@ _STATUS_LONG_2 = codec.Block("IQ", "flags", "uptime")
 class StatusLong(Response):
     """Status response (0x01,0x90).
 
-    Answers Status (0x01,0x04).
-    Supported by Model A and Model B.
+    Answers `Status`. Sent if `selector` is 2. Supported by Model A and Model B.
 
     - guide: Status
     """
@@ -540,21 +585,22 @@ class StatusLong(Response):
     DESCRIPTOR = 0x90
     NAME = "tools.status_long"
     ROLE = "response"
-    READINGS = {
-        "flags": (
-            "device",
-            {"model-a": ModelAFaults, "model-b": ModelBFaults},
-        ),
-    }
+    READINGS = {"flags": ("device", {"model-a": ModelAFaults, "model-b": ModelBFaults})}
 
+    # On the wire: model. The model. Always 4711.
+    # On the wire: selector. The long layout. Always 2.
     flags: int
-    """Faults."""
+    """Faults.
+
+    - On the Model A: values of `ModelAFaults`.
+    - On the Model B: values of `ModelBFaults`.
+    """
     uptime: int
-    """Since start. [s]"""
+    """Since start. Unit: s."""
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x12\x67" and data[2:3] == b"\x02"
+        return data[0:2] == b"\x12g" and data[2:3] == b"\x02"
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[StatusLong, int]:
@@ -577,15 +623,14 @@ class StatusLong(Response):
         return codec.finished(out)
 
 
-_BIAS_VECTOR_0 = codec.Block("fff", "bias", "bias", "bias")
+_BIAS_VECTOR_0 = codec.Block("fff", *["bias"] * 3)
 
 
 @dataclass(slots=True)
 class BiasVector(Response):
     """Bias response (0x01,0x9B).
 
-    Answers Bias (0x01,0x05).
-    Supported by Model A.
+    Answers `Bias` and `CaptureBias`. Supported by Model A.
 
     - guide: Bias
     - leaflet: Bias
@@ -597,7 +642,7 @@ class BiasVector(Response):
     ROLE = "response"
 
     bias: types.Vector3f
-    """Taken off the measurement. [g] Frame: sensor."""
+    """Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[BiasVector, int]:
@@ -616,6 +661,7 @@ class Ping(Command):
     """Ping (0x01,0x01).
 
     Tests the line.
+
     Supported by Model A and Model B.
 
     - guide: Ping
@@ -655,7 +701,9 @@ class Settings(Command):
     """Settings (0x01,0x02).
 
     Every function, and a prefix of parameters for each.
-    Supported by Model A and Model B.
+
+    Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
+    `SettingsResponse`. Supported by Model A and Model B. On the Model B: `write` and `read` only.
 
     - guide: Settings
     - leaflet: Settings
@@ -673,15 +721,17 @@ class Settings(Command):
     port: int | None = None
     """Number of the port, 0 for all. Range: 0 to 8."""
     mode: types.Mode | None = None
-    """What to do. Factory default: fast."""
+    """What to do. Default: `types.Mode.FAST`. Required for `write`, `read` and `apply`."""
     baud: int | None = None
-    """Speed. [Bd] Factory default: 115200."""
+    """Speed. Unit: Bd. Default: 115200. Required for `write` and `apply`."""
     limit: int | None = None
-    """Required by no function, not even by write. If mode is fast: unit s, range 1 to 10,
-    factory default 5. If mode is slow: unit m.
+    """Required by no function, not even by write. Optional.
+
+    - If `mode` is `types.Mode.FAST`: unit s; range 1 to 10; default 5.
+    - If `mode` is `types.Mode.SLOW`: unit m.
     """
     reserved: int | None = None
-    """Reserved."""
+    """Reserved: send 1. Optional."""
 
     @classmethod
     def write(cls, port: int, mode: types.Mode, baud: int, limit: int | None = None) -> Settings:
@@ -715,11 +765,11 @@ class Settings(Command):
 
     @property
     def answered(self) -> bool:
-        return not (self.function == 6)
+        return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return SettingsResponse
         return None
 
@@ -800,8 +850,11 @@ class SetTime(Command):
     """Set time (0x01,0x03).
 
     Two responses for one command.
+
+    Functions: `write`, `read` and `apply`. Answered by `SetTimeFastResponse` or
+    `SetTimeSlowResponse`. Supported by Model A.
+
     Send it once a second.
-    Supported by Model A.
 
     - guide: Set time
     """
@@ -818,7 +871,7 @@ class SetTime(Command):
     part: types.Mode | None = None
     """Which half of the time."""
     value: int | None = None
-    """The new value. [s]"""
+    """The new value. Unit: s. Required for `write` and `apply`."""
 
     @classmethod
     def write(cls, part: types.Mode, value: int) -> SetTime:
@@ -837,13 +890,13 @@ class SetTime(Command):
 
     @property
     def answered(self) -> bool:
-        return not (self.function == 6)
+        return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2 and self.part == 1:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ and self.part == 1:
             return SetTimeFastResponse
-        if self.function == 2 and self.part == 2:
+        if self.function == FunctionSelector.READ and self.part == 2:
             return SetTimeSlowResponse
         return None
 
@@ -895,8 +948,9 @@ class Status(Command):
     """Status (0x01,0x04).
 
     Two layouts of one response, told apart by constants.
-    For advanced use.
-    Supported by Model A and Model B.
+
+    For advanced use. Answered by `StatusShort` or `StatusLong`. The device may take 2.5 s to
+    answer. Supported by Model A and Model B.
 
     - guide: Status
     """
@@ -908,15 +962,16 @@ class Status(Command):
     RESPONSES = (StatusShort, StatusLong)
     TIMEOUT = 2.5
 
+    # On the wire: model. The model that the layouts belong to. Always 4711.
     selector: int
     """Which layout. Range: 1 to 2."""
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x12\x67"
+        return data[0:2] == b"\x12g"
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.selector == 1:
             return StatusShort
         if self.selector == 2:
@@ -940,7 +995,7 @@ class Status(Command):
 
 
 _BIAS_0 = codec.Block("B", "function")
-_BIAS_1 = codec.Block("fff", "bias", "bias", "bias")
+_BIAS_1 = codec.Block("fff", *["bias"] * 3)
 _BIAS_GROUPS = ((1, ("bias",), False),)
 
 
@@ -949,7 +1004,9 @@ class Bias(Command):
     """Bias (0x01,0x05).
 
     Its response serves another command too.
-    Supported by Model A.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `BiasVector`. Supported by
+    Model A.
 
     - guide: Bias
     - leaflet: Bias
@@ -965,7 +1022,8 @@ class Bias(Command):
     function: FunctionSelector
     """What to do with the setting."""
     bias: types.Vector3f | None = None
-    """Taken off the measurement. [g] Frame: sensor."""
+    """Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. Required for `write`.
+    """
 
     @classmethod
     def write(cls, bias: types.Vector3f) -> Bias:
@@ -993,8 +1051,8 @@ class Bias(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return BiasVector
         return None
 
@@ -1036,7 +1094,8 @@ class CaptureBias(Command):
     """Capture bias (0x01,0x06).
 
     Measures the bias.
-    Supported by Model A.
+
+    Answered by `BiasVector`. Supported by Model A.
 
     - guide: Capture bias
     """
@@ -1048,7 +1107,7 @@ class CaptureBias(Command):
     RESPONSES = (BiasVector,)
 
     time: int
-    """How long. [s] Range: 1 to 30."""
+    """How long. Unit: s. Range: 1 to 30."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CaptureBias, int]:
@@ -1070,7 +1129,8 @@ class Formats(Command):
     """Formats (0x01,0x07).
 
     Counted arrays of structures and of numbers; not answered if told so.
-    Supported by Model A.
+
+    Not acknowledged if `suppress_ack` is true. Supported by Model A.
 
     - guide: Formats
     """
@@ -1082,6 +1142,7 @@ class Formats(Command):
 
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: num_segments. Number of segments. The number of elements of `segments`.
     checkpoint: int
     """Between a counter and its array."""
     segments: tuple[types.Segment, ...]
@@ -1089,7 +1150,7 @@ class Formats(Command):
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Formats, int]:
@@ -1115,7 +1176,7 @@ class Formats(Command):
 _CHOICE_0 = codec.Block("B", "function")
 _CHOICE_1 = codec.Block("B", "instance")
 _CHOICE_2 = codec.Block("B", "shape")
-_CHOICE_3 = codec.Block("ffff", "parameters", "parameters", "parameters", "parameters")
+_CHOICE_3 = codec.Block("ffff", *["parameters"] * 4)
 _CHOICE_GROUPS = ((1, ("instance",), False), (2, ("shape",), False), (3, ("parameters",), True))
 
 
@@ -1124,7 +1185,8 @@ class Choice(Command):
     """Choice (0x01,0x08).
 
     A tagged union with an empty variant, nested unions, arrays and strings in it.
-    Supported by Model A.
+
+    Functions: `write` and `read`. Answered by `ChoiceResponse`. Supported by Model A.
 
     - guide: Choice
     """
@@ -1141,9 +1203,16 @@ class Choice(Command):
     instance: int | None = None
     """Which one."""
     shape: Shape | None = None
-    """Which member follows."""
+    """Which member follows. Required for `write`."""
     parameters: Circle | Path | types.Quatf | str | None = None
-    """The member."""
+    """The member. Selected by `shape`. Required for `write`.
+
+    - If `shape` is `Shape.NONE`: `None`.
+    - If `shape` is `Shape.CIRCLE`: `Circle`.
+    - If `shape` is `Shape.PATH`: `Path`.
+    - If `shape` is `Shape.TURN`: `types.Quatf`. A rotation. Elements: w, x, y, z. Unit: 1.
+    - If `shape` is `Shape.LABEL`: `str`. A name.
+    """
 
     @classmethod
     def write(
@@ -1158,8 +1227,8 @@ class Choice(Command):
         return cls(FunctionSelector.READ, instance=instance)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return ChoiceResponse
         return None
 
@@ -1247,7 +1316,8 @@ class List(Command):
     """List (0x01,0x09).
 
     Optional counted array; a read may carry a zero count.
-    Supported by Model A.
+
+    Functions: `write`, `read` and `save`. Answered by `ListResponse`. Supported by Model A.
 
     - guide: List
     """
@@ -1261,8 +1331,9 @@ class List(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
+    # On the wire: count. Number of items. The number of elements of `items`. Required for `write`.
     items: tuple[int, ...] | None = None
-    """The items."""
+    """The items. Required for `write`."""
 
     @classmethod
     def write(cls, items: tuple[int, ...]) -> List:
@@ -1280,8 +1351,8 @@ class List(Command):
         return cls(FunctionSelector.SAVE)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return ListResponse
         return None
 
@@ -1324,7 +1395,8 @@ class Inventory(Command):
     """Inventory (0x01,0x0A).
 
     Answers with an array to the end of the field.
-    Supported by Model A.
+
+    Answered by `InventoryResponse`. Supported by Model A.
 
     - guide: Inventory
     """
@@ -1354,7 +1426,8 @@ class Pin(Command):
     """Pin (0x01,0x0B).
 
     The names of one number depend on another.
-    Supported by Model A.
+
+    Functions: `write` and `read`. Answered by `PinResponse`. Supported by Model A.
 
     - guide: Pin
     """
@@ -1365,19 +1438,18 @@ class Pin(Command):
     ROLE = "command"
     RESPONSES = (PinResponse,)
     REQUIRED = {1: 2, 2: 1}
-    READINGS = {
-        "use": (
-            "drive",
-            {1: PulseUse, 2: SerialUse},
-        ),
-    }
+    READINGS = {"use": ("drive", {1: PulseUse, 2: SerialUse})}
 
     function: FunctionSelector
     """What to do with the setting."""
     drive: Drive | None = None
     """What drives it."""
     use: int | None = None
-    """How it is used."""
+    """How it is used. Required for `write`.
+
+    - If `drive` is `Drive.PULSE`: values of `PulseUse`.
+    - If `drive` is `Drive.SERIAL`: values of `SerialUse`.
+    """
 
     @classmethod
     def write(cls, drive: Drive, use: int) -> Pin:
@@ -1390,8 +1462,8 @@ class Pin(Command):
         return cls(FunctionSelector.READ, drive=drive)
 
     @property
-    def expected(self) -> type[Response] | None:
-        if self.function == 2:
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
             return PinResponse
         return None
 
@@ -1434,6 +1506,64 @@ class Pin(Command):
         return codec.finished(out)
 
 
+_HELLO_0 = codec.Block("f", "reserved")
+_HELLO_1 = codec.Block("dd", *["later"] * 2)
+_HELLO_GROUPS = ((2, ("later",), False),)
+
+
+@dataclass(slots=True)
+class Hello(Command):
+    """Hello (0x01,0x0C).
+
+    The device asks and a host answers.
+
+    Also called `keep_alive`. Answered by `HelloResponse`. The device sends it, and the host
+    answers.
+
+    - sheet: Hello
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x0C
+    NAME = "tools.hello"
+    ROLE = "command"
+    RESPONSES = (HelloResponse,)
+
+    reserved: float = 1.0
+    """Reserved: send 1.0."""
+    later: tuple[float, float] | None = None
+    """Reserved: send 0.0. Optional."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Hello, int]:
+        later: tuple[float, float] | None = None
+        v = _HELLO_0.read(raw, at)
+        at += 4
+        reserved = v[0]
+        required = 1
+        done, end = 1, at
+        try:
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _HELLO_1.read(raw, at)
+            at += 16
+            later = v[0:2]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(reserved, later), at
+
+    def _write(self) -> bytes:
+        out = _HELLO_0.write(self.reserved)
+        required = 1
+        there = codec.present(self, required, _HELLO_GROUPS)
+        if there >= 2:
+            out += _HELLO_1.write(*codec.exactly("later", self.later, 2))
+        return codec.finished(out)
+
+
 SettingsResponse.COMMANDS = (Settings,)
 SetTimeFastResponse.COMMANDS = (SetTime,)
 SetTimeSlowResponse.COMMANDS = (SetTime,)
@@ -1441,10 +1571,10 @@ ChoiceResponse.COMMANDS = (Choice,)
 ListResponse.COMMANDS = (List,)
 InventoryResponse.COMMANDS = (Inventory,)
 PinResponse.COMMANDS = (Pin,)
+HelloResponse.COMMANDS = (Hello,)
 StatusShort.COMMANDS = (Status,)
 StatusLong.COMMANDS = (Status,)
 BiasVector.COMMANDS = (Bias, CaptureBias)
-
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
@@ -1459,6 +1589,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x09: (List,),
     0x0A: (Inventory,),
     0x0B: (Pin,),
+    0x0C: (Hello,),
     0x82: (SettingsResponse,),
     0x83: (SetTimeFastResponse,),
     0x84: (SetTimeSlowResponse,),
@@ -1466,6 +1597,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x89: (ListResponse,),
     0x8A: (InventoryResponse,),
     0x8B: (PinResponse,),
+    0x8C: (HelloResponse,),
     0x90: (StatusShort, StatusLong),
     0x9B: (BiasVector,),
 }

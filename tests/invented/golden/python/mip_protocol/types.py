@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+if __name__ == "types":
+    raise ImportError(
+        "this is mip_protocol/types.py, not Python's own types: run Python in another folder"
+    )
+
 from dataclasses import dataclass
 from enum import IntFlag
 from typing import TypeAlias
@@ -10,9 +15,10 @@ from . import codec
 from .field import Structure
 
 Vector3f: TypeAlias = tuple[float, float, float]
-"""Three floats. Order: x, y, z."""
+"""Three floats. Elements: x, y, z."""
+
 Quatf: TypeAlias = tuple[float, float, float, float]
-"""A quaternion, scalar part first. Order: w, x, y, z."""
+"""A quaternion, scalar part first. Elements: w, x, y, z."""
 
 
 class AckCode(codec.OpenEnum):
@@ -27,12 +33,12 @@ class AckCode(codec.OpenEnum):
 
 
 class Mode(codec.OpenEnum):
-    """What the device does."""
+    """What the device does. Uncertain: Whether there are more."""
 
     DEFAULT = 0
     """A keyword in three languages."""
     FAST = 1
-    """Quick."""
+    """Quick. Uncertain: How quick."""
     SLOW = 2
     """Careful. Deprecated."""
 
@@ -49,15 +55,15 @@ class StateFlags(IntFlag):
     """Bits of all kinds."""
 
     READY = 1 << 0
-    """Ready to measure."""
+    """Ready to measure. Bit 0."""
     HOT = 1 << 1
-    """Too hot."""
+    """Too hot. Bit 1. Uncertain: The limit; 85 degrees is likely."""
     LEVEL = 0x70
-    """A number from 0 to 7."""
+    """A number from 0 to 7. Bits 4 to 6."""
     MODE = 0x300
-    """An enumeration inside the bitfield."""
+    """An enumeration inside the bitfield. Bits 8 to 9. A value of `Mode`."""
     ANY = 0x3
-    """Ready or hot."""
+    """Ready or hot. Bits 0 to 1. Overlaps other bits."""
 
     @property
     def level(self) -> int:
@@ -85,13 +91,13 @@ class Health(IntFlag):
     """One hundred and twenty-eight bits, least significant byte first."""
 
     CLOCK = 1 << 0
-    """The clock has failed."""
+    """The clock has failed. Bit 0."""
     POWER = 1 << 9
-    """The supply is out of range."""
+    """The supply is out of range. Bit 9."""
     COUNT = 0x3C0000000
-    """A number across two bytes."""
+    """A number across two bytes. Bits 30 to 33."""
     LAST = 1 << 127
-    """The very last bit."""
+    """The very last bit. Bit 127."""
 
     @property
     def count(self) -> int:
@@ -112,9 +118,9 @@ class Point(Structure):
     """A place in a plane."""
 
     x: int
-    """Eastward. [m]"""
+    """Eastward. Unit: m."""
     y: int
-    """Northward. [m]"""
+    """Northward. Unit: m."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Point, int]:
@@ -129,7 +135,7 @@ class Point(Structure):
         return out
 
 
-_SEGMENT_0 = codec.Block("BB", "weights", "weights")
+_SEGMENT_0 = codec.Block("BB", *["weights"] * 2)
 
 
 @dataclass(slots=True)

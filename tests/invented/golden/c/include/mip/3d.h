@@ -9,13 +9,14 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/3d.h and mip/core.h are not of one version"
+#error "mip/3d.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_3D_SET 0x0C
 
 /**
@@ -23,7 +24,7 @@ extern "C" {
  *
  * Its parameters are keywords here and there.
  *
- * Supported by Model A.
+ * Not acknowledged if mode of mip_tools_settings is MIP_MODE_FAST. Supported by Model A.
  *
  * - guide: Default
  */

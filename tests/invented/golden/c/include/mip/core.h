@@ -8,6 +8,8 @@
 #ifndef MIP_CORE_H
 #define MIP_CORE_H
 
+#include "mip/constants.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -16,25 +18,12 @@
 extern "C" {
 #endif
 
-/** Version of the specification and of all files of this binding. */
-#define MIP_VERSION "0.1.0"
-/** The same as a number: 10203 is 1.2.3. */
-#define MIP_VERSION_NUMBER 100
-
-/** The two bytes that every packet begins with. */
-#define MIP_SYNC_1 0x75
-#define MIP_SYNC_2 0x65
-
-/** Most bytes of the payload of a packet. */
-#define MIP_MAX_PAYLOAD 255
 /** Bytes before the payload: two sync bytes, descriptor set, length of the payload. */
 #define MIP_HEADER_SIZE 4
 /** Bytes behind the payload. */
 #define MIP_CHECKSUM_SIZE 2
 /** Most bytes of a packet. */
 #define MIP_MAX_PACKET (MIP_HEADER_SIZE + MIP_MAX_PAYLOAD + MIP_CHECKSUM_SIZE)
-/** Most bytes of the data of a field. */
-#define MIP_MAX_FIELD_DATA 253
 
 /** What can be wrong. */
 typedef enum mip_error {
@@ -214,8 +203,7 @@ mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mi
                      size_t *trailing);
 
 /** Encodes a field of any type into a packet. On an error the packet stays as it was. */
-mip_error mip_encode(const struct mip_codec *codec, const void *value,
-                     struct mip_builder *builder);
+mip_error mip_encode(const struct mip_codec *codec, const void *value, struct mip_builder *builder);
 
 /* ------------------------------------------------------------------------------------ bitfields */
 
@@ -332,6 +320,7 @@ void mip_copy_text(char *to, size_t room, const char *text);
 uint64_t mip_get_bits(const uint8_t *bytes, unsigned first, unsigned width);
 void mip_set_bits(uint8_t *bytes, unsigned first, unsigned width, uint64_t value);
 
+/** The same by the name of the scalar, so that a compiler checks the type of the member. */
 static inline void mip_read_u8(struct mip_reader *r, uint8_t *to, size_t count) {
     mip_read_8(r, to, count);
 }

@@ -9,13 +9,14 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/measurements.h and mip/core.h are not of one version"
+#error "mip/measurements.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_MEASUREMENTS_SET 0x80
 
 /**
@@ -30,9 +31,10 @@ extern "C" {
  */
 struct mip_measurements_accel {
     /**
-     * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each valid by its bit:
-     * MIP_STATE_FLAGS_READY and MIP_STATE_FLAGS_HOT in valid_flags. On model-b: unit m, m, s, frame
-     * ned; Turned by the device.
+     * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
+     * x by MIP_STATE_FLAGS_READY in valid_flags, y by MIP_STATE_FLAGS_HOT in valid_flags, z by
+     * MIP_STATE_FLAGS_READY in valid_flags. On the Model B: unit m, m, s; frame ned. Turned by the
+     * device.
      */
     float scaled_accel[3];
     /** What is valid. */
@@ -74,9 +76,9 @@ struct mip_measurements_numbers {
     int32_t s32;
     /** Signed. */
     int64_t s64;
-    /** Four bytes. */
+    /** Four bytes. Unit: 1. */
     float float_;
-    /** Eight bytes. */
+    /** Eight bytes. Unit: 1. */
     double double_;
     /** True or false. */
     mip_bool bool_;
@@ -105,12 +107,13 @@ mip_error mip_measurements_numbers_encode(const struct mip_measurements_numbers 
 struct mip_measurements_strings {
     /** Padded with spaces. */
     char model[17];
-    /** Of the name. */
+    /** Of the name. The number of elements of name. */
     uint8_t length;
     /** The name. */
     char name[237];
-    /** All that follows. */
+    /** The number of elements of rest. */
     uint8_t rest_count;
+    /** All that follows. */
     char rest[237];
 };
 
@@ -128,7 +131,7 @@ mip_error mip_measurements_strings_encode(const struct mip_measurements_strings 
  *
  * The wide bitfield.
  *
- * Deprecated: use measurements.numbers instead. Supported by Model A.
+ * Deprecated: use mip_measurements_numbers instead. Supported by Model A.
  *
  * - guide: Health
  */
@@ -162,7 +165,7 @@ struct mip_measurements_arrays {
     mip_mode modes[3];
     /** Bitfields. */
     mip_state_flags flags[2];
-    /** Vectors. Elements: x, y, z. */
+    /** Vectors. Elements: x, y, z. Unit: m. */
     float vectors[2][3];
     /** Structures. Unit: m. */
     struct mip_point points[2];
@@ -191,13 +194,13 @@ mip_error mip_measurements_arrays_encode(const struct mip_measurements_arrays *v
  * - guide: Growing
  */
 struct mip_measurements_growing {
-    /** Parameters that are there; 0: those that must be. */
+    /** Parameters that are present; 0: only the required ones. */
     uint8_t present;
     /** Always there. */
     uint16_t first;
-    /** From version 2 on. May be absent. */
+    /** From version 2 on. Optional. */
     uint16_t second;
-    /** From version 3 on. May be absent. */
+    /** From version 3 on. Unit: deg. Optional. */
     float third;
 };
 
@@ -215,7 +218,39 @@ mip_error mip_measurements_growing_encode(const struct mip_measurements_growing 
                                           struct mip_builder *builder);
 
 /**
- * Cloud: data (0x80,0x07).
+ * Radio: data (0x80,0x07).
+ *
+ * A bool vouches for values; one source has no layout that agrees with it.
+ *
+ * Also called `modem` and `rf`. Uncertain: The leaflet gives the strength two bytes. Uncertain:
+ * Inferred: the strength is never positive.
+ *
+ * - sheet: Radio
+ */
+struct mip_measurements_radio {
+    /** Whether there is a connection. */
+    mip_bool connected;
+    /** Of the signal. Range: less than 1. Valid if connected is true. Uncertain: Its unit. */
+    int32_t strength;
+    /** Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if connected is true. */
+    float noise;
+    /** Reserved. Reserved. */
+    float gap;
+    /** Reserved. */
+    double gaps[2];
+};
+
+#define MIP_MEASUREMENTS_RADIO_DESCRIPTOR 0x07
+#define MIP_MEASUREMENTS_RADIO_NAME "measurements.radio"
+
+extern const struct mip_codec mip_measurements_radio_codec;
+mip_error mip_measurements_radio_decode(struct mip_measurements_radio *value,
+                                        const struct mip_field *field);
+mip_error mip_measurements_radio_encode(const struct mip_measurements_radio *value,
+                                        struct mip_builder *builder);
+
+/**
+ * Cloud: data (0x80,0x08).
  *
  * The count can exceed what a field holds beside the value behind the array.
  *
@@ -224,7 +259,7 @@ mip_error mip_measurements_growing_encode(const struct mip_measurements_growing 
  * - guide: Cloud
  */
 struct mip_measurements_cloud {
-    /** Number of points. */
+    /** Number of points. The number of elements of points. */
     uint8_t num_points;
     /** The points. */
     struct mip_point points[61];
@@ -232,7 +267,7 @@ struct mip_measurements_cloud {
     uint64_t stamp;
 };
 
-#define MIP_MEASUREMENTS_CLOUD_DESCRIPTOR 0x07
+#define MIP_MEASUREMENTS_CLOUD_DESCRIPTOR 0x08
 #define MIP_MEASUREMENTS_CLOUD_NAME "measurements.cloud"
 
 extern const struct mip_codec mip_measurements_cloud_codec;

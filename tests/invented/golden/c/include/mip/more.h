@@ -10,13 +10,14 @@
 #include "mip/measurements.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/more.h and mip/core.h are not of one version"
+#error "mip/more.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_MORE_SET 0x81
 
 /**
@@ -43,7 +44,9 @@ mip_error mip_more_own_encode(const struct mip_more_own *value, struct mip_build
 /**
  * Second acceleration: data (0x81,0x01).
  *
- * The same field as mip_measurements_accel.
+ * A vector whose elements are valid together.
+ *
+ * Has the layout of mip_measurements_accel. Sent at 100 Hz at most. Supported by Model A.
  *
  * - guide: Second acceleration
  */
@@ -57,7 +60,9 @@ mip_error mip_more_own_encode(const struct mip_more_own *value, struct mip_build
 /**
  * Strings: data (0x81,0x03).
  *
- * The same field as mip_measurements_strings.
+ * Fixed, counted, and to the end.
+ *
+ * Has the layout of mip_measurements_strings. Supported by Model A.
  *
  * - guide: Second strings
  */

@@ -8,7 +8,7 @@
 #include "mip/types.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/protocol.h and mip/core.h are not of one version"
+#error "mip/protocol.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
@@ -40,7 +40,7 @@ typedef uint8_t mip_function_selector;
 struct mip_protocol_acknowledge {
     /** Descriptor of the command that is answered. */
     uint8_t command;
-    /** Zero acknowledges, any other value refuses. */
+    /** Zero acknowledges, any other value refuses. On the Model B: values of mip_mode. */
     mip_ack_code code;
 };
 

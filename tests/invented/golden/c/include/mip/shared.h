@@ -9,13 +9,14 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/shared.h and mip/core.h are not of one version"
+#error "mip/shared.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_SHARED_SET 0xFF
 
 /**

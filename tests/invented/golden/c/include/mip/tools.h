@@ -9,32 +9,15 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/tools.h and mip/core.h are not of one version"
+#error "mip/tools.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_TOOLS_SET 0x01
-
-/** Of the model A. */
-typedef uint32_t mip_tools_model_a_faults;
-/** Bit 0. */
-#define MIP_TOOLS_MODEL_A_FAULTS_CLOCK UINT32_C(0x00000001)
-/** Bit 8. */
-#define MIP_TOOLS_MODEL_A_FAULTS_SENSOR UINT32_C(0x00000100)
-/** Bit 24. */
-#define MIP_TOOLS_MODEL_A_FAULTS_SOLUTION UINT32_C(0x01000000)
-
-/** Of the model B. */
-typedef uint32_t mip_tools_model_b_faults;
-/** Bit 0. */
-#define MIP_TOOLS_MODEL_B_FAULTS_GENERAL UINT32_C(0x00000001)
-/** Bit 1. */
-#define MIP_TOOLS_MODEL_B_FAULTS_OVERLOAD UINT32_C(0x00000002)
-/** Bit 12. */
-#define MIP_TOOLS_MODEL_B_FAULTS_ACCEL UINT32_C(0x00001000)
 
 /** Which member the union has. */
 typedef uint8_t mip_tools_shape;
@@ -63,9 +46,9 @@ void mip_tools_stripes_write(struct mip_writer *w, const struct mip_tools_stripe
 
 /** The member of mip_tools_circle that `fill` selects. */
 union mip_tools_circle_filling {
-    /** If fill is solid: A colour. */
+    /** If fill is MIP_TOOLS_FILL_SOLID. A colour. */
     uint32_t solid;
-    /** If fill is striped. */
+    /** If fill is MIP_TOOLS_FILL_STRIPED. */
     struct mip_tools_stripes striped;
 };
 
@@ -75,7 +58,7 @@ struct mip_tools_circle {
     struct mip_point center;
     /** Which member follows. */
     mip_tools_fill fill;
-    /** How it is filled. */
+    /** How it is filled. Selected by fill. Empty if fill is MIP_TOOLS_FILL_EMPTY. */
     union mip_tools_circle_filling filling;
 };
 
@@ -86,7 +69,7 @@ void mip_tools_circle_write(struct mip_writer *w, const struct mip_tools_circle 
 struct mip_tools_path {
     /** Does it return to its start? */
     mip_bool closed;
-    /** Number of points. */
+    /** Number of points. The number of elements of points. */
     uint8_t num_points;
     /** The points. */
     struct mip_point points[62];
@@ -110,6 +93,24 @@ typedef uint8_t mip_tools_pulse_use;
 typedef uint8_t mip_tools_serial_use;
 #define MIP_TOOLS_SERIAL_USE_RECEIVE 1
 #define MIP_TOOLS_SERIAL_USE_TRANSMIT 33
+
+/** Of the model A. */
+typedef uint32_t mip_tools_model_a_faults;
+/** Bit 0. */
+#define MIP_TOOLS_MODEL_A_FAULTS_CLOCK UINT32_C(0x00000001)
+/** Bit 8. */
+#define MIP_TOOLS_MODEL_A_FAULTS_SENSOR UINT32_C(0x00000100)
+/** Bit 24. */
+#define MIP_TOOLS_MODEL_A_FAULTS_SOLUTION UINT32_C(0x01000000)
+
+/** Of the model B. */
+typedef uint32_t mip_tools_model_b_faults;
+/** Bit 0. */
+#define MIP_TOOLS_MODEL_B_FAULTS_GENERAL UINT32_C(0x00000001)
+/** Bit 1. */
+#define MIP_TOOLS_MODEL_B_FAULTS_OVERLOAD UINT32_C(0x00000002)
+/** Bit 12. */
+#define MIP_TOOLS_MODEL_B_FAULTS_ACCEL UINT32_C(0x00001000)
 
 /**
  * Ping: command (0x01,0x01).
@@ -139,28 +140,28 @@ mip_error mip_tools_ping_encode(const struct mip_tools_ping *value, struct mip_b
  * Every function, and a prefix of parameters for each.
  *
  * Functions: write, read, save, load, default and apply. Answered by mip_tools_settings_response.
- * Supported by Model A and Model B.
+ * Supported by Model A and Model B. On the Model B: write and read only.
  *
  * - guide: Settings
  * - leaflet: Settings
  */
 struct mip_tools_settings {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Number of the port, 0 for all. Range: 0 to 8. */
     uint8_t port;
-    /** What to do. Default: fast. For write, read and apply. */
+    /** What to do. Default: MIP_MODE_FAST. Required for write, read and apply. */
     mip_mode mode;
-    /** Speed. Unit: Bd. Default: 115200. For write and apply. */
+    /** Speed. Unit: Bd. Default: 115200. Required for write and apply. */
     uint32_t baud;
     /**
-     * Required by no function, not even by write. Optional. If mode is fast: unit s, range 1 to 10,
-     * factory default 5. If mode is slow: unit m.
+     * Required by no function, not even by write. Optional. If mode is MIP_MODE_FAST: unit s; range
+     * 1 to 10; default 5. If mode is MIP_MODE_SLOW: unit m.
      */
     uint16_t limit;
-    /** Reserved. Send 1. Optional. */
+    /** Reserved: send 1. Optional. */
     uint8_t reserved;
 };
 
@@ -192,9 +193,7 @@ struct mip_tools_settings mip_tools_settings_apply(uint8_t port, mip_mode mode, 
 /**
  * Settings response: response (0x01,0x82).
  *
- * Answers Settings (0x01,0x02).
- *
- * Supported by Model A and Model B.
+ * Answers mip_tools_settings. Supported by Model A and Model B.
  *
  * - guide: Settings
  * - leaflet: Settings
@@ -202,16 +201,16 @@ struct mip_tools_settings mip_tools_settings_apply(uint8_t port, mip_mode mode, 
 struct mip_tools_settings_response {
     /** Number of the port, 0 for all. Range: 0 to 8. */
     uint8_t port;
-    /** What to do. Default: fast. */
+    /** What to do. Default: MIP_MODE_FAST. */
     mip_mode mode;
     /** Speed. Unit: Bd. Default: 115200. */
     uint32_t baud;
     /**
-     * Required by no function, not even by write. If mode is fast: unit s, range 1 to 10, factory
-     * default 5. If mode is slow: unit m.
+     * Required by no function, not even by write. If mode is MIP_MODE_FAST: unit s; range 1 to 10;
+     * default 5. If mode is MIP_MODE_SLOW: unit m.
      */
     uint16_t limit;
-    /** Reserved. Send 1. */
+    /** Reserved. */
     uint8_t reserved;
 };
 
@@ -229,21 +228,21 @@ mip_error mip_tools_settings_response_encode(const struct mip_tools_settings_res
  *
  * Two responses for one command.
  *
- * Send it once a second.
- *
  * Functions: write, read and apply. Answered by mip_tools_set_time_fast_response or
  * mip_tools_set_time_slow_response. Supported by Model A.
+ *
+ * Send it once a second.
  *
  * - guide: Set time
  */
 struct mip_tools_set_time {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Which half of the time. */
     mip_mode part;
-    /** The new value. Unit: s. For write and apply. */
+    /** The new value. Unit: s. Required for write and apply. */
     uint32_t value;
 };
 
@@ -265,9 +264,7 @@ struct mip_tools_set_time mip_tools_set_time_apply(mip_mode part, uint32_t value
 /**
  * Set time response: response (0x01,0x83).
  *
- * Answers Set time (0x01,0x03).
- *
- * Sent if part is fast. Supported by Model A.
+ * Answers mip_tools_set_time. Sent if part is MIP_MODE_FAST. Supported by Model A.
  *
  * - guide: Set time
  */
@@ -288,9 +285,7 @@ mip_error mip_tools_set_time_fast_response_encode(
 /**
  * Set time response: response (0x01,0x84).
  *
- * Answers Set time (0x01,0x03).
- *
- * Sent if part is slow. Supported by Model A.
+ * Answers mip_tools_set_time. Sent if part is MIP_MODE_SLOW. Supported by Model A.
  *
  * - guide: Set time
  */
@@ -316,6 +311,9 @@ mip_error mip_tools_set_time_slow_response_encode(
  * For advanced use. Answered by mip_tools_status_short or mip_tools_status_long. The device may
  * take 2.5 s to answer. Supported by Model A and Model B.
  *
+ * On the wire only, without a member:
+ * - model: The model that the layouts belong to. Always 4711.
+ *
  * - guide: Status
  */
 struct mip_tools_status {
@@ -336,15 +334,18 @@ struct mip_tools_status mip_tools_status_make(uint8_t selector);
 /**
  * Status response: response (0x01,0x90).
  *
- * Answers Status (0x01,0x04).
+ * Answers mip_tools_status. Sent if selector is 1. Supported by Model A and Model B.
  *
- * Sent if selector is 1. Supported by Model A and Model B.
+ * On the wire only, without a member:
+ * - model: The model. Always 4711.
+ * - selector: The short layout. Always 1.
  *
  * - guide: Status
  */
 struct mip_tools_status_short {
     /**
-     * Faults. On the model-a: mip_tools_model_a_faults. On the model-b: mip_tools_model_b_faults.
+     * Faults. On the Model A: values of mip_tools_model_a_faults. On the Model B: values of
+     * mip_tools_model_b_faults.
      */
     uint32_t flags;
 };
@@ -361,15 +362,18 @@ mip_error mip_tools_status_short_encode(const struct mip_tools_status_short *val
 /**
  * Status response: response (0x01,0x90).
  *
- * Answers Status (0x01,0x04).
+ * Answers mip_tools_status. Sent if selector is 2. Supported by Model A and Model B.
  *
- * Sent if selector is 2. Supported by Model A and Model B.
+ * On the wire only, without a member:
+ * - model: The model. Always 4711.
+ * - selector: The long layout. Always 2.
  *
  * - guide: Status
  */
 struct mip_tools_status_long {
     /**
-     * Faults. On the model-a: mip_tools_model_a_faults. On the model-b: mip_tools_model_b_faults.
+     * Faults. On the Model A: values of mip_tools_model_a_faults. On the Model B: values of
+     * mip_tools_model_b_faults.
      */
     uint32_t flags;
     /** Since start. Unit: s. */
@@ -397,11 +401,11 @@ mip_error mip_tools_status_long_encode(const struct mip_tools_status_long *value
  * - leaflet: Bias
  */
 struct mip_tools_bias {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. For write. */
+    /** Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. Required for write. */
     float bias[3];
 };
 
@@ -425,9 +429,7 @@ struct mip_tools_bias mip_tools_bias_default(void);
 /**
  * Bias response: response (0x01,0x9B).
  *
- * Answers Bias (0x01,0x05).
- *
- * Supported by Model A.
+ * Answers mip_tools_bias and mip_tools_capture_bias. Supported by Model A.
  *
  * - guide: Bias
  * - leaflet: Bias
@@ -483,7 +485,7 @@ struct mip_tools_capture_bias mip_tools_capture_bias_make(uint16_t time);
 struct mip_tools_formats {
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of segments. */
+    /** Number of segments. The number of elements of segments. */
     uint8_t num_segments;
     /** Between a counter and its array. */
     uint8_t checkpoint;
@@ -505,13 +507,13 @@ struct mip_tools_formats mip_tools_formats_make(mip_bool suppress_ack, uint8_t n
 
 /** The member of mip_tools_choice that `shape` selects. */
 union mip_tools_choice_parameters {
-    /** If shape is circle. */
+    /** If shape is MIP_TOOLS_SHAPE_CIRCLE. */
     struct mip_tools_circle circle;
-    /** If shape is path. */
+    /** If shape is MIP_TOOLS_SHAPE_PATH. */
     struct mip_tools_path path;
-    /** If shape is turn: A rotation. Elements: w, x, y, z. */
+    /** If shape is MIP_TOOLS_SHAPE_TURN. A rotation. Elements: w, x, y, z. Unit: 1. */
     float rotation[4];
-    /** If shape is label: A name. */
+    /** If shape is MIP_TOOLS_SHAPE_LABEL. A name. */
     char label[9];
 };
 
@@ -525,15 +527,17 @@ union mip_tools_choice_parameters {
  * - guide: Choice
  */
 struct mip_tools_choice {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Which one. */
     uint8_t instance;
-    /** Which member follows. For write. */
+    /** Which member follows. Required for write. */
     mip_tools_shape shape;
-    /** The member. For write. */
+    /**
+     * The member. Selected by shape. Required for write. Empty if shape is MIP_TOOLS_SHAPE_NONE.
+     */
     union mip_tools_choice_parameters parameters;
 };
 
@@ -552,22 +556,20 @@ struct mip_tools_choice mip_tools_choice_read(uint8_t instance);
 
 /** The member of mip_tools_choice_response that `shape` selects. */
 union mip_tools_choice_response_parameters {
-    /** If shape is circle. */
+    /** If shape is MIP_TOOLS_SHAPE_CIRCLE. */
     struct mip_tools_circle circle;
-    /** If shape is path. */
+    /** If shape is MIP_TOOLS_SHAPE_PATH. */
     struct mip_tools_path path;
-    /** If shape is turn: A rotation. Elements: w, x, y, z. */
+    /** If shape is MIP_TOOLS_SHAPE_TURN. A rotation. Elements: w, x, y, z. Unit: 1. */
     float rotation[4];
-    /** If shape is label: A name. */
+    /** If shape is MIP_TOOLS_SHAPE_LABEL. A name. */
     char label[9];
 };
 
 /**
  * Choice response: response (0x01,0x88).
  *
- * Answers Choice (0x01,0x08).
- *
- * Supported by Model A.
+ * Answers mip_tools_choice. Supported by Model A.
  *
  * - guide: Choice
  */
@@ -576,7 +578,7 @@ struct mip_tools_choice_response {
     uint8_t instance;
     /** Which member follows. */
     mip_tools_shape shape;
-    /** The member. */
+    /** The member. Selected by shape. Empty if shape is MIP_TOOLS_SHAPE_NONE. */
     union mip_tools_choice_response_parameters parameters;
 };
 
@@ -599,13 +601,13 @@ mip_error mip_tools_choice_response_encode(const struct mip_tools_choice_respons
  * - guide: List
  */
 struct mip_tools_list {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Number of items. For write. */
+    /** Number of items. The number of elements of items. Required for write. */
     uint8_t count;
-    /** The items. For write. */
+    /** The items. Required for write. */
     uint16_t items[125];
 };
 
@@ -625,14 +627,12 @@ struct mip_tools_list mip_tools_list_save(void);
 /**
  * List response: response (0x01,0x89).
  *
- * Answers List (0x01,0x09).
- *
- * Supported by Model A.
+ * Answers mip_tools_list. Supported by Model A.
  *
  * - guide: List
  */
 struct mip_tools_list_response {
-    /** Number of items. */
+    /** Number of items. The number of elements of items. */
     uint8_t count;
     /** The items. */
     uint16_t items[126];
@@ -673,15 +673,14 @@ mip_error mip_tools_inventory_encode(const struct mip_tools_inventory *value,
 /**
  * Inventory response: response (0x01,0x8A).
  *
- * Answers Inventory (0x01,0x0A).
- *
- * Supported by Model A.
+ * Answers mip_tools_inventory. Supported by Model A.
  *
  * - guide: Inventory
  */
 struct mip_tools_inventory_response {
-    /** As many as there are. */
+    /** The number of elements of descriptors. */
     uint8_t descriptors_count;
+    /** As many as there are. */
     uint16_t descriptors[126];
 };
 
@@ -704,15 +703,15 @@ mip_error mip_tools_inventory_response_encode(const struct mip_tools_inventory_r
  * - guide: Pin
  */
 struct mip_tools_pin {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** What drives it. */
     mip_tools_drive drive;
     /**
-     * How it is used. If drive is pulse: mip_tools_pulse_use. If drive is serial:
-     * mip_tools_serial_use. For write.
+     * How it is used. Required for write. If drive is MIP_TOOLS_DRIVE_PULSE: values of
+     * mip_tools_pulse_use. If drive is MIP_TOOLS_DRIVE_SERIAL: values of mip_tools_serial_use.
      */
     uint8_t use;
 };
@@ -731,9 +730,7 @@ struct mip_tools_pin mip_tools_pin_read(mip_tools_drive drive);
 /**
  * Pin response: response (0x01,0x8B).
  *
- * Answers Pin (0x01,0x0B).
- *
- * Supported by Model A.
+ * Answers mip_tools_pin. Supported by Model A.
  *
  * - guide: Pin
  */
@@ -741,8 +738,8 @@ struct mip_tools_pin_response {
     /** What drives it. */
     mip_tools_drive drive;
     /**
-     * How it is used. If drive is pulse: mip_tools_pulse_use. If drive is serial:
-     * mip_tools_serial_use.
+     * How it is used. If drive is MIP_TOOLS_DRIVE_PULSE: values of mip_tools_pulse_use. If drive is
+     * MIP_TOOLS_DRIVE_SERIAL: values of mip_tools_serial_use.
      */
     uint8_t use;
 };
@@ -755,6 +752,56 @@ mip_error mip_tools_pin_response_decode(struct mip_tools_pin_response *value,
                                         const struct mip_field *field);
 mip_error mip_tools_pin_response_encode(const struct mip_tools_pin_response *value,
                                         struct mip_builder *builder);
+
+/**
+ * Hello: command (0x01,0x0C).
+ *
+ * The device asks and a host answers.
+ *
+ * Also called `keep_alive`. Answered by mip_tools_hello_response. The device sends it, and the host
+ * answers.
+ *
+ * - sheet: Hello
+ */
+struct mip_tools_hello {
+    /** Parameters that are present; 0: only the required ones. */
+    uint8_t present;
+    /** Reserved: send 1.0. */
+    float reserved;
+    /** Reserved: send 0.0. Optional. */
+    double later[2];
+};
+
+#define MIP_TOOLS_HELLO_DESCRIPTOR 0x0C
+#define MIP_TOOLS_HELLO_NAME "tools.hello"
+/** The value of `present` if later is the last parameter that is there. */
+#define MIP_TOOLS_HELLO_WITH_LATER 2
+
+extern const struct mip_codec mip_tools_hello_codec;
+mip_error mip_tools_hello_decode(struct mip_tools_hello *value, const struct mip_field *field);
+mip_error mip_tools_hello_encode(const struct mip_tools_hello *value, struct mip_builder *builder);
+
+/**
+ * Hello response: response (0x01,0x8C).
+ *
+ * Also called `keep_alive_response` and `welcome`. Answers mip_tools_hello. Uncertain: When it
+ * comes.
+ *
+ * - sheet: Hello
+ */
+struct mip_tools_hello_response {
+    /** When the device was seen. Unit: s. */
+    uint32_t seen;
+};
+
+#define MIP_TOOLS_HELLO_RESPONSE_DESCRIPTOR 0x8C
+#define MIP_TOOLS_HELLO_RESPONSE_NAME "tools.hello_response"
+
+extern const struct mip_codec mip_tools_hello_response_codec;
+mip_error mip_tools_hello_response_decode(struct mip_tools_hello_response *value,
+                                          const struct mip_field *field);
+mip_error mip_tools_hello_response_encode(const struct mip_tools_hello_response *value,
+                                          struct mip_builder *builder);
 
 #ifdef __cplusplus
 }

@@ -8,7 +8,7 @@
 #include "mip/core.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/types.h and mip/core.h are not of one version"
+#error "mip/types.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
@@ -24,11 +24,11 @@ typedef uint8_t mip_ack_code;
 /** A parameter is out of range. */
 #define MIP_ACK_CODE_INVALID_PARAMETER 3
 
-/** What the device does. */
+/** What the device does. Uncertain: Whether there are more. */
 typedef uint8_t mip_mode;
 /** A keyword in three languages. */
 #define MIP_MODE_DEFAULT 0
-/** Quick. */
+/** Quick. Uncertain: How quick. */
 #define MIP_MODE_FAST 1
 /** Careful. Deprecated. */
 #define MIP_MODE_SLOW 2
@@ -40,18 +40,18 @@ typedef uint32_t mip_wide_code;
 
 /** Bits of all kinds. */
 typedef uint16_t mip_state_flags;
-/** Bit 0: Ready to measure. */
+/** Bit 0. Ready to measure. */
 #define MIP_STATE_FLAGS_READY 0x0001U
-/** Bit 1: Too hot. */
+/** Bit 1. Too hot. Uncertain: The limit; 85 degrees is likely. */
 #define MIP_STATE_FLAGS_HOT 0x0002U
-/** Bits 4 to 6: A number from 0 to 7. */
+/** Bits 4 to 6. A number from 0 to 7. */
 #define MIP_STATE_FLAGS_LEVEL 0x0070U
-/** Bits 8 to 9: An enumeration inside the bitfield. */
+/** Bits 8 to 9. An enumeration inside the bitfield. A value of mip_mode. */
 #define MIP_STATE_FLAGS_MODE 0x0300U
-/** Bits 0 to 1: Ready or hot. */
+/** Bits 0 to 1. Ready or hot. Overlaps other bits. */
 #define MIP_STATE_FLAGS_ANY 0x0003U
 
-/** Bits 4 to 6: A number from 0 to 7. */
+/** Bits 4 to 6. A number from 0 to 7. */
 static inline uint8_t mip_state_flags_get_level(mip_state_flags flags) {
     const uint32_t bits = flags & MIP_STATE_FLAGS_LEVEL;
     return (uint8_t)(bits >> 4);
@@ -62,7 +62,7 @@ static inline void mip_state_flags_set_level(mip_state_flags *flags, uint8_t val
     *flags = (mip_state_flags)((*flags & ~mask) | (bits & mask));
 }
 
-/** Bits 8 to 9: An enumeration inside the bitfield. */
+/** Bits 8 to 9. An enumeration inside the bitfield. A value of mip_mode. */
 static inline mip_mode mip_state_flags_get_mode(mip_state_flags flags) {
     const uint32_t bits = flags & MIP_STATE_FLAGS_MODE;
     return (mip_mode)(bits >> 8);
@@ -79,7 +79,7 @@ struct mip_health {
     uint8_t bytes[16];
 };
 
-/** Bit 0: The clock has failed. */
+/** Bit 0. The clock has failed. */
 static inline bool mip_health_get_clock(const struct mip_health *flags) {
     return (bool)mip_get_bits(flags->bytes, 0, 1);
 }
@@ -87,7 +87,7 @@ static inline void mip_health_set_clock(struct mip_health *flags, bool value) {
     mip_set_bits(flags->bytes, 0, 1, value);
 }
 
-/** Bit 9: The supply is out of range. */
+/** Bit 9. The supply is out of range. */
 static inline bool mip_health_get_power(const struct mip_health *flags) {
     return (bool)mip_get_bits(flags->bytes, 9, 1);
 }
@@ -95,7 +95,7 @@ static inline void mip_health_set_power(struct mip_health *flags, bool value) {
     mip_set_bits(flags->bytes, 9, 1, value);
 }
 
-/** Bits 30 to 33: A number across two bytes. */
+/** Bits 30 to 33. A number across two bytes. */
 static inline uint8_t mip_health_get_count(const struct mip_health *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 30, 4);
 }
@@ -103,7 +103,7 @@ static inline void mip_health_set_count(struct mip_health *flags, uint8_t value)
     mip_set_bits(flags->bytes, 30, 4, value);
 }
 
-/** Bit 127: The very last bit. */
+/** Bit 127. The very last bit. */
 static inline bool mip_health_get_last(const struct mip_health *flags) {
     return (bool)mip_get_bits(flags->bytes, 127, 1);
 }

@@ -1,0 +1,589 @@
+/**
+ * @file
+ *
+ * RTK commands (0x0F). Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
+ */
+#ifndef MIP_RTK_H
+#define MIP_RTK_H
+
+#include "mip/protocol.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/rtk.h and mip/constants.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Descriptor set of these fields. */
+#define MIP_RTK_SET 0x0F
+
+/**
+ * A device that a corrections modem serves.
+ *
+ * - mip-sdk-4: Connected Device Type (0x0F,0x06)
+ */
+typedef uint8_t mip_rtk_connected_device;
+/** Any device. */
+#define MIP_RTK_CONNECTED_DEVICE_GENERIC 0
+/** 3DM-GQ7. */
+#define MIP_RTK_CONNECTED_DEVICE_GQ7 1
+
+/**
+ * State of the correction service.
+ *
+ * - mip-sdk-4: Service Status (0x0F,0x0A)
+ */
+typedef uint8_t mip_rtk_service_flags;
+/** Bit 0. The server limits the rate. */
+#define MIP_RTK_SERVICE_FLAGS_THROTTLE 0x01U
+/** Bit 1. There are no corrections. */
+#define MIP_RTK_SERVICE_FLAGS_CORRECTIONS_UNAVAILABLE 0x02U
+
+/**
+ * A storage medium of a corrections modem.
+ *
+ * - mip-sdk-4: Prod Erase Storage (0x0F,0x20)
+ */
+typedef uint8_t mip_rtk_storage_medium;
+/** External flash memory. */
+#define MIP_RTK_STORAGE_MEDIUM_EXTERNAL_FLASH 0
+/** SD card. */
+#define MIP_RTK_STORAGE_MEDIUM_SD 1
+
+/**
+ * Pattern of an LED.
+ *
+ * - mip-sdk-4: Led Control (0x0F,0x21)
+ */
+typedef uint8_t mip_rtk_led_action;
+/** No pattern. */
+#define MIP_RTK_LED_ACTION_NONE 0
+/** Flashing. */
+#define MIP_RTK_LED_ACTION_FLASH 1
+/** Pulsating. */
+#define MIP_RTK_LED_ACTION_PULSATE 2
+
+/**
+ * Get status flags: command (0x0F,0x01).
+ *
+ * Asks for the state of the modem and of the corrections.
+ *
+ * Answered by mip_rtk_get_status_flags_response.
+ *
+ * The word of the response has two forms, rtk_status_flags and rtk_status_flags_legacy.
+ *
+ * - mip-sdk-4: Get Status Flags (0x0F,0x01)
+ */
+struct mip_rtk_get_status_flags {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_RTK_GET_STATUS_FLAGS_DESCRIPTOR 0x01
+#define MIP_RTK_GET_STATUS_FLAGS_NAME "rtk.get_status_flags"
+
+extern const struct mip_codec mip_rtk_get_status_flags_codec;
+mip_error mip_rtk_get_status_flags_decode(struct mip_rtk_get_status_flags *value,
+                                          const struct mip_field *field);
+mip_error mip_rtk_get_status_flags_encode(const struct mip_rtk_get_status_flags *value,
+                                          struct mip_builder *builder);
+
+/**
+ * Get status flags response: response (0x0F,0x81).
+ *
+ * Answers mip_rtk_get_status_flags.
+ *
+ * - mip-sdk-4: Get Status Flags (0x0F,0x01)
+ */
+struct mip_rtk_get_status_flags_response {
+    /** State of the modem and of the corrections. */
+    mip_rtk_status_flags flags;
+};
+
+#define MIP_RTK_GET_STATUS_FLAGS_RESPONSE_DESCRIPTOR 0x81
+#define MIP_RTK_GET_STATUS_FLAGS_RESPONSE_NAME "rtk.get_status_flags_response"
+
+extern const struct mip_codec mip_rtk_get_status_flags_response_codec;
+mip_error mip_rtk_get_status_flags_response_decode(struct mip_rtk_get_status_flags_response *value,
+                                                   const struct mip_field *field);
+mip_error mip_rtk_get_status_flags_response_encode(
+    const struct mip_rtk_get_status_flags_response *value, struct mip_builder *builder);
+
+/**
+ * Get IMEI: command (0x0F,0x02).
+ *
+ * Asks for the identity of the modem.
+ *
+ * Answered by mip_rtk_get_imei_response.
+ *
+ * - mip-sdk-4: Get Imei (0x0F,0x02)
+ */
+struct mip_rtk_get_imei {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_RTK_GET_IMEI_DESCRIPTOR 0x02
+#define MIP_RTK_GET_IMEI_NAME "rtk.get_imei"
+
+extern const struct mip_codec mip_rtk_get_imei_codec;
+mip_error mip_rtk_get_imei_decode(struct mip_rtk_get_imei *value, const struct mip_field *field);
+mip_error mip_rtk_get_imei_encode(const struct mip_rtk_get_imei *value,
+                                  struct mip_builder *builder);
+
+/**
+ * Get IMEI response: response (0x0F,0x82).
+ *
+ * Answers mip_rtk_get_imei.
+ *
+ * - mip-sdk-4: Get Imei (0x0F,0x02)
+ */
+struct mip_rtk_get_imei_response {
+    /** International mobile equipment identity. */
+    char imei[33];
+};
+
+#define MIP_RTK_GET_IMEI_RESPONSE_DESCRIPTOR 0x82
+#define MIP_RTK_GET_IMEI_RESPONSE_NAME "rtk.get_imei_response"
+
+extern const struct mip_codec mip_rtk_get_imei_response_codec;
+mip_error mip_rtk_get_imei_response_decode(struct mip_rtk_get_imei_response *value,
+                                           const struct mip_field *field);
+mip_error mip_rtk_get_imei_response_encode(const struct mip_rtk_get_imei_response *value,
+                                           struct mip_builder *builder);
+
+/**
+ * Get IMSI: command (0x0F,0x03).
+ *
+ * Asks for the identity of the subscriber.
+ *
+ * Answered by mip_rtk_get_imsi_response.
+ *
+ * - mip-sdk-4: Get Imsi (0x0F,0x03)
+ */
+struct mip_rtk_get_imsi {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_RTK_GET_IMSI_DESCRIPTOR 0x03
+#define MIP_RTK_GET_IMSI_NAME "rtk.get_imsi"
+
+extern const struct mip_codec mip_rtk_get_imsi_codec;
+mip_error mip_rtk_get_imsi_decode(struct mip_rtk_get_imsi *value, const struct mip_field *field);
+mip_error mip_rtk_get_imsi_encode(const struct mip_rtk_get_imsi *value,
+                                  struct mip_builder *builder);
+
+/**
+ * Get IMSI response: response (0x0F,0x83).
+ *
+ * Answers mip_rtk_get_imsi.
+ *
+ * - mip-sdk-4: Get Imsi (0x0F,0x03)
+ */
+struct mip_rtk_get_imsi_response {
+    /** International mobile subscriber identity. */
+    char imsi[33];
+};
+
+#define MIP_RTK_GET_IMSI_RESPONSE_DESCRIPTOR 0x83
+#define MIP_RTK_GET_IMSI_RESPONSE_NAME "rtk.get_imsi_response"
+
+extern const struct mip_codec mip_rtk_get_imsi_response_codec;
+mip_error mip_rtk_get_imsi_response_decode(struct mip_rtk_get_imsi_response *value,
+                                           const struct mip_field *field);
+mip_error mip_rtk_get_imsi_response_encode(const struct mip_rtk_get_imsi_response *value,
+                                           struct mip_builder *builder);
+
+/**
+ * Get ICCID: command (0x0F,0x04).
+ *
+ * Asks for the number of the SIM card.
+ *
+ * Answered by mip_rtk_get_iccid_response.
+ *
+ * - mip-sdk-4: Get Iccid (0x0F,0x04)
+ */
+struct mip_rtk_get_iccid {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_RTK_GET_ICCID_DESCRIPTOR 0x04
+#define MIP_RTK_GET_ICCID_NAME "rtk.get_iccid"
+
+extern const struct mip_codec mip_rtk_get_iccid_codec;
+mip_error mip_rtk_get_iccid_decode(struct mip_rtk_get_iccid *value, const struct mip_field *field);
+mip_error mip_rtk_get_iccid_encode(const struct mip_rtk_get_iccid *value,
+                                   struct mip_builder *builder);
+
+/**
+ * Get ICCID response: response (0x0F,0x84).
+ *
+ * Answers mip_rtk_get_iccid.
+ *
+ * - mip-sdk-4: Get Iccid (0x0F,0x04)
+ */
+struct mip_rtk_get_iccid_response {
+    /** Number of the SIM card. */
+    char iccid[33];
+};
+
+#define MIP_RTK_GET_ICCID_RESPONSE_DESCRIPTOR 0x84
+#define MIP_RTK_GET_ICCID_RESPONSE_NAME "rtk.get_iccid_response"
+
+extern const struct mip_codec mip_rtk_get_iccid_response_codec;
+mip_error mip_rtk_get_iccid_response_decode(struct mip_rtk_get_iccid_response *value,
+                                            const struct mip_field *field);
+mip_error mip_rtk_get_iccid_response_encode(const struct mip_rtk_get_iccid_response *value,
+                                            struct mip_builder *builder);
+
+/**
+ * Get RSSI: command (0x0F,0x05).
+ *
+ * Asks for the strength of the cellular signal.
+ *
+ * Answered by mip_rtk_get_rssi_response.
+ *
+ * - mip-sdk-4: Get Rssi (0x0F,0x05)
+ */
+struct mip_rtk_get_rssi {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_RTK_GET_RSSI_DESCRIPTOR 0x05
+#define MIP_RTK_GET_RSSI_NAME "rtk.get_rssi"
+
+extern const struct mip_codec mip_rtk_get_rssi_codec;
+mip_error mip_rtk_get_rssi_decode(struct mip_rtk_get_rssi *value, const struct mip_field *field);
+mip_error mip_rtk_get_rssi_encode(const struct mip_rtk_get_rssi *value,
+                                  struct mip_builder *builder);
+
+/**
+ * Get RSSI response: response (0x0F,0x85).
+ *
+ * Answers mip_rtk_get_rssi. Uncertain: That `valid` vouches for the other values is inferred.
+ *
+ * - mip-sdk-4: Get Rssi (0x0F,0x05)
+ */
+struct mip_rtk_get_rssi_response {
+    /** Whether the modem is connected. */
+    mip_bool valid;
+    /** Received signal strength. Valid if valid is true. Uncertain: The unit; dBm is likely. */
+    int32_t rssi;
+    /** Signal quality. Valid if valid is true. Uncertain: The unit. */
+    int32_t signal_quality;
+};
+
+#define MIP_RTK_GET_RSSI_RESPONSE_DESCRIPTOR 0x85
+#define MIP_RTK_GET_RSSI_RESPONSE_NAME "rtk.get_rssi_response"
+
+extern const struct mip_codec mip_rtk_get_rssi_response_codec;
+mip_error mip_rtk_get_rssi_response_decode(struct mip_rtk_get_rssi_response *value,
+                                           const struct mip_field *field);
+mip_error mip_rtk_get_rssi_response_encode(const struct mip_rtk_get_rssi_response *value,
+                                           struct mip_builder *builder);
+
+/**
+ * Connected device type: command (0x0F,0x06).
+ *
+ * The device that the modem serves.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_rtk_connected_device_type_response.
+ *
+ * - mip-sdk-4: Connected Device Type (0x0F,0x06)
+ */
+struct mip_rtk_connected_device_type {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Type of the device. Required for write. */
+    mip_rtk_connected_device device_type;
+};
+
+#define MIP_RTK_CONNECTED_DEVICE_TYPE_DESCRIPTOR 0x06
+#define MIP_RTK_CONNECTED_DEVICE_TYPE_NAME "rtk.connected_device_type"
+
+extern const struct mip_codec mip_rtk_connected_device_type_codec;
+mip_error mip_rtk_connected_device_type_decode(struct mip_rtk_connected_device_type *value,
+                                               const struct mip_field *field);
+mip_error mip_rtk_connected_device_type_encode(const struct mip_rtk_connected_device_type *value,
+                                               struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_rtk_connected_device_type
+mip_rtk_connected_device_type_write(mip_rtk_connected_device device_type);
+/** Send the current setting back in a response. */
+struct mip_rtk_connected_device_type mip_rtk_connected_device_type_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_rtk_connected_device_type mip_rtk_connected_device_type_save(void);
+/** Load the saved setting. */
+struct mip_rtk_connected_device_type mip_rtk_connected_device_type_load(void);
+/** Load the factory default setting. */
+struct mip_rtk_connected_device_type mip_rtk_connected_device_type_default(void);
+
+/**
+ * Connected device type response: response (0x0F,0x86).
+ *
+ * Answers mip_rtk_connected_device_type.
+ *
+ * - mip-sdk-4: Connected Device Type (0x0F,0x06)
+ */
+struct mip_rtk_connected_device_type_response {
+    /** Type of the device. */
+    mip_rtk_connected_device device_type;
+};
+
+#define MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE_DESCRIPTOR 0x86
+#define MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE_NAME "rtk.connected_device_type_response"
+
+extern const struct mip_codec mip_rtk_connected_device_type_response_codec;
+mip_error mip_rtk_connected_device_type_response_decode(
+    struct mip_rtk_connected_device_type_response *value, const struct mip_field *field);
+mip_error mip_rtk_connected_device_type_response_encode(
+    const struct mip_rtk_connected_device_type_response *value, struct mip_builder *builder);
+
+/**
+ * Get activation code: command (0x0F,0x07).
+ *
+ * Asks for the activation code.
+ *
+ * Also called `get_act_code`. Answered by mip_rtk_get_activation_code_response.
+ *
+ * - mip-sdk-4: Get Act Code (0x0F,0x07)
+ */
+struct mip_rtk_get_activation_code {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_RTK_GET_ACTIVATION_CODE_DESCRIPTOR 0x07
+#define MIP_RTK_GET_ACTIVATION_CODE_NAME "rtk.get_activation_code"
+
+extern const struct mip_codec mip_rtk_get_activation_code_codec;
+mip_error mip_rtk_get_activation_code_decode(struct mip_rtk_get_activation_code *value,
+                                             const struct mip_field *field);
+mip_error mip_rtk_get_activation_code_encode(const struct mip_rtk_get_activation_code *value,
+                                             struct mip_builder *builder);
+
+/**
+ * Get activation code response: response (0x0F,0x87).
+ *
+ * Also called `get_act_code_response`. Answers mip_rtk_get_activation_code.
+ *
+ * - mip-sdk-4: Get Act Code (0x0F,0x07)
+ */
+struct mip_rtk_get_activation_code_response {
+    /** Activation code. */
+    char activation_code[33];
+};
+
+#define MIP_RTK_GET_ACTIVATION_CODE_RESPONSE_DESCRIPTOR 0x87
+#define MIP_RTK_GET_ACTIVATION_CODE_RESPONSE_NAME "rtk.get_activation_code_response"
+
+extern const struct mip_codec mip_rtk_get_activation_code_response_codec;
+mip_error mip_rtk_get_activation_code_response_decode(
+    struct mip_rtk_get_activation_code_response *value, const struct mip_field *field);
+mip_error mip_rtk_get_activation_code_response_encode(
+    const struct mip_rtk_get_activation_code_response *value, struct mip_builder *builder);
+
+/**
+ * Get modem firmware version: command (0x0F,0x08).
+ *
+ * Asks for the firmware version of the cellular modem.
+ *
+ * Answered by mip_rtk_get_modem_firmware_version_response.
+ *
+ * - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
+ */
+struct mip_rtk_get_modem_firmware_version {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_DESCRIPTOR 0x08
+#define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_NAME "rtk.get_modem_firmware_version"
+
+extern const struct mip_codec mip_rtk_get_modem_firmware_version_codec;
+mip_error mip_rtk_get_modem_firmware_version_decode(
+    struct mip_rtk_get_modem_firmware_version *value, const struct mip_field *field);
+mip_error mip_rtk_get_modem_firmware_version_encode(
+    const struct mip_rtk_get_modem_firmware_version *value, struct mip_builder *builder);
+
+/**
+ * Get modem firmware version response: response (0x0F,0x88).
+ *
+ * Answers mip_rtk_get_modem_firmware_version.
+ *
+ * - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
+ */
+struct mip_rtk_get_modem_firmware_version_response {
+    /** Firmware version. */
+    char modem_firmware_version[33];
+};
+
+#define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE_DESCRIPTOR 0x88
+#define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE_NAME "rtk.get_modem_firmware_version_response"
+
+extern const struct mip_codec mip_rtk_get_modem_firmware_version_response_codec;
+mip_error mip_rtk_get_modem_firmware_version_response_decode(
+    struct mip_rtk_get_modem_firmware_version_response *value, const struct mip_field *field);
+mip_error mip_rtk_get_modem_firmware_version_response_encode(
+    const struct mip_rtk_get_modem_firmware_version_response *value, struct mip_builder *builder);
+
+/**
+ * Service status: command (0x0F,0x0A).
+ *
+ * Asks a correction server about the connection, and so keeps it open.
+ *
+ * Answered by mip_rtk_service_status_response. The device sends it, and the host answers.
+ *
+ * The modem sends it as a host would, and the server answers as a device would.
+ *
+ * - mip-sdk-4: Service Status (0x0F,0x0A)
+ */
+struct mip_rtk_service_status {
+    /** Reserved: send 0. Uncertain: What the modem sends; 0 is assumed. */
+    uint32_t reserved1;
+    /** Reserved: send 0. Uncertain: What the modem sends; 0 is assumed. */
+    uint32_t reserved2;
+};
+
+#define MIP_RTK_SERVICE_STATUS_DESCRIPTOR 0x0A
+#define MIP_RTK_SERVICE_STATUS_NAME "rtk.service_status"
+
+extern const struct mip_codec mip_rtk_service_status_codec;
+mip_error mip_rtk_service_status_decode(struct mip_rtk_service_status *value,
+                                        const struct mip_field *field);
+mip_error mip_rtk_service_status_encode(const struct mip_rtk_service_status *value,
+                                        struct mip_builder *builder);
+
+/**
+ * Service status response: response (0x0F,0x8A).
+ *
+ * What the server knows of the connection.
+ *
+ * Answers mip_rtk_service_status. Uncertain: What exactly the counters count.
+ *
+ * - mip-sdk-4: Service Status (0x0F,0x0A)
+ */
+struct mip_rtk_service_status_response {
+    /** State of the service. */
+    mip_rtk_service_flags flags;
+    /** Bytes received. Unit: byte. */
+    uint32_t received_bytes;
+    /** Bytes of the last transfer. Unit: byte. */
+    uint32_t last_bytes;
+    /** Time of the last transfer. Uncertain: The unit and the epoch. */
+    uint64_t last_bytes_time;
+};
+
+#define MIP_RTK_SERVICE_STATUS_RESPONSE_DESCRIPTOR 0x8A
+#define MIP_RTK_SERVICE_STATUS_RESPONSE_NAME "rtk.service_status_response"
+
+extern const struct mip_codec mip_rtk_service_status_response_codec;
+mip_error mip_rtk_service_status_response_decode(struct mip_rtk_service_status_response *value,
+                                                 const struct mip_field *field);
+mip_error mip_rtk_service_status_response_encode(
+    const struct mip_rtk_service_status_response *value, struct mip_builder *builder);
+
+/**
+ * Erase storage: command (0x0F,0x20).
+ *
+ * Erases a storage medium down to its raw state.
+ *
+ * For advanced use. Also called `prod_erase_storage`.
+ *
+ * All that is stored is lost. The command is for production.
+ *
+ * Accepted in calibration mode only.
+ *
+ * - mip-sdk-4: Prod Erase Storage (0x0F,0x20)
+ */
+struct mip_rtk_erase_storage {
+    /** The medium. */
+    mip_rtk_storage_medium media;
+};
+
+#define MIP_RTK_ERASE_STORAGE_DESCRIPTOR 0x20
+#define MIP_RTK_ERASE_STORAGE_NAME "rtk.erase_storage"
+
+extern const struct mip_codec mip_rtk_erase_storage_codec;
+mip_error mip_rtk_erase_storage_decode(struct mip_rtk_erase_storage *value,
+                                       const struct mip_field *field);
+mip_error mip_rtk_erase_storage_encode(const struct mip_rtk_erase_storage *value,
+                                       struct mip_builder *builder);
+/** Erase storage. */
+struct mip_rtk_erase_storage mip_rtk_erase_storage_make(mip_rtk_storage_medium media);
+
+/**
+ * LED control: command (0x0F,0x21).
+ *
+ * Colours and pattern of the LED.
+ *
+ * For advanced use.
+ *
+ * Accepted in calibration mode and production test mode only.
+ *
+ * - mip-sdk-4: Led Control (0x0F,0x21)
+ */
+struct mip_rtk_led_control {
+    /** First colour. Uncertain: The order of its parts; red, green, blue is likely. */
+    uint8_t primary_color[3];
+    /** Second colour. Uncertain: The order of its parts; red, green, blue is likely. */
+    uint8_t alternate_color[3];
+    /** Pattern. */
+    mip_rtk_led_action action;
+    /** Period of the pattern. Uncertain: The unit; ms is likely. */
+    uint32_t period;
+};
+
+#define MIP_RTK_LED_CONTROL_DESCRIPTOR 0x21
+#define MIP_RTK_LED_CONTROL_NAME "rtk.led_control"
+
+extern const struct mip_codec mip_rtk_led_control_codec;
+mip_error mip_rtk_led_control_decode(struct mip_rtk_led_control *value,
+                                     const struct mip_field *field);
+mip_error mip_rtk_led_control_encode(const struct mip_rtk_led_control *value,
+                                     struct mip_builder *builder);
+/** LED control. */
+struct mip_rtk_led_control mip_rtk_led_control_make(const uint8_t primary_color[3],
+                                                    const uint8_t alternate_color[3],
+                                                    mip_rtk_led_action action, uint32_t period);
+
+/**
+ * Modem hard reset: command (0x0F,0x22).
+ *
+ * Clears the flash memory of the modem.
+ *
+ * For advanced use.
+ *
+ * It wears the flash memory out; use it rarely.
+ *
+ * Accepted in calibration mode only.
+ *
+ * - mip-sdk-4: Modem Hard Reset (0x0F,0x22)
+ */
+struct mip_rtk_modem_hard_reset {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_RTK_MODEM_HARD_RESET_DESCRIPTOR 0x22
+#define MIP_RTK_MODEM_HARD_RESET_NAME "rtk.modem_hard_reset"
+
+extern const struct mip_codec mip_rtk_modem_hard_reset_codec;
+mip_error mip_rtk_modem_hard_reset_decode(struct mip_rtk_modem_hard_reset *value,
+                                          const struct mip_field *field);
+mip_error mip_rtk_modem_hard_reset_encode(const struct mip_rtk_modem_hard_reset *value,
+                                          struct mip_builder *builder);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,22 @@
+"""The descriptor sets of the specification."""
+
+#: Descriptor set -> module of this package.
+MODULES: dict[int, str] = {
+    0x01: "base",
+    0x0C: "mip_3dm",
+    0x0D: "filter",
+    0x0E: "gnss",
+    0x0F: "rtk",
+    0x13: "aiding",
+    0x7F: "system",
+    0x80: "sensor",
+    0x81: "gnss_data",
+    0x82: "filter_data",
+    0x91: "gnss_1",
+    0x92: "gnss_2",
+    0x93: "gnss_corrections",
+    0x94: "gnss_external",
+    0x95: "gnss_external_2",
+    0xA0: "system_data",
+    0xFF: "shared",
+}

@@ -1,0 +1,541 @@
+"""External GNSS data 2 (0x95).
+
+What a second external GNSS receiver tells the device.
+
+- mip-sdk-4: Gnss5 Data (0x95)
+"""
+
+from __future__ import annotations
+
+from . import gnss_1
+from .field import Field
+
+
+class LlhPosition(gnss_1.LlhPosition):
+    """GNSS LLH position (0x95,0x03).
+
+    GNSS position as latitude, longitude and height.
+
+    Has the layout of `gnss_1.LlhPosition`. Also called `pos_llh`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.llh_position"
+
+
+class EcefPosition(gnss_1.EcefPosition):
+    """GNSS ECEF position (0x95,0x04).
+
+    GNSS position in Earth-fixed coordinates.
+
+    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.ecef_position"
+
+
+class NedVelocity(gnss_1.NedVelocity):
+    """NED velocity (0x95,0x05).
+
+    GNSS velocity in the local level frame.
+
+    Has the layout of `gnss_1.NedVelocity`. Also called `vel_ned`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.ned_velocity"
+
+
+class EcefVelocity(gnss_1.EcefVelocity):
+    """GNSS ECEF velocity (0x95,0x06).
+
+    GNSS velocity in Earth-fixed coordinates.
+
+    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.ecef_velocity"
+
+
+class Dop(gnss_1.Dop):
+    """DOP (0x95,0x07).
+
+    Dilution of precision of the satellite geometry.
+
+    Has the layout of `gnss_1.Dop`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.dop"
+
+
+class UtcTime(gnss_1.UtcTime):
+    """UTC time (0x95,0x08).
+
+    Coordinated universal time as the receiver knows it.
+
+    Has the layout of `gnss_1.UtcTime`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.utc_time"
+
+
+class GpsTime(gnss_1.GpsTime):
+    """GPS time (0x95,0x09).
+
+    GPS time as the receiver knows it.
+
+    Has the layout of `gnss_1.GpsTime`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.gps_time"
+
+
+class ClockInfo(gnss_1.ClockInfo):
+    """Clock info (0x95,0x0A).
+
+    Bias and drift of the receiver clock.
+
+    Has the layout of `gnss_1.ClockInfo`.
+
+    Clock info 2 replaces it and tells more.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.clock_info"
+
+
+class FixInfo(gnss_1.FixInfo):
+    """Fix info (0x95,0x0B).
+
+    Type of the position fix and what it is made of.
+
+    Has the layout of `gnss_1.FixInfo`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.fix_info"
+
+
+class SvInfo(gnss_1.SvInfo):
+    """Satellite info (0x95,0x0C).
+
+    One satellite that is tracked.
+
+    Has the layout of `gnss_1.SvInfo`. Uncertain: Whether a packet holds one of these fields or
+    several.
+
+    The satellites come as one field each, in packets apart from other GNSS data.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.sv_info"
+
+
+class HardwareStatus(gnss_1.HardwareStatus):
+    """GNSS hardware status (0x95,0x0D).
+
+    State of the receiver and of its antenna.
+
+    Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.hardware_status"
+
+
+class DgpsInfo(gnss_1.DgpsInfo):
+    """DGPS info (0x95,0x0E).
+
+    State of the differential corrections.
+
+    Has the layout of `gnss_1.DgpsInfo`. Uncertain: The layout is that of a manual of the 3DM-GX5-35
+    and of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK
+    has another one, u8, three floats and u16, which is that of dgps_channel and does not agree with
+    its own valid flags (age, base station id, base station status, number of channels).
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.dgps_info"
+
+
+class DgpsChannel(gnss_1.DgpsChannel):
+    """DGPS channel (0x95,0x0F).
+
+    Differential correction for one satellite.
+
+    Has the layout of `gnss_1.DgpsChannel`.
+
+    The active satellites come as one field each, all in one packet.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.dgps_channel"
+
+
+class ClockInfo2(gnss_1.ClockInfo2):
+    """Clock info 2 (0x95,0x10).
+
+    Bias and drift of the receiver clock.
+
+    Has the layout of `gnss_1.ClockInfo2`.
+
+    It supersedes clock info.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.clock_info_2"
+
+
+class GpsLeapSeconds(gnss_1.GpsLeapSeconds):
+    """GPS leap seconds (0x95,0x11).
+
+    Difference between GPS time and UTC.
+
+    Has the layout of `gnss_1.GpsLeapSeconds`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.gps_leap_seconds"
+
+
+class SbasInfo(gnss_1.SbasInfo):
+    """SBAS info (0x95,0x12).
+
+    Status of the satellite based augmentation.
+
+    Has the layout of `gnss_1.SbasInfo`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.sbas_info"
+
+
+class SbasCorrection(gnss_1.SbasCorrection):
+    """SBAS correction (0x95,0x13).
+
+    SBAS correction for one satellite.
+
+    Has the layout of `gnss_1.SbasCorrection`.
+
+    An epoch is sent as one field for each satellite; index and count number the fields. udrei 0 to
+    13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709,
+    2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.sbas_correction"
+
+
+class RfErrorDetection(gnss_1.RfErrorDetection):
+    """RF error detection (0x95,0x14).
+
+    Jamming and spoofing as the receiver detects them in one band.
+
+    Has the layout of `gnss_1.RfErrorDetection`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.rf_error_detection"
+
+
+class SatelliteStatus(gnss_1.SatelliteStatus):
+    """Satellite status (0x95,0x20).
+
+    Where one satellite stands, and its health.
+
+    Has the layout of `gnss_1.SatelliteStatus`.
+
+    An epoch is sent as one field for each satellite; index and count number the fields.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.satellite_status"
+
+
+class Raw(gnss_1.Raw):
+    """Raw (0x95,0x22).
+
+    Raw observation of one signal of one satellite.
+
+    Has the layout of `gnss_1.Raw`.
+
+    An epoch is sent as one field for each signal; index and count number the fields. The greatest
+    lock time depends on the receiver.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.raw"
+
+
+class BaseStationInfo(gnss_1.BaseStationInfo):
+    """Base station info (0x95,0x30).
+
+    The base station of the corrections, from an RTCM message 1005 or 1006.
+
+    Has the layout of `gnss_1.BaseStationInfo`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.base_station_info"
+
+
+class RtkCorrectionsStatus(gnss_1.RtkCorrectionsStatus):
+    """RTK corrections status (0x95,0x31).
+
+    Which corrections come, and how old they are.
+
+    Has the layout of `gnss_1.RtkCorrectionsStatus`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.rtk_corrections_status"
+
+
+class GpsEphemeris(gnss_1.GpsEphemeris):
+    """GPS ephemeris (0x95,0x61).
+
+    Broadcast orbit and clock of one GPS satellite.
+
+    Has the layout of `gnss_1.GpsEphemeris`.
+
+    iodc changes with the clock data; the manual has it roll over at 4.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.gps_ephemeris"
+
+
+class GlonassEphemeris(gnss_1.GlonassEphemeris):
+    """GLONASS ephemeris (0x95,0x62).
+
+    Broadcast orbit and clock of one GLONASS satellite.
+
+    Has the layout of `gnss_1.GlonassEphemeris`. Also called `glo_ephemeris`.
+
+    The interface control document of GLONASS explains p and ft. A period of four years has 1461
+    days; the manual does not say how nt, a u8, counts them.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.glonass_ephemeris"
+
+
+class GalileoEphemeris(gnss_1.GalileoEphemeris):
+    """Galileo ephemeris (0x95,0x63).
+
+    Broadcast orbit and clock of one Galileo satellite.
+
+    Has the layout of `gnss_1.GalileoEphemeris`.
+
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.galileo_ephemeris"
+
+
+class BeidouEphemeris(gnss_1.BeidouEphemeris):
+    """BeiDou ephemeris (0x95,0x64).
+
+    Broadcast orbit and clock of one BeiDou satellite.
+
+    Has the layout of `gnss_1.BeidouEphemeris`.
+
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.beidou_ephemeris"
+
+
+class GpsIonoCorrection(gnss_1.GpsIonoCorrection):
+    """GPS ionospheric correction (0x95,0x71).
+
+    Model of the ionosphere that GPS broadcasts.
+
+    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.gps_iono_correction"
+
+
+class GalileoIonoCorrection(gnss_1.GalileoIonoCorrection):
+    """Galileo ionospheric correction (0x95,0x73).
+
+    Model of the ionosphere that Galileo broadcasts.
+
+    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.galileo_iono_correction"
+
+
+class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
+    """BeiDou ionospheric correction (0x95,0x74).
+
+    Model of the ionosphere that BeiDou broadcasts.
+
+    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`.
+
+    - mip-sdk-4: Gnss5 Data (0x95)
+    """
+
+    __slots__ = ()
+
+    SET = 0x95
+    NAME = "gnss_external_2.beidou_iono_correction"
+
+
+#: The types of each descriptor; several where constants in the data tell layouts apart.
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x03: (LlhPosition,),
+    0x04: (EcefPosition,),
+    0x05: (NedVelocity,),
+    0x06: (EcefVelocity,),
+    0x07: (Dop,),
+    0x08: (UtcTime,),
+    0x09: (GpsTime,),
+    0x0A: (ClockInfo,),
+    0x0B: (FixInfo,),
+    0x0C: (SvInfo,),
+    0x0D: (HardwareStatus,),
+    0x0E: (DgpsInfo,),
+    0x0F: (DgpsChannel,),
+    0x10: (ClockInfo2,),
+    0x11: (GpsLeapSeconds,),
+    0x12: (SbasInfo,),
+    0x13: (SbasCorrection,),
+    0x14: (RfErrorDetection,),
+    0x20: (SatelliteStatus,),
+    0x22: (Raw,),
+    0x30: (BaseStationInfo,),
+    0x31: (RtkCorrectionsStatus,),
+    0x61: (GpsEphemeris,),
+    0x62: (GlonassEphemeris,),
+    0x63: (GalileoEphemeris,),
+    0x64: (BeidouEphemeris,),
+    0x71: (GpsIonoCorrection,),
+    0x73: (GalileoIonoCorrection,),
+    0x74: (BeidouIonoCorrection,),
+}

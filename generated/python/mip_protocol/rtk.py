@@ -1,0 +1,818 @@
+"""RTK commands (0x0F).
+
+Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
+
+- mip-sdk-4: Rtk Commands (0x0F)
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntFlag
+
+from . import codec, types
+from .errors import Truncated
+from .field import Command, Field, Response, ResponseClass
+from .protocol import FunctionSelector
+
+
+class ConnectedDevice(codec.OpenEnum):
+    """A device that a corrections modem serves.
+
+    - mip-sdk-4: Connected Device Type (0x0F,0x06)
+    """
+
+    GENERIC = 0
+    """Any device."""
+    GQ7 = 1
+    """3DM-GQ7."""
+
+
+@codec.open_flag(8)
+class ServiceFlags(IntFlag):
+    """State of the correction service.
+
+    - mip-sdk-4: Service Status (0x0F,0x0A)
+    """
+
+    THROTTLE = 1 << 0
+    """The server limits the rate. Bit 0."""
+    CORRECTIONS_UNAVAILABLE = 1 << 1
+    """There are no corrections. Bit 1."""
+
+
+class StorageMedium(codec.OpenEnum):
+    """A storage medium of a corrections modem.
+
+    - mip-sdk-4: Prod Erase Storage (0x0F,0x20)
+    """
+
+    EXTERNAL_FLASH = 0
+    """External flash memory."""
+    SD = 1
+    """SD card."""
+
+
+class LedAction(codec.OpenEnum):
+    """Pattern of an LED.
+
+    - mip-sdk-4: Led Control (0x0F,0x21)
+    """
+
+    NONE = 0
+    """No pattern."""
+    FLASH = 1
+    """Flashing."""
+    PULSATE = 2
+    """Pulsating."""
+
+
+_GET_STATUS_FLAGS_RESPONSE_0 = codec.Block("I", "flags")
+
+
+@dataclass(slots=True)
+class GetStatusFlagsResponse(Response):
+    """Get status flags response (0x0F,0x81).
+
+    Answers `GetStatusFlags`.
+
+    - mip-sdk-4: Get Status Flags (0x0F,0x01)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x81
+    NAME = "rtk.get_status_flags_response"
+    ROLE = "response"
+
+    flags: types.RtkStatusFlags
+    """State of the modem and of the corrections."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetStatusFlagsResponse, int]:
+        v = _GET_STATUS_FLAGS_RESPONSE_0.read(raw, at)
+        at += 4
+        flags = types.RtkStatusFlags(v[0])
+        return cls(flags), at
+
+    def _write(self) -> bytes:
+        out = _GET_STATUS_FLAGS_RESPONSE_0.write(self.flags)
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class GetImeiResponse(Response):
+    """Get IMEI response (0x0F,0x82).
+
+    Answers `GetImei`.
+
+    - mip-sdk-4: Get Imei (0x0F,0x02)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x82
+    NAME = "rtk.get_imei_response"
+    ROLE = "response"
+
+    imei: str
+    """International mobile equipment identity."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetImeiResponse, int]:
+        imei = codec.take(raw, at, 32).decode("latin-1")
+        at += 32
+        return cls(imei), at
+
+    def _write(self) -> bytes:
+        codec.exactly("imei", self.imei, 32)
+        out = codec.text("imei", self.imei)
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class GetImsiResponse(Response):
+    """Get IMSI response (0x0F,0x83).
+
+    Answers `GetImsi`.
+
+    - mip-sdk-4: Get Imsi (0x0F,0x03)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x83
+    NAME = "rtk.get_imsi_response"
+    ROLE = "response"
+
+    imsi: str
+    """International mobile subscriber identity."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetImsiResponse, int]:
+        imsi = codec.take(raw, at, 32).decode("latin-1")
+        at += 32
+        return cls(imsi), at
+
+    def _write(self) -> bytes:
+        codec.exactly("imsi", self.imsi, 32)
+        out = codec.text("imsi", self.imsi)
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class GetIccidResponse(Response):
+    """Get ICCID response (0x0F,0x84).
+
+    Answers `GetIccid`.
+
+    - mip-sdk-4: Get Iccid (0x0F,0x04)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x84
+    NAME = "rtk.get_iccid_response"
+    ROLE = "response"
+
+    iccid: str
+    """Number of the SIM card."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetIccidResponse, int]:
+        iccid = codec.take(raw, at, 32).decode("latin-1")
+        at += 32
+        return cls(iccid), at
+
+    def _write(self) -> bytes:
+        codec.exactly("iccid", self.iccid, 32)
+        out = codec.text("iccid", self.iccid)
+        return codec.finished(out)
+
+
+_GET_RSSI_RESPONSE_0 = codec.Block("Bii", "valid", "rssi", "signal_quality")
+
+
+@dataclass(slots=True)
+class GetRssiResponse(Response):
+    """Get RSSI response (0x0F,0x85).
+
+    Answers `GetRssi`. Uncertain: That `valid` vouches for the other values is inferred.
+
+    - mip-sdk-4: Get Rssi (0x0F,0x05)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x85
+    NAME = "rtk.get_rssi_response"
+    ROLE = "response"
+
+    valid: bool
+    """Whether the modem is connected."""
+    rssi: int
+    """Received signal strength. Valid if `valid` is true. Uncertain: The unit; dBm is likely."""
+    signal_quality: int
+    """Signal quality. Valid if `valid` is true. Uncertain: The unit."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetRssiResponse, int]:
+        v = _GET_RSSI_RESPONSE_0.read(raw, at)
+        at += 9
+        valid = codec.truth(v[0])
+        rssi = v[1]
+        signal_quality = v[2]
+        return cls(valid, rssi, signal_quality), at
+
+    def _write(self) -> bytes:
+        out = _GET_RSSI_RESPONSE_0.write(self.valid, self.rssi, self.signal_quality)
+        return codec.finished(out)
+
+
+_CONNECTED_DEVICE_TYPE_RESPONSE_0 = codec.Block("B", "device_type")
+
+
+@dataclass(slots=True)
+class ConnectedDeviceTypeResponse(Response):
+    """Connected device type response (0x0F,0x86).
+
+    Answers `ConnectedDeviceType`.
+
+    - mip-sdk-4: Connected Device Type (0x0F,0x06)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x86
+    NAME = "rtk.connected_device_type_response"
+    ROLE = "response"
+
+    device_type: ConnectedDevice
+    """Type of the device."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ConnectedDeviceTypeResponse, int]:
+        v = _CONNECTED_DEVICE_TYPE_RESPONSE_0.read(raw, at)
+        at += 1
+        device_type = ConnectedDevice(v[0])
+        return cls(device_type), at
+
+    def _write(self) -> bytes:
+        out = _CONNECTED_DEVICE_TYPE_RESPONSE_0.write(self.device_type)
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class GetActivationCodeResponse(Response):
+    """Get activation code response (0x0F,0x87).
+
+    Also called `get_act_code_response`. Answers `GetActivationCode`.
+
+    - mip-sdk-4: Get Act Code (0x0F,0x07)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x87
+    NAME = "rtk.get_activation_code_response"
+    ROLE = "response"
+
+    activation_code: str
+    """Activation code."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetActivationCodeResponse, int]:
+        activation_code = codec.take(raw, at, 32).decode("latin-1")
+        at += 32
+        return cls(activation_code), at
+
+    def _write(self) -> bytes:
+        codec.exactly("activation_code", self.activation_code, 32)
+        out = codec.text("activation_code", self.activation_code)
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class GetModemFirmwareVersionResponse(Response):
+    """Get modem firmware version response (0x0F,0x88).
+
+    Answers `GetModemFirmwareVersion`.
+
+    - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x88
+    NAME = "rtk.get_modem_firmware_version_response"
+    ROLE = "response"
+
+    modem_firmware_version: str
+    """Firmware version."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetModemFirmwareVersionResponse, int]:
+        modem_firmware_version = codec.take(raw, at, 32).decode("latin-1")
+        at += 32
+        return cls(modem_firmware_version), at
+
+    def _write(self) -> bytes:
+        codec.exactly("modem_firmware_version", self.modem_firmware_version, 32)
+        out = codec.text("modem_firmware_version", self.modem_firmware_version)
+        return codec.finished(out)
+
+
+_SERVICE_STATUS_RESPONSE_0 = codec.Block(
+    "BIIQ", "flags", "received_bytes", "last_bytes", "last_bytes_time"
+)
+
+
+@dataclass(slots=True)
+class ServiceStatusResponse(Response):
+    """Service status response (0x0F,0x8A).
+
+    What the server knows of the connection.
+
+    Answers `ServiceStatus`. Uncertain: What exactly the counters count.
+
+    - mip-sdk-4: Service Status (0x0F,0x0A)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x8A
+    NAME = "rtk.service_status_response"
+    ROLE = "response"
+
+    flags: ServiceFlags
+    """State of the service."""
+    received_bytes: int
+    """Bytes received. Unit: byte."""
+    last_bytes: int
+    """Bytes of the last transfer. Unit: byte."""
+    last_bytes_time: int
+    """Time of the last transfer. Uncertain: The unit and the epoch."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ServiceStatusResponse, int]:
+        v = _SERVICE_STATUS_RESPONSE_0.read(raw, at)
+        at += 17
+        flags = ServiceFlags(v[0])
+        received_bytes = v[1]
+        last_bytes = v[2]
+        last_bytes_time = v[3]
+        return cls(flags, received_bytes, last_bytes, last_bytes_time), at
+
+    def _write(self) -> bytes:
+        out = _SERVICE_STATUS_RESPONSE_0.write(
+            self.flags, self.received_bytes, self.last_bytes, self.last_bytes_time
+        )
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class GetStatusFlags(Command):
+    """Get status flags (0x0F,0x01).
+
+    Asks for the state of the modem and of the corrections.
+
+    Answered by `GetStatusFlagsResponse`.
+
+    The word of the response has two forms, rtk_status_flags and rtk_status_flags_legacy.
+
+    - mip-sdk-4: Get Status Flags (0x0F,0x01)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x01
+    NAME = "rtk.get_status_flags"
+    ROLE = "command"
+    RESPONSES = (GetStatusFlagsResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetStatusFlags, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+@dataclass(slots=True)
+class GetImei(Command):
+    """Get IMEI (0x0F,0x02).
+
+    Asks for the identity of the modem.
+
+    Answered by `GetImeiResponse`.
+
+    - mip-sdk-4: Get Imei (0x0F,0x02)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x02
+    NAME = "rtk.get_imei"
+    ROLE = "command"
+    RESPONSES = (GetImeiResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetImei, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+@dataclass(slots=True)
+class GetImsi(Command):
+    """Get IMSI (0x0F,0x03).
+
+    Asks for the identity of the subscriber.
+
+    Answered by `GetImsiResponse`.
+
+    - mip-sdk-4: Get Imsi (0x0F,0x03)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x03
+    NAME = "rtk.get_imsi"
+    ROLE = "command"
+    RESPONSES = (GetImsiResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetImsi, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+@dataclass(slots=True)
+class GetIccid(Command):
+    """Get ICCID (0x0F,0x04).
+
+    Asks for the number of the SIM card.
+
+    Answered by `GetIccidResponse`.
+
+    - mip-sdk-4: Get Iccid (0x0F,0x04)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x04
+    NAME = "rtk.get_iccid"
+    ROLE = "command"
+    RESPONSES = (GetIccidResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetIccid, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+@dataclass(slots=True)
+class GetRssi(Command):
+    """Get RSSI (0x0F,0x05).
+
+    Asks for the strength of the cellular signal.
+
+    Answered by `GetRssiResponse`.
+
+    - mip-sdk-4: Get Rssi (0x0F,0x05)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x05
+    NAME = "rtk.get_rssi"
+    ROLE = "command"
+    RESPONSES = (GetRssiResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetRssi, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+_CONNECTED_DEVICE_TYPE_0 = codec.Block("B", "function")
+_CONNECTED_DEVICE_TYPE_1 = codec.Block("B", "device_type")
+_CONNECTED_DEVICE_TYPE_GROUPS = ((1, ("device_type",), False),)
+
+
+@dataclass(slots=True)
+class ConnectedDeviceType(Command):
+    """Connected device type (0x0F,0x06).
+
+    The device that the modem serves.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ConnectedDeviceTypeResponse`.
+
+    - mip-sdk-4: Connected Device Type (0x0F,0x06)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x06
+    NAME = "rtk.connected_device_type"
+    ROLE = "command"
+    RESPONSES = (ConnectedDeviceTypeResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    device_type: ConnectedDevice | None = None
+    """Type of the device. Required for `write`."""
+
+    @classmethod
+    def write(cls, device_type: ConnectedDevice) -> ConnectedDeviceType:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, device_type=device_type)
+
+    @classmethod
+    def read(cls) -> ConnectedDeviceType:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> ConnectedDeviceType:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> ConnectedDeviceType:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> ConnectedDeviceType:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ConnectedDeviceTypeResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ConnectedDeviceType, int]:
+        device_type: ConnectedDevice | None = None
+        v = _CONNECTED_DEVICE_TYPE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _CONNECTED_DEVICE_TYPE_1.read(raw, at)
+            at += 1
+            device_type = ConnectedDevice(v[0])
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, device_type), at
+
+    def _write(self) -> bytes:
+        out = _CONNECTED_DEVICE_TYPE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _CONNECTED_DEVICE_TYPE_GROUPS)
+        if there >= 1:
+            out += _CONNECTED_DEVICE_TYPE_1.write(self.device_type)
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class GetActivationCode(Command):
+    """Get activation code (0x0F,0x07).
+
+    Asks for the activation code.
+
+    Also called `get_act_code`. Answered by `GetActivationCodeResponse`.
+
+    - mip-sdk-4: Get Act Code (0x0F,0x07)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x07
+    NAME = "rtk.get_activation_code"
+    ROLE = "command"
+    RESPONSES = (GetActivationCodeResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetActivationCode, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+@dataclass(slots=True)
+class GetModemFirmwareVersion(Command):
+    """Get modem firmware version (0x0F,0x08).
+
+    Asks for the firmware version of the cellular modem.
+
+    Answered by `GetModemFirmwareVersionResponse`.
+
+    - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x08
+    NAME = "rtk.get_modem_firmware_version"
+    ROLE = "command"
+    RESPONSES = (GetModemFirmwareVersionResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetModemFirmwareVersion, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+_SERVICE_STATUS_0 = codec.Block("II", "reserved1", "reserved2")
+
+
+@dataclass(slots=True)
+class ServiceStatus(Command):
+    """Service status (0x0F,0x0A).
+
+    Asks a correction server about the connection, and so keeps it open.
+
+    Answered by `ServiceStatusResponse`. The device sends it, and the host answers.
+
+    The modem sends it as a host would, and the server answers as a device would.
+
+    - mip-sdk-4: Service Status (0x0F,0x0A)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x0A
+    NAME = "rtk.service_status"
+    ROLE = "command"
+    RESPONSES = (ServiceStatusResponse,)
+
+    reserved1: int = 0
+    """Reserved: send 0. Uncertain: What the modem sends; 0 is assumed."""
+    reserved2: int = 0
+    """Reserved: send 0. Uncertain: What the modem sends; 0 is assumed."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ServiceStatus, int]:
+        v = _SERVICE_STATUS_0.read(raw, at)
+        at += 8
+        reserved1 = v[0]
+        reserved2 = v[1]
+        return cls(reserved1, reserved2), at
+
+    def _write(self) -> bytes:
+        out = _SERVICE_STATUS_0.write(self.reserved1, self.reserved2)
+        return codec.finished(out)
+
+
+_ERASE_STORAGE_0 = codec.Block("B", "media")
+
+
+@dataclass(slots=True)
+class EraseStorage(Command):
+    """Erase storage (0x0F,0x20).
+
+    Erases a storage medium down to its raw state.
+
+    For advanced use. Also called `prod_erase_storage`.
+
+    All that is stored is lost. The command is for production. Accepted in calibration mode only.
+
+    - mip-sdk-4: Prod Erase Storage (0x0F,0x20)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x20
+    NAME = "rtk.erase_storage"
+    ROLE = "command"
+
+    media: StorageMedium
+    """The medium."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EraseStorage, int]:
+        v = _ERASE_STORAGE_0.read(raw, at)
+        at += 1
+        media = StorageMedium(v[0])
+        return cls(media), at
+
+    def _write(self) -> bytes:
+        out = _ERASE_STORAGE_0.write(self.media)
+        return codec.finished(out)
+
+
+_LED_CONTROL_0 = codec.Block(
+    "BBBBBBBI", *["primary_color"] * 3, *["alternate_color"] * 3, "action", "period"
+)
+
+
+@dataclass(slots=True)
+class LedControl(Command):
+    """LED control (0x0F,0x21).
+
+    Colours and pattern of the LED.
+
+    For advanced use.
+
+    Accepted in calibration mode and production test mode only.
+
+    - mip-sdk-4: Led Control (0x0F,0x21)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x21
+    NAME = "rtk.led_control"
+    ROLE = "command"
+
+    primary_color: tuple[int, int, int]
+    """First colour. Uncertain: The order of its parts; red, green, blue is likely."""
+    alternate_color: tuple[int, int, int]
+    """Second colour. Uncertain: The order of its parts; red, green, blue is likely."""
+    action: LedAction
+    """Pattern."""
+    period: int
+    """Period of the pattern. Uncertain: The unit; ms is likely."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[LedControl, int]:
+        v = _LED_CONTROL_0.read(raw, at)
+        at += 11
+        primary_color = v[0:3]
+        alternate_color = v[3:6]
+        action = LedAction(v[6])
+        period = v[7]
+        return cls(primary_color, alternate_color, action, period), at
+
+    def _write(self) -> bytes:
+        out = _LED_CONTROL_0.write(
+            *codec.exactly("primary_color", self.primary_color, 3),
+            *codec.exactly("alternate_color", self.alternate_color, 3),
+            self.action,
+            self.period,
+        )
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class ModemHardReset(Command):
+    """Modem hard reset (0x0F,0x22).
+
+    Clears the flash memory of the modem.
+
+    For advanced use.
+
+    It wears the flash memory out; use it rarely. Accepted in calibration mode only.
+
+    - mip-sdk-4: Modem Hard Reset (0x0F,0x22)
+    """
+
+    SET = 0x0F
+    DESCRIPTOR = 0x22
+    NAME = "rtk.modem_hard_reset"
+    ROLE = "command"
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ModemHardReset, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+GetStatusFlagsResponse.COMMANDS = (GetStatusFlags,)
+GetImeiResponse.COMMANDS = (GetImei,)
+GetImsiResponse.COMMANDS = (GetImsi,)
+GetIccidResponse.COMMANDS = (GetIccid,)
+GetRssiResponse.COMMANDS = (GetRssi,)
+ConnectedDeviceTypeResponse.COMMANDS = (ConnectedDeviceType,)
+GetActivationCodeResponse.COMMANDS = (GetActivationCode,)
+GetModemFirmwareVersionResponse.COMMANDS = (GetModemFirmwareVersion,)
+ServiceStatusResponse.COMMANDS = (ServiceStatus,)
+
+#: The types of each descriptor; several where constants in the data tell layouts apart.
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x01: (GetStatusFlags,),
+    0x02: (GetImei,),
+    0x03: (GetImsi,),
+    0x04: (GetIccid,),
+    0x05: (GetRssi,),
+    0x06: (ConnectedDeviceType,),
+    0x07: (GetActivationCode,),
+    0x08: (GetModemFirmwareVersion,),
+    0x0A: (ServiceStatus,),
+    0x20: (EraseStorage,),
+    0x21: (LedControl,),
+    0x22: (ModemHardReset,),
+    0x81: (GetStatusFlagsResponse,),
+    0x82: (GetImeiResponse,),
+    0x83: (GetImsiResponse,),
+    0x84: (GetIccidResponse,),
+    0x85: (GetRssiResponse,),
+    0x86: (ConnectedDeviceTypeResponse,),
+    0x87: (GetActivationCodeResponse,),
+    0x88: (GetModemFirmwareVersionResponse,),
+    0x8A: (ServiceStatusResponse,),
+}

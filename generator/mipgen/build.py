@@ -1,0 +1,51 @@
+"""From a model to the files of several targets, all in memory."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from . import naming, parallel, render
+from .discovery import Source
+from .model import Model
+from .problems import Problem, Problems, SpecError
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """What one target makes of a model, or the names that keep it from that."""
+
+    name: str
+    title: str
+    files: dict[str, bytes]
+    problems: list[Problem]
+
+
+def check_names(model: Model, sources: Sequence[Source]) -> None:
+    """Raises SpecError if two things of the model become one name in one of the languages."""
+    found = parallel.each(lambda source: _collisions(model, source), sources)
+    _raise([problem for problems in found for problem in problems])
+
+
+def make(model: Model, sources: Sequence[Source]) -> list[Output]:
+    """The output of each target, each made in a process of its own."""
+
+    def one(source: Source) -> Output:
+        problems = _collisions(model, source)
+        files = {} if problems else render.render(source, model)
+        return Output(source.name, source.load().TITLE, files, problems)
+
+    made = parallel.each(one, sources)
+    _raise([found for output in made for found in output.problems])
+    return made
+
+
+def _collisions(model: Model, source: Source) -> list[Problem]:
+    problems = Problems()
+    naming.collisions(source.name, source.load().identifiers(model), problems)
+    return problems.sorted()
+
+
+def _raise(problems: list[Problem]) -> None:
+    if problems:
+        raise SpecError(sorted(set(problems)))

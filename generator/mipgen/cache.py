@@ -1,0 +1,96 @@
+"""A folder of the user's that keeps what is costly to make and follows from its input alone.
+
+Nothing depends on it: an entry that is missing, damaged or cannot be written costs time only.
+`MIPGEN_CACHE` names another folder; empty, it turns the cache off.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import tempfile
+from pathlib import Path
+
+LIMIT = 64 * 1024 * 1024  # bytes of one kind of entries; the oldest ones go first
+
+_OVERHEAD = 4096  # of a file, about
+_DIGEST = 32  # each entry begins with the SHA-256 of the rest
+
+
+def folder() -> Path | None:
+    """Where the cache is, if there is to be one."""
+    chosen = os.environ.get("MIPGEN_CACHE")
+    if chosen is not None:
+        return Path(chosen) if chosen else None
+    base = os.environ.get("XDG_CACHE_HOME", "")
+    if os.path.isabs(base):
+        return Path(base, "mipgen")
+    try:
+        return Path.home() / ".cache" / "mipgen"
+    except RuntimeError:  # a user without a home
+        return None
+
+
+def key(*parts: bytes | str) -> str:
+    """A name for what follows from these parts, and from nothing else."""
+    digest = hashlib.sha256()
+    for part in parts:
+        data = part.encode("utf-8") if isinstance(part, str) else part
+        digest.update(len(data).to_bytes(8, "big"))
+        digest.update(data)
+    return digest.hexdigest()
+
+
+def get(kind: str, name: str) -> bytes | None:
+    path = _path(kind, name)
+    if path is None:
+        return None
+    try:
+        data = path.read_bytes()
+        if hashlib.sha256(data[_DIGEST:]).digest() != data[:_DIGEST]:
+            return None
+        os.utime(path)  # what is in use is not the oldest
+    except OSError:
+        return None
+    return data[_DIGEST:]
+
+
+def put(kind: str, entries: dict[str, bytes]) -> None:
+    """Keeps entries by name; none is ever seen half-written."""
+    for name, data in entries.items():
+        path = _path(kind, name)
+        if path is None:
+            return
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            handle, part = tempfile.mkstemp(dir=path.parent, prefix=".")
+            with os.fdopen(handle, "wb") as file:
+                file.write(hashlib.sha256(data).digest() + data)
+            os.replace(part, path)
+        except OSError:
+            return
+    if entries:
+        _prune(kind)
+
+
+def _path(kind: str, name: str) -> Path | None:
+    base = folder()
+    return None if base is None else base / kind / name
+
+
+def _prune(kind: str) -> None:
+    base = folder()
+    if base is None:
+        return
+    try:
+        found = [(x.stat(), x.path) for x in os.scandir(base / kind)]
+    except OSError:
+        return
+    size = 0
+    for status, path in sorted(found, key=lambda x: x[0].st_mtime, reverse=True):
+        size += status.st_size + _OVERHEAD
+        if size > LIMIT:
+            try:
+                os.unlink(path)
+            except OSError:
+                pass

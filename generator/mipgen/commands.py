@@ -1,0 +1,257 @@
+"""What the commands do. Each loads what it needs when it needs it, so that a short one is quick."""
+
+from __future__ import annotations
+
+import sys
+from argparse import Namespace
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import discovery, resources, stamp
+from .errors import Failure
+
+#: The options that select a part of a specification.
+PARTS = ("devices", "sets", "fields")
+
+#: What `mipgen diff` ends with; 1 and 2 are for errors.
+EXIT_STATUS = {"same": 0, "compatible": 3, "source": 4, "wire": 5}
+
+if TYPE_CHECKING:
+    from .build import Output
+    from .discovery import Source
+    from .model import Model
+
+
+def validate(options: Namespace) -> int:
+    sources, key = _asked(options)
+    known = stamp.remembered(key, None)
+    if known is not None:
+        print(known["summary"])
+        return 0
+    from . import build
+
+    model, summary = _load(options)
+    build.check_names(model, sources)
+    print(summary)
+    _remember(options, key, summary, [])
+    return 0
+
+
+def generate(options: Namespace) -> int:
+    sources, key = _asked(options)
+    known = stamp.remembered(key, options.out)
+    if known is not None:
+        print(known["summary"])
+        rows = [(name, made["title"], len(made["files"]), 0) for name, made in known["targets"].items()]
+    else:
+        from . import build, render
+
+        model, summary = _load(options)
+        outputs = build.make(model, sources)
+        print(summary)
+        rows = [(o.name, o.title, len(o.files), len(render.write(o.files, options.out / o.name))) for o in outputs]
+        _remember(options, key, summary, outputs)
+    for name, title, files, changed in rows:
+        print(f"{name:10} {files:4} files, {changed} changed  ({title})")
+    others = discovery.sources(options.target_path).keys() - {source.name for source in sources}
+    rest = f"left out: {', '.join(sorted(others))}" if others else "nothing was left out"
+    print(f"{options.out}: {sum(r[2] for r in rows)} files, {sum(r[3] for r in rows)} changed; {rest}")
+    return 0
+
+
+def check(options: Namespace) -> int:
+    from . import build, render
+
+    sources, _ = _asked(options)
+    model, summary = _load(options)
+    outputs = build.make(model, sources)
+    print(summary)
+    found = 0
+    for output in outputs:
+        for difference in render.compare(output.files, options.out / output.name):
+            place = options.out / output.name / difference.path
+            print(f"{place}: error: {difference.what}; run 'mipgen generate'", file=sys.stderr)
+            found += 1
+    if not found:
+        print(f"{options.out} is what the specification gives")
+    return 1 if found else 0
+
+
+def _asked(options: Namespace) -> tuple[list[Source], str | None]:
+    """The targets that are asked for, and a key of all that their output follows from."""
+    specs = _specs(options)
+    sources = discovery.chosen(options.targets, options.target_path)
+    if any(source.module for source in sources):
+        return sources, None  # what the module of a user looks at is unknown
+    part = repr([getattr(options, name, ()) for name in PARTS])
+    names = (source.name for source in sources)
+    return sources, stamp.key([*specs, *options.target_path], options.run, part, str(len(specs)), *names)
+
+
+def _specs(options: Namespace) -> list[Path]:
+    """The folder of the specification, and those that are laid over it."""
+    specs: list[Path] = options.spec or [Path("spec")]
+    if not (specs[0] / "protocol.yaml").is_file():
+        raise Failure(
+            "there is no specification here: protocol.yaml is missing; "
+            "name its folder with --spec, or write one to start from with 'mipgen new FOLDER'",
+            str(specs[0]),
+        )
+    return specs
+
+
+def _load(options: Namespace) -> tuple[Model, str]:
+    """The specification, or the part of it that is asked for, and what to say of it."""
+    from . import subset
+    from .resolve import load_model
+
+    whole = load_model(*_specs(options))
+    asked = subset.Selection(*(tuple(getattr(options, name, ())) for name in PARTS))
+    if not asked:
+        return whole, _summary(whole)
+    part = subset.select(whole, asked)
+    return part, f"{subset.left_out(whole, part)}\n{_summary(part)}"
+
+
+def _summary(model: Model) -> str:
+    from .model import RESPONSE
+
+    responses = sum(f.role == RESPONSE for f in model.fields)
+    return (
+        f"{len(model.sets)} sets: {len(model.fields) - responses} commands and data fields, {responses} responses; "
+        f"{len(model.devices)} devices, {len(model.examples)} examples, {len(model.errata)} errata"
+    )
+
+
+def _remember(options: Namespace, key: str | None, summary: str, outputs: list[Output]) -> None:
+    if key == _asked(options)[1]:  # nothing was changed meanwhile
+        stamp.remember(key, summary, {output.name: (output.title, output.files) for output in outputs})
+
+
+def diff(options: Namespace) -> int:
+    """Prints what changed; the exit status tells the verdict."""
+    import json
+
+    from . import compare, revisions
+
+    spec, *overlays = _specs(options)
+    if options.release:
+        return _since_release(spec, overlays)
+    if options.old is None:
+        raise Failure("name what to compare with: a folder, a revision, or --release")
+    with revisions.folder(options.old, spec) as before:
+        if options.new is None:
+            new = _of_another_time(str(spec), spec, *overlays)
+        else:
+            with revisions.folder(options.new, spec) as after:
+                new = _of_another_time(options.new, after)
+        report = compare.compare(_of_another_time(options.old, before), new)
+    print(json.dumps(report.plain(), indent=2) if options.json else report.text(options.old))
+    return EXIT_STATUS[report.verdict]
+
+
+def _since_release(spec: Path, overlays: list[Path]) -> int:
+    """Compares with the last release; fails if the version number says less than what changed."""
+    from . import compare, revisions
+
+    tag = revisions.last_release(spec)
+    if tag is None:
+        print("nothing is released yet, so there is nothing to compare with")
+        return 0
+    new = _of_another_time(str(spec), spec, *overlays)
+    with revisions.folder(tag, spec) as before:
+        try:
+            report = compare.compare(_of_another_time(tag, before), new)
+        except Failure:
+            report = compare.unreadable(tag.removeprefix("v"), new)
+    print(report.text(tag))
+    if compare.enough(report):
+        return 0
+    print(f"mipgen: the version {report.new} says less than that; raise it in protocol.yaml", file=sys.stderr)
+    return 1
+
+
+def _of_another_time(name: str, *folders: Path) -> Model:
+    """A specification that may be older than what this program reads."""
+    from .problems import SpecError
+    from .resolve import load_model
+
+    try:
+        return load_model(*folders)
+    except SpecError as error:
+        raise Failure(f"this mipgen cannot read it: {error.problems[0].message}", name) from None
+
+
+def audit(options: Namespace) -> int:
+    from . import audit as manuals
+    from . import audit_sdk
+    from .problems import nearest
+
+    if not options.manual and options.sdk is None:
+        raise Failure("nothing to compare with; give --manual ID=FILE, --sdk FOLDER or both")
+    model, _ = _load(options)
+    known = [x.id for x in model.protocol.manuals]
+    findings = []
+    for argument in options.manual:
+        manual, _, file = argument.partition("=")
+        if manual not in known:
+            raise Failure(f"unknown manual '{manual}'{nearest(manual, known)}")
+        if not Path(file).is_file():
+            raise Failure(f"'{argument}': no such file; write --manual {manual}=FILE")
+        findings += manuals.audit(model, manual, Path(file))
+    if options.sdk is not None:
+        if not options.sdk.is_dir():
+            raise Failure(f"'{options.sdk}': no such folder; write --sdk FOLDER")
+        findings += audit_sdk.audit(model, options.sdk)
+    print("".join(f"{f}\n" for f in findings), end="")
+    print(f"{len(findings)} findings")
+    return 1 if findings else 0
+
+
+# --------------------------------------------------------------------------- around them
+
+
+def new(options: Namespace) -> int:
+    """Writes a specification that validates; into a folder that holds nothing yet."""
+    folder: Path = options.folder
+    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        raise Failure("there is something here already; name a folder that is new, or empty", str(folder))
+    schemas = resources.root() / "spec/schema"
+    for path, file in (*resources.files(resources.package() / "new"), *resources.files(schemas, "schema/")):
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_bytes(file.read_bytes())
+    named = "" if folder == Path("spec") else f" --spec {folder}"
+    print(f"{folder} is a small specification; begin with {folder / 'protocol.yaml'}, then: mipgen generate{named}")
+    return 0
+
+
+def targets(options: Namespace) -> int:
+    for source in discovery.chosen(None, options.target_path):
+        own = "" if source.ours else f"  [{source.folders[0]}]"
+        print(source.name if options.names else f"{source.name:10} {source.load().TITLE}{own}")
+    return 0
+
+
+def completion(options: Namespace) -> int:
+    import shtab
+
+    from . import cli
+
+    parser = cli.parser()
+    for action in _actions(parser):
+        if action.type is Path:
+            action.complete = shtab.DIRECTORY
+        elif action.dest == "targets":
+            action.complete = shtab.cmd("mipgen targets --names")
+    print(shtab.complete(parser, options.shell))
+    return 0
+
+
+def _actions(parser: Any) -> Iterator[Any]:
+    """All arguments of a parser and of its commands."""
+    for action in parser._actions:
+        yield action
+        if isinstance(action.choices, dict):
+            for command in action.choices.values():
+                yield from _actions(command)

@@ -1,0 +1,383 @@
+"""What readers are told of fields, parameters and types: composed here, once, for every target.
+
+A fact has a topic, a value ("m/s") and a sentence ("Unit: m/s."). Both are texts: words and
+references. A target only says what a reference and a word look like in its language: see `say`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from . import model as m
+
+Record = m.Field | m.Struct
+Thing = (
+    m.Field
+    | m.Set
+    | m.Enum
+    | m.Bitfield
+    | m.Struct
+    | m.EnumValue
+    | m.Bits
+    | m.Parameter
+    | m.Function
+    | m.Device
+    | m.Word
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Ref:
+    """Something of the model that a text names."""
+
+    thing: Thing
+    words: str  # its name in the specification
+    within: Record | m.Enum | m.Bitfield | None = None  # the record of a parameter; the type of a value or a bit
+
+
+#: Words and references, in order.
+Text = tuple["str | Ref", ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """One thing that is known of a field, a parameter, a value or a bit."""
+
+    topic: str
+    value: Text
+    sentence: Text
+
+
+def say(text: Iterable[str | Ref], ref: Callable[[Ref], str], words: Callable[[str], str] = str) -> str:
+    """A text in a language.
+
+    >>> say(("Default: ", Ref(m.EnumValue("off", 0, ""), "off"), "."), lambda r: f"`{r.words}`")
+    'Default: `off`.'
+    """
+    return "".join(words(part) if isinstance(part, str) else ref(part) for part in text)
+
+
+def topics(facts: Iterable[Fact], *wanted: str) -> list[Fact]:
+    """The facts of some topics, in their order."""
+    return [f for f in facts if f.topic in wanted]
+
+
+# --------------------------------------------------------------------------- fields
+
+
+def field(f: m.Field, model: m.Model) -> list[Fact]:
+    """What there is to say of a field besides its description."""
+    found: list[Fact] = []
+    if f.deprecated:
+        found.append(_fact("deprecated", prose(f.deprecated.rstrip("."), model), "Deprecated: {}."))
+    if f.advanced:
+        found.append(_fact("advanced", (), "For advanced use."))
+    if f.definition:
+        found.append(_fact("definition", (_field(model.original(f)),), "Has the layout of {}."))
+    if f.also:
+        found.append(_fact("also", joined([(f"`{name}`",) for name in f.also]), "Also called {}."))
+    if f.functions:
+        found.append(_fact("functions", _functions(f.functions), "Functions: {}."))
+    if f.responses:
+        answers = joined([(_field(r),) for r in model.responses(f)], "or")
+        found.append(_fact("responses", answers, "Answered by {}."))
+    if f.role == m.RESPONSE and model.commands(f):
+        found.append(_fact("commands", joined([(_field(c),) for c in model.commands(f)]), "Answers {}."))
+    if f.when:
+        command = next(c for c in model.commands(f) if c.name == f.command)
+        found.append(_fact("when", conditions(f.when, command), "Sent if {}."))
+    if f.silent_when:
+        found.append(_fact("silent", conditions(f.silent_when, f), "Not acknowledged if {}."))
+    found += [_fact("silent", _setting(c, model), "Not acknowledged if {}.") for c in f.silenced_by]
+    if f.sent_by == "device":
+        found.append(_fact("sent_by", (), "The device sends it, and the host answers."))
+    if f.timeout:
+        found.append(_fact("timeout", (f"{number(f.timeout)} s",), "The device may take {} to answer."))
+    if f.max_rate:
+        found.append(_fact("max_rate", (f"{number(f.max_rate)} Hz",), "Sent at {} at most."))
+    devices = model.devices_of(f)
+    if devices:
+        found.append(_fact("devices", joined([(_device(d),) for d in devices]), "Supported by {}."))
+    found += [_support(d, s) for d, s in model.supports(f) if s.differs]
+    return [*found, *_remarks(f, model)]
+
+
+def _remarks(of: m.Field | m.Parameter, model: m.Model) -> Iterator[Fact]:
+    """What has no form of its own: notes, and what is not sure."""
+    yield from (_fact("note", prose(note, model), "{}") for note in of.notes)
+    yield from uncertain(of, model)
+
+
+def uncertain(of: m.Field | m.Set | m.Parameter | m.Type | m.EnumValue | m.Bits, model: m.Model) -> list[Fact]:
+    """What is not sure, each with what is known and what is inferred."""
+    return [_fact("uncertain", prose(text.rstrip("."), model), "Uncertain: {}.") for text in of.uncertain]
+
+
+def _support(d: m.Device, s: m.Support) -> Fact:
+    functions = _functions(s.functions)
+    return Fact("support", functions, ("On the ", _device(d), ": ", *functions, " only."))
+
+
+def conditions(found: Sequence[m.Condition], command: m.Field) -> Text:
+    """Parameters of a command that have certain values."""
+    return joined([condition(c, command) for c in found])
+
+
+def condition(c: m.Condition, command: m.Field) -> Text:
+    p = next(p for p in command.parameters if p.name == c.parameter)
+    known = p.element.by_name(c.label) if isinstance(p.element, m.Enum) else None
+    value: str | Ref = Ref(known, known.name, p.element) if known and isinstance(p.element, m.Enum) else c.label
+    return (Ref(p, p.name, command), " is ", value)
+
+
+def _setting(c: m.Condition, model: m.Model) -> Text:
+    """The setting of another command; that may be missing in a part of a specification."""
+    command = model.field(c.command or "")
+    if command is None:
+        return (f"{c.parameter} of {c.command} is {c.label}",)
+    parameter, *rest = condition(c, command)
+    return (parameter, " of ", _field(command), *rest)
+
+
+# --------------------------------------------------------------------------- parameters
+
+
+def parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
+    """What there is to say of a parameter, or of the parameter of a union's case, besides its description."""
+    beside = {q.name: q for q in record.parameters}
+    found: list[Fact] = []
+    if p.deprecated:
+        found.append(_fact("deprecated", (), "Deprecated."))
+    if p.constant is not None:
+        found.append(_fact("constant", (str(p.constant),), "Always {}."))
+    if p.reserved is not None:
+        sent = not isinstance(record, m.Field) or record.role == m.COMMAND
+        value = (str(p.reserved),) if sent else ()
+        found.append(_fact("reserved", value, "Reserved: send {}." if sent else "Reserved."))
+    if p.counts:
+        found.append(_fact("counts", (Ref(beside[p.counts], p.counts, record),), "The number of elements of {}."))
+    if p.tag:
+        found.append(_fact("tag", (Ref(beside[p.tag], p.tag, record),), "Selected by {}."))
+    if isinstance(p.element, m.Vector):
+        found.append(_fact("elements", (", ".join(p.element.elements),), "Elements: {}."))
+    found += _measures(p, p, model)
+    if p.valid:
+        found.append(_valid(p, beside, record))
+    found += _presence(p, record)
+    found += [variant(v, p, record, model) for v in p.variants]
+    return [*found, *_remarks(p, model)]
+
+
+def _measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Iterator[Fact]:
+    """Unit, frame, range and default: of a parameter, or of a variant of it."""
+    if of.units:
+        yield _fact("unit", (", ".join(of.units),), "Unit: {}." if len(of.units) == 1 else "Units: {}.")
+    if of.frame:
+        word = next(w for w in model.protocol.frames if w.symbol == of.frame)
+        yield _fact("frame", (Ref(word, word.symbol),), "Frame: {}.")
+    above, below = (of.above, of.below) if isinstance(of, m.Parameter) else (None, None)
+    if any(bound is not None for bound in (of.minimum, of.maximum, above, below)):
+        yield _fact("range", (limits(of.minimum, of.maximum, above, below),), "Range: {}.")
+    if of.default is not None:
+        yield _fact("default", default(of.default, p), "Default: {}.")
+
+
+Bound = float | int | None
+
+
+def limits(low: Bound, high: Bound, above: Bound = None, below: Bound = None) -> str:
+    """Bounds in words; a value may be `low` and `high` themselves, but neither `above` nor `below`.
+
+    >>> limits(1, 2.5), limits(0, None), limits(None, 10)
+    ('1 to 2.5', 'at least 0', 'at most 10')
+    >>> limits(None, 10, above=0), limits(None, None, below=1)
+    ('greater than 0, at most 10', 'less than 1')
+    """
+    if low is not None and high is not None:
+        return f"{number(low)} to {number(high)}"
+    words = (("at least", low), ("greater than", above), ("at most", high), ("less than", below))
+    return ", ".join(f"{word} {number(bound)}" for word, bound in words if bound is not None)
+
+
+def default(value: object, p: m.Parameter) -> Text:
+    """A factory default, with the names of values and bits."""
+    if isinstance(value, bool):
+        return (str(value).lower(),)
+    if isinstance(value, str):
+        known = p.element.by_name(value) if isinstance(p.element, m.Enum) else None
+        return (Ref(known, value, p.element),) if known and isinstance(p.element, m.Enum) else (f'"{value}"',)
+    if isinstance(value, (list, tuple)):
+        if isinstance(p.element, m.Bitfield) and all(isinstance(v, str) for v in value):
+            bits = {b.name: b for b in p.element.bits}
+            return joined([(Ref(bits[name], name, p.element),) for name in value]) if value else ("0",)
+        return _interleaved([default(v, p) for v in value], ", ")
+    return (number(value),)
+
+
+def _valid(p: m.Parameter, beside: dict[str, m.Parameter], record: Record) -> Fact:
+    """The bit that says that a value is valid, or one for each element."""
+    refs = [_bit(path, beside, record) for path in dict.fromkeys(p.valid)]
+    if len(refs) == 1:
+        return _fact("valid", (refs[0],), "Valid if {} is set." if "." in refs[0].words else "Valid if {} is true.")
+    names = p.element.elements if isinstance(p.element, m.Vector) else tuple(map(str, range(len(p.valid))))
+    each = [(f"{name} by ", _bit(path, beside, record)) for name, path in zip(names, p.valid, strict=False)]
+    return _fact("valid", _interleaved(each, ", "), "Each element is valid by its bit: {}.")
+
+
+def _bit(path: str, beside: dict[str, m.Parameter], record: Record) -> Ref:
+    flags, _, bit = path.partition(".")
+    e = beside[flags].element
+    known = next((b for b in e.bits if b.name == bit), None) if isinstance(e, m.Bitfield) else None
+    return Ref(known, path, e) if known and isinstance(e, m.Bitfield) else Ref(beside[flags], path, record)
+
+
+def _presence(p: m.Parameter, record: Record) -> Iterator[Fact]:
+    """When it may be left out."""
+    if p.optional:
+        yield _fact("optional", (), "Optional.")
+    elif isinstance(record, m.Field) and p in record.counted and len(p.required_for) < len(record.functions):
+        yield _fact("required", _functions(p.required_for), "Required for {}.")
+
+
+def case(c: m.Case, union: m.Parameter, record: Record) -> Fact:
+    """When a union has one of its alternatives."""
+    tag = next(q for q in record.parameters if q.name == union.tag)
+    assert isinstance(tag.element, m.Enum)
+    value = (Ref(tag, tag.name, record), " is ", Ref(c.tag, c.tag.name, tag.element))
+    return _fact("case", value, "If {}." if c.parameter else "Empty if {}.")
+
+
+def variant(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Fact:
+    """What is different on a device, or with a value of a sibling."""
+    parts: list[Text] = []
+    if v.type is not None:
+        parts.append(("values of ", Ref(v.type, v.type.name)))
+    for fact in _measures(v, p, model):
+        parts.append((f"{fact.topic} ", *fact.value))
+    said = _interleaved(parts, "; ")
+    if v.description:
+        said = (*said, *([". "] if parts else []), *prose(v.description.rstrip("."), model))
+    return Fact("variant", said, (*variant_condition(v, record, model), ": ", *said, "."))
+
+
+def variant_condition(v: m.Variant, record: Record, model: m.Model) -> Text:
+    """Where a variant holds: "On the 3DM-GX5-15", "If mode is fast"."""
+    if v.by_device:
+        found = model.device(v.key)
+        return ("On the ", _device(found) if found else v.key)
+    p = next(q for q in record.parameters if q.name == v.by)
+    assert isinstance(p.element, m.Enum)
+    value = p.element.by_name(v.key)
+    assert value is not None
+    return ("If ", Ref(p, p.name, record), " is ", Ref(value, value.name, p.element))
+
+
+# --------------------------------------------------------------------------- types and their parts
+
+
+def bits_place(b: m.Bits) -> str:
+    """
+    >>> bits_place(m.Bits("a", 3, 3, "", False)), bits_place(m.Bits("b", 4, 7, "", False))
+    ('bit 3', 'bits 4 to 7')
+    """
+    return f"bit {b.first}" if b.width == 1 else f"bits {b.first} to {b.last}"
+
+
+def type(t: m.Type, model: m.Model) -> list[Fact]:
+    """What there is to say of a type besides its description."""
+    return uncertain(t, model)
+
+
+def bits(b: m.Bits, model: m.Model) -> list[Fact]:
+    place = bits_place(b)
+    found = [Fact("place", (place,), (f"{place.capitalize()}.",))]
+    if b.enum is not None:
+        found.append(_fact("values", (Ref(b.enum, b.enum.name),), "A value of {}."))
+    if b.alias:
+        found.append(_fact("alias", (), "Overlaps other bits."))
+    return found + uncertain(b, model)
+
+
+def value(v: m.EnumValue, model: m.Model) -> list[Fact]:
+    return [*([_fact("deprecated", (), "Deprecated.")] if v.deprecated else []), *uncertain(v, model)]
+
+
+def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct) -> list[str]:
+    """Where manuals say it: "3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)"."""
+    return [f"{s.manual}: {s.section}" for s in thing.sources]
+
+
+# --------------------------------------------------------------------------- words
+
+_FIELD = re.compile(
+    r"`(?P<code>[^`]*)`"
+    r"|\(0x(?P<set>[0-9A-Fa-f]{2}),\s?0x(?P<descriptor>[0-9A-Fa-f]{2})\)"
+    r"|(?<![\w.])(?P<name>\w+\.\w+)(?![\w*])"
+)
+
+
+def prose(text: str, model: m.Model) -> Text:
+    """A text of the specification. What it says of fields, as (0x0C,0x28), base.ping or `base.ping`, becomes a
+    reference; other text between backticks stays as it is."""
+    found: list[str | Ref] = []
+    at = 0
+    for match in _FIELD.finditer(text):
+        f = _named(match, model)
+        if f is not None:
+            found += [text[at : match.start()], Ref(f, match[0].strip("`"))]
+            at = match.end()
+    return tuple(part for part in (*found, text[at:]) if part)
+
+
+def _named(match: re.Match[str], model: m.Model) -> m.Field | None:
+    name = match["code"] if match["code"] is not None else match["name"]
+    if name is not None:
+        return model.field(name)
+    candidates = model.candidates(int(match["set"], 16), int(match["descriptor"], 16))
+    return candidates[0] if candidates else None
+
+
+def number(value: object) -> str:
+    """
+    >>> number(2.50), number(10.0), number(7)
+    ('2.5', '10', '7')
+    """
+    return str(int(value)) if isinstance(value, float) and value.is_integer() and abs(value) < 1e15 else str(value)
+
+
+def joined(items: Sequence[Text], last: str = "and") -> Text:
+    """
+    >>> joined([("a",), ("b",), ("c",)])
+    ('a', ', ', 'b', ' and ', 'c')
+    """
+    if len(items) < 2:
+        return items[0] if items else ()
+    return (*_interleaved(items[:-1], ", "), f" {last} ", *items[-1])
+
+
+def _interleaved(items: Sequence[Text], between: str) -> Text:
+    found: list[str | Ref] = []
+    for i, item in enumerate(items):
+        found += [between, *item] if i else item
+    return tuple(found)
+
+
+def _fact(topic: str, value: Text, sentence: str) -> Fact:
+    """A fact whose sentence holds its value at `{}`."""
+    head, mark, tail = sentence.partition("{}")
+    whole = (head, *value, tail) if mark else (sentence,)
+    return Fact(topic, value, tuple(part for part in whole if part))
+
+
+def _field(f: m.Field) -> Ref:
+    return Ref(f, f.full_name)
+
+
+def _device(d: m.Device) -> Ref:
+    return Ref(d, d.title)
+
+
+def _functions(found: Iterable[m.Function]) -> Text:
+    return joined([(Ref(f, f.name),) for f in found])

@@ -1,0 +1,104 @@
+"""Which targets there are, and where the templates of each are.
+
+Ours are the modules of `mipgen.targets` and the folders of `templates/`. A folder of the user's
+(`--target-path`) holds a folder `<name>/` for each of its targets, with templates and a `target.py`.
+If it has the name of one of ours, what it holds goes before ours: templates, files of `runtime/`, or
+the whole module.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import pkgutil
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import resources
+from . import targets as ours
+from .errors import Failure
+
+if TYPE_CHECKING:
+    from importlib.resources.abc import Traversable
+
+MODULE = "target.py"
+CONTENTS = ("TITLE", "files", "identifiers", "filters")  # what a module of a target must have
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """Where a target comes from."""
+
+    name: str
+    folders: tuple[Traversable, ...]  # the first that has a file wins
+    module: Path | None = None  # a target.py of the user's
+
+    @property
+    def ours(self) -> bool:
+        return self.module is None and len(self.folders) == 1
+
+    def load(self) -> Any:
+        """The module of the target."""
+        if self.module is None:
+            return importlib.import_module(f"{ours.__name__}.{self.name}")
+        name = f"mipgen_target_{self.name}"
+        beside = [str(self.module.parent)]  # so that it may have modules of its own: `from . import names`
+        spec = importlib.util.spec_from_file_location(name, self.module, submodule_search_locations=beside)
+        assert spec is not None and spec.loader is not None
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[name] = module
+        spec.loader.exec_module(module)
+        missing = [c for c in CONTENTS if not hasattr(module, c)]
+        if missing:
+            raise Failure(f"a target must have {' and '.join(missing)}", str(self.module))
+        return module
+
+
+def names() -> list[str]:
+    """Our targets, in order."""
+    return sorted(module.name for module in pkgutil.iter_modules(ours.__path__))
+
+
+def sources(paths: Sequence[Path] = ()) -> dict[str, Source]:
+    """All targets by name, in order; of two folders of the user's the first goes before."""
+    found = {name: Source(name, (resources.root() / "templates" / name,)) for name in names()}
+    for path in reversed(paths):
+        for folder in _folders(path):
+            name, module = folder.name, folder / MODULE
+            before = found.get(name)
+            if before is None and not module.is_file():
+                near = _nearest(name, found)
+                raise Failure(f"{MODULE} is missing, and there is no target '{name}'{near}", str(folder))
+            found[name] = Source(
+                name,
+                (folder, *(before.folders if before else ())),
+                module if module.is_file() else before.module if before else None,
+            )
+    return dict(sorted(found.items()))
+
+
+def chosen(wanted: Sequence[str] | None, paths: Sequence[Path] = ()) -> list[Source]:
+    """The targets that are asked for, or all."""
+    known = sources(paths)
+    for name in wanted or ():
+        if name not in known:
+            raise Failure(f"unknown target '{name}'{_nearest(name, known)}")
+    return [source for name, source in known.items() if not wanted or name in wanted]
+
+
+def _folders(path: Path) -> Iterator[Path]:
+    if not path.is_dir():
+        raise Failure("there is no such folder; --target-path names the one above those of the targets", str(path))
+    found = sorted(p for p in path.iterdir() if p.is_dir() and p.name[0] not in "._")
+    if not found:
+        raise Failure(f"there is no target in it; write one: {path}/<name>/{MODULE}", str(path))
+    yield from found
+
+
+def _nearest(name: str, known: Iterable[str]) -> str:
+    from .problems import nearest  # loads the model, which a run with nothing to do does not need
+
+    return nearest(name, known)

@@ -1,0 +1,93 @@
+"""Remembers what came out of which input, so that a run with nothing to do is short.
+
+All of it goes by content: a key of everything that goes in, and the digests of what came out. If
+one byte of either is another one, everything is made as if nothing had been remembered.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache as once
+from pathlib import Path
+from typing import Any
+
+from . import cache, resources
+
+TOO_MUCH = 100 * 1024 * 1024  # bytes of input; a folder that large holds other things than a specification
+
+
+@once
+def program() -> str:
+    """A key of all that is not input: this program, its templates and schemas, Python, the libraries."""
+    parts: list[bytes | str] = [sys.version, *_libraries()]
+    root = resources.root()
+    for folder in (resources.package(), root / "templates", root / "spec/schema"):
+        for path, file in resources.files(folder):
+            parts += [path, file.read_bytes()]
+    return cache.key(*parts, (root / "LICENSE").read_bytes())
+
+
+def key(folders: Sequence[Path], *options: str) -> str | None:
+    """A key of the program, its options and all files below these folders; None if there is too much."""
+    parts: list[bytes | str] = [program(), repr(options)]
+    size = 0
+    for folder in folders:
+        parts.append("folder")
+        for path, data in _files(folder):
+            size += len(data)
+            if size > TOO_MUCH:
+                return None
+            parts += [path, data]
+    return cache.key(*parts)
+
+
+def remember(name: str | None, summary: str, made: Mapping[str, tuple[str, Mapping[str, bytes]]]) -> None:
+    """Keeps what was made: target -> its title and its files."""
+    if name is not None:
+        targets = {
+            target: {"title": title, "files": {path: _digest(data) for path, data in files.items()}}
+            for target, (title, files) in made.items()
+        }
+        cache.put("made", {name: json.dumps({"summary": summary, "targets": targets}).encode("utf-8")})
+
+
+def remembered(name: str | None, out: Path | None) -> dict[str, Any] | None:
+    """What was made from this input, if all of it is there, and as it was."""
+    data = None if name is None else cache.get("made", name)
+    if data is None:
+        return None
+    found: dict[str, Any] = json.loads(data)
+    for target, made in found["targets"].items():
+        for path, digest in made["files"].items():
+            try:
+                if _digest(((out or Path()) / target / path).read_bytes()) != digest:
+                    return None
+            except OSError:
+                return None
+    return found
+
+
+def _digest(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()
+
+
+def _files(folder: Path) -> Iterator[tuple[str, bytes]]:
+    """All files below a folder, in order; none that is hidden."""
+    for place, folders, files in os.walk(folder):
+        folders[:] = sorted(f for f in folders if f[0] != ".")
+        for file in sorted(f for f in files if f[0] != "."):
+            path = Path(place, file)
+            try:
+                yield path.relative_to(folder).as_posix(), path.read_bytes()
+            except OSError:
+                yield path.relative_to(folder).as_posix(), b"unreadable"
+
+
+def _libraries() -> list[str]:
+    """Names and versions of what is installed: the names of folders, as reading what is in them takes long."""
+    places = [entry for entry in sys.path if os.path.isdir(entry)]
+    return sorted(name for place in places for name in os.listdir(place) if name.endswith((".dist-info", ".egg-info")))

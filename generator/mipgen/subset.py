@@ -1,0 +1,180 @@
+"""A part of a specification: the fields that are asked for, and what these need.
+
+Model in, model out: everything downstream generates a part as it generates the whole.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterable
+from dataclasses import dataclass, replace
+
+from . import model as m
+from .errors import Failure
+from .problems import nearest
+
+
+@dataclass(frozen=True, slots=True)
+class Selection:
+    """What is asked for. Sets and fields add to each other; devices narrow them."""
+
+    devices: tuple[str, ...] = ()
+    sets: tuple[str, ...] = ()
+    fields: tuple[str, ...] = ()
+
+    def __bool__(self) -> bool:
+        return bool(self.devices or self.sets or self.fields)
+
+
+def select(model: m.Model, selection: Selection) -> m.Model:
+    """The part of the model that is selected."""
+    _check(model, selection)
+    names = _needed(model, _asked(model, selection))
+    devices = tuple(d for d in model.devices if not selection.devices or d.id in selection.devices)
+    return _only(model, names, devices)
+
+
+def left_out(whole: m.Model, part: m.Model) -> str:
+    """One line that says what a part does not have."""
+    counts = [
+        (len(whole.fields) - len(part.fields), "fields"),
+        (len(whole.sets) - len(part.sets), "sets"),
+        (len(whole.devices) - len(part.devices), "devices"),
+        (len(whole.examples) - len(part.examples), "examples"),
+    ]
+    said = ", ".join(f"{n} {what if n > 1 else what[:-1]}" for n, what in counts if n)
+    return f"a part of the specification; left out: {said or 'nothing'}"
+
+
+def _check(model: m.Model, selection: Selection) -> None:
+    known = {
+        "device": (selection.devices, [d.id for d in model.devices]),
+        "set": (selection.sets, [s.name for s in model.sets]),
+        "field": (selection.fields, [f.full_name for f in model.fields]),
+    }
+    for what, (asked, names) in known.items():
+        for name in asked:
+            if name not in names:
+                raise Failure(f"unknown {what} '{name}'{nearest(name, names)}")
+
+
+def _asked(model: m.Model, selection: Selection) -> list[m.Field]:
+    """The fields that are asked for by name, by set or by device; responses follow their commands.
+
+    Shared fields belong to every data set: they come with the first data field.
+    """
+    every = not (selection.sets or selection.fields)
+    supported = {s.field.full_name for d in model.devices if d.id in selection.devices for s in d.supports}
+    offered = [f for f in model.fields if not selection.devices or f.full_name in supported]
+    found = [f for f in offered if f.role != m.RESPONSE and (every or f.set_name in selection.sets)]
+    found += [f for f in model.fields if f.full_name in selection.fields]
+    if any(f.role == m.DATA for f in found):
+        found += [f for f in offered if f.set == m.SHARED_SET]
+    return found
+
+
+def _needed(model: m.Model, asked: Iterable[m.Field]) -> set[str]:
+    """The same with their responses or commands, and with the fields whose layout they repeat."""
+    names: set[str] = set()
+    waiting = list(asked)
+    while waiting:
+        f = waiting.pop()
+        if f.full_name not in names:
+            names.add(f.full_name)
+            waiting += model.responses(f)
+            waiting += model.commands(f) if f.role == m.RESPONSE else ()
+            waiting.append(model.original(f))
+    return names
+
+
+def _only(model: m.Model, names: set[str], devices: tuple[m.Device, ...]) -> m.Model:
+    """The model without other fields, and without what only these need."""
+    ids = {d.id for d in devices}
+    acknowledge = _without_variants(model.protocol.acknowledge, ids)
+    fields = {f.full_name: _without_variants(f, ids) for f in model.fields if f.full_name in names}
+    types = _types([acknowledge, *fields.values()])
+    sets = {
+        s.name: replace(
+            s,
+            types=tuple(t for t in s.types if _key(t) in types),
+            fields=tuple(fields[f.full_name] for f in s.fields if f.full_name in names),
+        )
+        for s in model.sets
+    }
+    sets = {name: s for name, s in sets.items() if s.fields}
+    kept = {acknowledge.full_name: acknowledge, **fields}
+    examples = tuple(e for e in model.examples if all(x.field is None or x.field in kept for x in e.fields))
+    printed = {e.id for e in examples}
+    return replace(
+        model,
+        protocol=replace(model.protocol, acknowledge=acknowledge),
+        types=tuple(t for t in model.types if isinstance(t, m.Vector) or _key(t) in types),
+        sets=tuple(sets.values()),
+        devices=tuple(_device(d, sets, kept) for d in devices),
+        examples=examples,
+        errata=tuple(e for e in model.errata if _concerns(e, kept, printed)),
+        tastes=(),  # they may show with any field
+    )
+
+
+def _device(d: m.Device, sets: dict[str, m.Set], fields: dict[str, m.Field]) -> m.Device:
+    return replace(
+        d,
+        supports=tuple(replace(s, field=fields[s.field.full_name]) for s in d.supports if s.field.full_name in fields),
+        base_rates=tuple(replace(r, set=sets[r.set.name]) for r in d.base_rates if r.set.name in sets),
+        variants=tuple(replace(v, field=fields[v.field.full_name]) for v in d.variants if v.field.full_name in fields),
+    )
+
+
+def _without_variants(f: m.Field, devices: set[str]) -> m.Field:
+    """The field without what differs on other devices."""
+    parameters = tuple(
+        replace(p, variants=tuple(v for v in p.variants if not v.by_device or v.key in devices)) for p in f.parameters
+    )
+    return replace(f, parameters=parameters)
+
+
+def _concerns(e: m.Erratum, fields: Container[str], examples: Container[str]) -> bool:
+    """Does an erratum claim nothing that is left out?"""
+    known = {"length": fields, "example": examples}
+    return all(c.subject in known[c.kind] for c in e.claims if c.kind in known)
+
+
+# --------------------------------------------------------------------------- types
+
+Key = tuple[str | None, str]
+
+
+def _key(t: m.Type) -> Key:
+    return (None if isinstance(t, m.Vector) else t.owner, t.name)
+
+
+def _types(fields: Iterable[m.Field]) -> set[Key]:
+    """The types that fields need, directly or inside others."""
+    found: set[Key] = set()
+
+    def need(t: m.Type) -> None:
+        if _key(t) in found:
+            return
+        found.add(_key(t))
+        if isinstance(t, m.Struct):
+            for p in t.parameters:
+                visit(p)
+        elif isinstance(t, m.Bitfield):
+            for b in t.bits:
+                if b.enum is not None:
+                    need(b.enum)
+
+    def visit(p: m.Parameter) -> None:
+        if p.element is not None and not isinstance(p.element, m.Scalar):
+            need(p.element)
+        for v in p.readings:
+            if v.type is not None:
+                need(v.type)
+        for c in p.cases:
+            if c.parameter is not None:
+                visit(c.parameter)
+
+    for f in fields:
+        for p in f.parameters:
+            visit(p)
+    return found

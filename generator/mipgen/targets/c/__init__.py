@@ -1,0 +1,115 @@
+"""C99: one header and one source for each descriptor set, on a small core."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from ... import formatting, operations
+from ... import model as m
+from ...render import File
+from . import literals, members, names, tables
+from .comments import Comments, comment
+from .identifiers import identifiers
+
+__all__ = ["FORMATTER", "TITLE", "files", "filters", "identifiers"]
+
+TITLE = "C99, library mip"
+FORMATTER = formatting.CLANG_FORMAT
+
+
+def files(model: m.Model) -> Iterator[File]:
+    made = ["devices", "protocol", "reflection", "registry", "types"]
+    yield File("include/mip/constants.h", "constants.h.j2", {"max_field_data": m.MAX_FIELD_DATA})
+    for name in ("devices", "protocol", "types"):
+        yield File(f"include/mip/{name}.h", f"{name}.h.j2")
+    for name in made:
+        yield File(f"src/{name}.c", f"{name}.c.j2")
+    for s in model.sets:
+        yield File(f"include/mip/{names.module(s.name)}.h", "set.h.j2", {"set": s})
+        if has_code(s):
+            made.append(names.module(s.name))
+            yield File(f"src/{names.module(s.name)}.c", "set.c.j2", {"set": s})
+    yield File("cmake/generated.cmake", "generated.cmake.j2", {"sources": sorted(made)})
+    taste = model.taste("taste.c")
+    if taste:
+        yield File("taste.c", "verbatim.j2", {"text": taste})
+    shown = {"taste": taste.partition("*/\n")[2].rstrip(), "client": model.taste("client.c").rstrip()}
+    yield File("README.md", "README.md.j2", shown)
+
+
+def has_code(s: m.Set) -> bool:
+    """Sets that only repeat fields of others need no source."""
+    return bool(s.own_fields) or any(isinstance(t, m.Struct) for t in s.types)
+
+
+def in_order(s: m.Set) -> Iterator[m.Field]:
+    """The set's own fields, each command with the responses that it owns behind it."""
+    for f in s.own_fields:
+        if f.role != m.RESPONSE:
+            yield f
+            yield from (r for r in s.own_fields if r.role == m.RESPONSE and r.command == f.name)
+
+
+def includes(s: m.Set, model: m.Model) -> list[str]:
+    """The headers that the header of a set needs: of the sets whose fields it repeats, too."""
+    repeated = (model.original(f).set_name for f in s.fields if f.definition)
+    return list(dict.fromkeys(["protocol", *map(names.module, repeated)]))
+
+
+def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
+    docs = Comments(model)
+    return {
+        # names
+        "module": names.module,
+        "macro": names.macro,
+        "member": names.member,
+        "type": names.type_name,
+        "c_type": names.c_type,
+        "field": names.field_name,
+        "record": names.record_name,
+        "bare": names.bare,
+        "union": names.union_name,
+        "constant": names.constant,
+        "is_struct": names.is_struct,
+        "spec_name": names.spec_name,
+        # literals
+        "hex": literals.hexadecimal,
+        "number": literals.number,
+        "mask": literals.mask,
+        "decimal": literals.decimal,
+        "string": literals.string,
+        "version_number": literals.version_number,
+        "milliseconds": lambda seconds: round(seconds * 1000) if seconds else 0,
+        # records
+        "members": members.members,
+        "alternatives": members.alternatives,
+        "declaration": members.declaration,
+        "home": members.home,
+        "in_order": in_order,
+        "includes": lambda s: includes(s, model),
+        "optional": lambda record: isinstance(record, m.Field) and record.optional,
+        "last_present": members.last_present,
+        "constructors": members.constructors,
+        "silent": members.silent,
+        "responses": lambda f: members.responses(f, model),
+        "bits_type": members.bits_type,
+        "has_accessor": members.has_accessor,
+        "item_size": lambda op: operations.size(op.item)[1] if isinstance(op, m.ArrayOp) else 1,
+        # tables
+        "required": tables.required,
+        "entries": lambda of: list(tables.entries(of)),
+        "names": tables.names,
+        "parameter_row": tables.parameter,
+        "reflection_row": tables.reflection,
+        "readings": tables.readings,
+        "letters": m.letters,
+        # comments
+        "comment": comment,
+        "field_doc": docs.field,
+        "type_doc": docs.type,
+        "member_doc": docs.member,
+        "case_doc": docs.case,
+        "value_doc": docs.value,
+        "bits_doc": docs.bits,
+    }

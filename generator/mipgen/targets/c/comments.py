@@ -1,0 +1,140 @@
+"""Documentation comments: what `describe` says, in the words of C, wrapped."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from ... import describe
+from ... import model as m
+from . import names
+from .literals import hexadecimal
+from .members import members
+from .names import Record
+
+#: Where clang-format breaks lines, too; it only moves comments.
+WIDTH = 100
+
+
+def comment(paragraphs: Sequence[str], indent: int = 0) -> str:
+    """A comment and a line break; nothing if there is nothing to say. The lines of a paragraph stay apart.
+
+    >>> print(comment(["Speed.", "- a manual\\n- a leaflet"]), end="")
+    /**
+     * Speed.
+     *
+     * - a manual
+     * - a leaflet
+     */
+    """
+    wrapped = [_wrapped(p, WIDTH - indent - len(" * ")) for p in paragraphs]
+    lines = [line for i, found in enumerate(wrapped) for line in (["", *found] if i else found)]
+    if not lines:
+        return ""
+    if len(lines) == 1 and indent + len(lines[0]) + len("/**  */") <= WIDTH:
+        return f"/** {lines[0]} */\n"
+    return "\n".join(["/**", *(f" * {line}".rstrip() for line in lines), " */\n"])
+
+
+def _wrapped(paragraph: str, width: int) -> list[str]:
+    found: list[str] = []
+    for line in paragraph.replace("*/", "* /").replace("/*", "/ *").splitlines():
+        found += textwrap.wrap(
+            line, width, subsequent_indent="  " * line.startswith("- "), break_long_words=False, break_on_hyphens=False
+        )
+    return found
+
+
+def reference(r: describe.Ref) -> str:
+    """How a comment names a thing; a descriptor like (0x0C,0x28) stays one."""
+    match r.thing, r.within:
+        case m.Field() as f, _ if not r.words.startswith("("):
+            return names.field_name(f)
+        case m.Parameter() as p, _:
+            return names.member(p.name) if p.constant is None else p.name
+        case m.EnumValue() as v, m.Enum() as e:
+            return names.constant(e, v)
+        case m.Bits() as b, m.Bitfield(scalar=m.Scalar()) as t:
+            flags, dot, _ = r.words.rpartition(".")
+            return names.constant(t, b) + (f" in {names.member(flags)}" if dot else "")
+        case (m.Enum() | m.Bitfield() | m.Struct()) as t, _:
+            return names.type_name(t)
+        case _:
+            return r.words
+
+
+def said(facts: Iterable[describe.Fact]) -> list[str]:
+    return [describe.say(f.sentence, reference) for f in facts]
+
+
+@dataclass(frozen=True, slots=True)
+class Comments:
+    """The paragraphs of the comment of each thing."""
+
+    model: m.Model
+
+    def field(self, f: m.Field) -> list[str]:
+        place = f"({hexadecimal(f.set)},{hexadecimal(f.descriptor)})" if f.set else hexadecimal(f.descriptor)
+        facts = describe.field(f, self.model)
+        return [
+            f"{f.title}: {f.role} {place}.",
+            *self._prose(f.description),
+            *_paragraphs([], facts),
+            *(self._differences(f) if f.definition else self._without_member(f)),
+            *_cited(f),
+        ]
+
+    def type(self, t: m.Enum | m.Bitfield | m.Struct) -> list[str]:
+        more = self._without_member(t) if isinstance(t, m.Struct) else []
+        return [*_paragraphs(self._prose(t.description), describe.type(t, self.model)), *more, *_cited(t)]
+
+    def member(self, p: m.Parameter, record: Record) -> list[str]:
+        empty = [describe.case(c, p, record) for c in p.cases if c.parameter is None]
+        return _paragraphs(self._prose(p.description), [*describe.parameter(p, record, self.model), *empty])
+
+    def case(self, c: m.Case, union: m.Parameter, record: Record) -> list[str]:
+        """Of an alternative: when it is there, then what is said of its parameter."""
+        assert c.parameter is not None
+        text = self._prose(c.parameter.description or c.tag.description)
+        when = said([describe.case(c, union, record)])
+        return _paragraphs([*when, *text], describe.parameter(c.parameter, record, self.model))
+
+    def value(self, v: m.EnumValue) -> list[str]:
+        return _paragraphs(self._prose(v.description), describe.value(v, self.model))
+
+    def bits(self, b: m.Bits) -> list[str]:
+        place, *facts = describe.bits(b, self.model)
+        return _paragraphs([*said([place]), *self._prose(b.description)], facts)
+
+    def _prose(self, text: str) -> list[str]:
+        """A text of the specification, if there is one."""
+        return [describe.say(describe.prose(text, self.model), reference)] if text else []
+
+    def _without_member(self, record: Record) -> list[str]:
+        """Parameters that only the wire has."""
+        left = [p for p in record.parameters if p not in members(record)]
+        items = [f"- {p.name}: {' '.join(self.member(p, record))}" for p in left]
+        return ["\n".join(["On the wire only, without a member:", *items])] if items else []
+
+    def _differences(self, f: m.Field) -> list[str]:
+        """What a field that repeats another one says of its parameters otherwise."""
+        original = self.model.original(f)
+        found = []
+        for own, other in zip(f.parameters, original.parameters, strict=True):
+            known = said(describe.parameter(other, original, self.model))
+            new = [s for s in said(describe.parameter(own, f, self.model)) if s not in known]
+            found += [f"- {names.member(own.name)}: {' '.join(new)}"] if new else []
+        return ["\n".join(found)] if found else []
+
+
+def _paragraphs(texts: list[str], facts: Sequence[describe.Fact]) -> list[str]:
+    """Texts and facts in one paragraph, and each note in its own."""
+    notes = describe.topics(facts, "note")
+    first = " ".join([*texts, *said(f for f in facts if f not in notes)])
+    return [*([first] if first else []), *said(notes)]
+
+
+def _cited(thing: m.Field | m.Enum | m.Bitfield | m.Struct) -> list[str]:
+    found = describe.sources(thing)
+    return ["\n".join(f"- {source}" for source in found)] if found else []

@@ -1,0 +1,67 @@
+"""Every name that the output puts into a scope of C. All is in one scope, but for the members of structures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ... import model as m
+from ...naming import Identifier
+from .members import alternatives, constructors, has_accessor, last_present, members
+from .names import LANGUAGE, Record, constant, field_name, macro, member, module, record_name, type_name, union_name
+
+
+def identifiers(model: m.Model) -> Iterator[Identifier]:
+    for name in (*(f"mip_{n}" for n in LANGUAGE["runtime"]), *(f"MIP_{n}" for n in LANGUAGE["constants"])):
+        yield Identifier("C", name, f"{name} of the core", None)
+    for t in (*model.types, model.protocol.function_selector):
+        yield from _type(t)
+    yield from _field(model.protocol.acknowledge)
+    for s in model.sets:
+        yield Identifier("include/mip", module(s.name), f"set {s.name}", s.position)
+        yield Identifier("C", f"{macro(f'mip_{s.name}')}_SET", f"set {s.name}", s.position)
+        for t in s.types:
+            yield from _type(t)
+        for f in s.fields:
+            yield from _field(f)
+    for d in model.devices:
+        yield Identifier("C", f"mip_device_{d.name}", f"device {d.id}", d.position)
+
+
+def _type(t: m.Type) -> Iterator[Identifier]:
+    name, place = type_name(t), getattr(t, "position", None)
+    yield Identifier("C", name, t.name, place)
+    if isinstance(t, m.Enum):
+        for v in t.values:
+            yield Identifier("C", constant(t, v), f"{t.name}.{v.name}", place)
+    elif isinstance(t, m.Bitfield):
+        for b in t.bits:
+            if t.scalar:
+                yield Identifier("C", constant(t, b), f"{t.name}.{b.name}", place)
+            for accessor in ("get", "set") if has_accessor(b, t) else ():
+                yield Identifier("C", f"{name}_{accessor}_{b.name}", f"{t.name}.{b.name}", place)
+    elif isinstance(t, m.Struct):
+        for verb in ("read", "write"):
+            yield Identifier("C", f"{name}_{verb}", t.name, place)
+        yield from _members(t)
+
+
+def _field(f: m.Field) -> Iterator[Identifier]:
+    name = field_name(f)
+    yield Identifier("C", name, f.full_name, f.position)
+    for end in ("DESCRIPTOR", "NAME", *(macro(f"with_{p.name}") for p, _ in last_present(f))):
+        yield Identifier("C", f"{macro(name)}_{end}", f.full_name, f.position)
+    for end in ("codec", "decode", "encode", *(c.name for c in constructors(f))):
+        yield Identifier("C", f"{name}_{end}", f.full_name, f.position)
+    yield from _members(f)
+
+
+def _members(record: Record) -> Iterator[Identifier]:
+    scope = f"struct {record_name(record)}"
+    for p in members(record):
+        yield Identifier(scope, member(p.name), p.name, p.position)
+        if p.length == "rest":
+            yield Identifier(scope, f"{member(p.name)}_count", p.name, p.position)
+        if p.element is None:
+            yield Identifier("C", union_name(p, record), p.name, p.position)
+            for a in alternatives(p):
+                yield Identifier(f"union {union_name(p, record)}", member(a.name), a.name, p.position)

@@ -1,0 +1,57 @@
+"""Numbers and strings as C writes them."""
+
+from __future__ import annotations
+
+import re
+
+from ... import model as m
+
+
+def hexadecimal(value: int) -> str:
+    """
+    >>> hexadecimal(1)
+    '0x01'
+    """
+    return f"0x{value:02X}"
+
+
+def number(value: int, size: int) -> str:
+    """An unsigned number of `size` bytes.
+
+    >>> number(3, 1), number(0xFFFF0000, 4), number(1, 8)
+    ('3', 'UINT32_C(0xFFFF0000)', 'UINT64_C(1)')
+    """
+    text = str(value) if value < 0x8000 else f"0x{value:X}"
+    return f"UINT64_C({text})" if size == 8 else f"UINT32_C({text})" if value > 0x7FFF and size == 4 else text
+
+
+def mask(b: m.Bits, t: m.Bitfield) -> str:
+    """Wide enough that its complement clears nothing else."""
+    text = f"0x{b.mask:0{2 * t.size}X}"
+    return f"UINT{8 * t.size}_C({text})" if t.size > 2 else f"{text}U"
+
+
+def decimal(value: float | int) -> str:
+    return repr(float(value)) if isinstance(value, float) else str(value)
+
+
+def string(text: str | None) -> str:
+    """
+    >>> string('a "b" °')
+    '"a \\\\"b\\\\" \\\\302\\\\260"'
+    """
+    if text is None:
+        return "NULL"
+    out = ""
+    for byte in " ".join(text.split()).encode("utf-8"):
+        out += {0x22: '\\"', 0x5C: "\\\\"}.get(byte, chr(byte) if 0x20 <= byte < 0x7F else f"\\{byte:03o}")
+    return f'"{out.replace("??", "?" + chr(92) + "?")}"'
+
+
+def version_number(version: str) -> int:
+    """
+    >>> version_number("1.2.3")
+    10203
+    """
+    major, minor, patch = (int(part) for part in re.split(r"[.+-]", version)[:3])
+    return 10000 * major + 100 * minor + patch

@@ -1,0 +1,128 @@
+"""What structures hold, and what the functions that fill them take."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ... import model as m
+from .names import Record, c_type, is_struct, macro, member, type_name, union_name
+
+
+def members(record: Record) -> list[m.Parameter]:
+    """The parameters that have a member: no constants, and no unions without alternatives."""
+    return [p for p in record.parameters if p.constant is None and (p.element is not None or alternatives(p))]
+
+
+def alternatives(p: m.Parameter) -> list[m.Parameter]:
+    """The members of a union."""
+    return [c.parameter for c in p.cases if c.parameter is not None]
+
+
+def declaration(p: m.Parameter, record: Record) -> str:
+    """A member: `float bias[3]`."""
+    if p.element is None:
+        return f"union {union_name(p, record)} {member(p.name)}"
+    return f"{c_type(p.element)} {member(p.name)}{_dimensions(p.operation)}"
+
+
+def _dimensions(op: m.Operation) -> str:
+    """The brackets behind a member's name."""
+    if isinstance(op, m.TextOp):
+        return f"[{op.capacity + 1}]"
+    if isinstance(op, m.ArrayOp):
+        return f"[{max(1, op.capacity)}]{_dimensions(op.item)}"
+    return ""
+
+
+def home(alternative: m.Parameter) -> str:
+    """What comes before the name of an alternative: one that fills the field shares a structure with its count."""
+    return f"{member(alternative.name)}." if alternative.length == "rest" else ""
+
+
+def last_present(f: m.Field) -> list[tuple[m.Parameter, int]]:
+    """The optional parameters, each with the value of `present` when it is the last one that is there."""
+    groups = {i.member: g.last for g in f.operations if isinstance(g, m.GroupOp) for i in g.body}  # type: ignore[union-attr]
+    return [(p, groups[p.name]) for p in members(f) if p.optional and not p.counts]
+
+
+# --------------------------------------------------------------------------- constructors
+
+
+@dataclass(frozen=True, slots=True)
+class Constructor:
+    """A function that fills the structure of a command: one for each of its functions, or just one."""
+
+    name: str
+    function: m.Function | None
+    description: str
+    arguments: str
+    asked: tuple[m.Parameter, ...]  # what the caller gives
+    assigned: tuple[m.Parameter, ...]  # these, and reserved values that are not zero
+
+
+def constructors(f: m.Field) -> list[Constructor]:
+    if f.role != m.COMMAND or not (f.functions or any(p.reserved is None for p in members(f))):
+        return []
+    return [_constructor(f, call) for call in f.calls]
+
+
+def _constructor(f: m.Field, call: m.Call) -> Constructor:
+    asked = tuple(p for p in members(f) if p in call.asked)
+    return Constructor(
+        name=call.function.name if call.function else "make",
+        function=call.function,
+        description=call.function.description if call.function else f"{f.title}.",
+        arguments=", ".join(_argument(p, f) for p in asked) or "void",
+        asked=asked,
+        assigned=tuple(p for p in members(f) if p in asked or p.reserved),
+    )
+
+
+def _argument(p: m.Parameter, f: m.Field) -> str:
+    name, op = member(p.name), p.operation
+    if p.element is None:
+        return f"const union {union_name(p, f)} *{name}"
+    one = c_type(p.element)
+    count = f"uint8_t {name}_count, " if p.length == "rest" else ""
+    if isinstance(op, m.TextOp):
+        return f"{count}const char *{name}"
+    if isinstance(op, m.ArrayOp):
+        first = "" if op.count is None else op.count
+        return f"{count}const {one} {name}[{first}]{_dimensions(op.item)}"
+    return f"const {one} *{name}" if is_struct(p.element) else f"{one} {name}"
+
+
+def silent(f: m.Field) -> str:
+    """When a command is not acknowledged, as a condition on its structure `v`; empty if it always is."""
+    selector = macro("mip_function_selector")
+    tests = [f"v->function == {selector}_{macro(x.name)}" for x in f.functions if not x.reply]
+    if f.silent_when:
+        tests.append(" && ".join(f"v->{member(c.parameter)} == {c.value}" for c in f.silent_when))
+    return " || ".join(f"({t})" if "&&" in t and len(tests) > 1 else t for t in tests)
+
+
+def responses(f: m.Field, model: m.Model) -> list[tuple[str, m.Field]]:
+    """The responses of a command, each with the condition on its structure `v` under which it is sent."""
+    found = []
+    for reply in model.replies(f):
+        functions = [f"v->function == {macro('mip_function_selector')}_{macro(x.name)}" for x in reply.functions]
+        tests = [" || ".join(functions)] if functions else []
+        tests += [f"v->{member(c.parameter)} == {c.value}" for c in reply.when]
+        condition = " && ".join(f"({t})" if "||" in t and len(tests) > 1 else t for t in tests)
+        found.append((condition, reply.response))
+    return found
+
+
+# --------------------------------------------------------------------------- bits
+
+
+def bits_type(b: m.Bits) -> str:
+    """The type of a number inside a bitfield."""
+    if b.width == 1:
+        return "bool"
+    return type_name(b.enum) if b.enum else f"uint{next(n for n in (8, 16, 32, 64) if b.width <= n)}_t"
+
+
+def has_accessor(b: m.Bits, t: m.Bitfield) -> bool:
+    """Flags of a number are constants; numbers inside a bitfield, and bits of bytes, need functions."""
+    return t.scalar is None or (b.width > 1 and not b.alias)

@@ -1,0 +1,67 @@
+"""What things are called in C."""
+
+from __future__ import annotations
+
+from ... import model as m
+from ...naming import Escape, upper
+from ...render import language
+
+LANGUAGE = language("c")
+_KEYWORDS = frozenset(LANGUAGE["keywords"])
+_SCALARS: dict[str, str] = LANGUAGE["scalars"]
+
+Record = m.Field | m.Struct
+
+member = Escape(_KEYWORDS | frozenset(LANGUAGE["members"]), digit_prefix="n")
+module = Escape(frozenset(LANGUAGE["modules"]), digit_prefix="")
+macro = upper
+
+
+def type_name(t: m.Type) -> str:
+    """The name of a type, after its set; a set's name is not said twice."""
+    owner = getattr(t, "owner", None)
+    return f"mip_{owner}_{t.name.removeprefix(f'{owner}_')}" if owner else f"mip_{t.name}"
+
+
+def field_name(f: m.Field) -> str:
+    return f"mip_{f.set_name}_{f.name}"
+
+
+def record_name(record: Record) -> str:
+    return field_name(record) if isinstance(record, m.Field) else type_name(record)
+
+
+def union_name(p: m.Parameter, record: Record) -> str:
+    return f"{record_name(record)}_{p.name}"
+
+
+def constant(t: m.Enum | m.Bitfield, part: m.EnumValue | m.Bits) -> str:
+    return macro(f"{type_name(t)}_{part.name}")
+
+
+def bare(thing: m.Type | m.Field) -> str:
+    """A name without the prefix of the library, for what is static in a source."""
+    return (field_name(thing) if isinstance(thing, m.Field) else type_name(thing)).removeprefix("mip_")
+
+
+def spec_name(t: m.Enum | m.Bitfield) -> str:
+    """The name in the specification, after its set if a set owns the type."""
+    return f"{t.owner}.{t.name}" if t.owner else t.name
+
+
+def c_type(e: m.Scalar | m.Type) -> str:
+    """The C type of one item; of a vector, that of its elements."""
+    match e:
+        case m.Scalar():
+            return _SCALARS[e.name]
+        case m.Vector():
+            return _SCALARS[e.scalar.name]
+        case m.Enum() | m.Bitfield(scalar=m.Scalar()):
+            return type_name(e)
+        case _:
+            return f"struct {type_name(e)}"
+
+
+def is_struct(e: m.Scalar | m.Type) -> bool:
+    """Is one item a structure in C, which is passed by its address?"""
+    return c_type(e).startswith("struct ")

@@ -1,0 +1,134 @@
+"""Rows of the tables that programs search: registry and reflection."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ... import model as m
+from ...naming import upper
+from . import literals
+from .members import home, members
+from .names import Record, bare, field_name, member, record_name, union_name
+
+
+def required(f: m.Field) -> list[int]:
+    """How many parameters each function requires, by its value."""
+    last = max(x.value for x in f.functions)
+    return [f.required(value) for value in range(last + 1)]
+
+
+# --------------------------------------------------------------------------- registry
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    field: m.Field
+    first_link: int
+    links: tuple[int, ...]  # the entries of its responses or commands
+
+
+def entries(model: m.Model) -> Iterator[Entry]:
+    """All fields, by set, descriptor, and the order of the specification."""
+    order = sorted((model.protocol.acknowledge, *model.fields), key=lambda f: (f.set, f.descriptor))
+    index = {f.full_name: i for i, f in enumerate(order)}
+    first = 0
+    for f in order:
+        linked = model.responses(f) if f.role == m.COMMAND else model.commands(f)
+        yield Entry(f, first, tuple(index[x.full_name] for x in linked))
+        first += len(linked)
+
+
+# --------------------------------------------------------------------------- reflection
+
+_KINDS = {
+    m.ScalarOp: "NUMBER",
+    m.ConstantOp: "CONSTANT",
+    m.CounterOp: "COUNTER",
+    m.TextOp: "TEXT",
+    m.BitsOp: "BITS",
+    m.StructOp: "STRUCT",
+    m.SwitchOp: "UNION",
+}
+
+
+def names(t: m.Enum | m.Bitfield) -> str:
+    """The table that names the values or bits of a type."""
+    return f"names_{bare(t)}"
+
+
+def parameter(p: m.Parameter, record: Record, union: m.Parameter | None = None) -> str:
+    """The members of struct mip_parameter; `union`: of an alternative, the union that holds it."""
+    item, elements = p.operation, 1
+    while isinstance(item, m.ArrayOp):
+        if isinstance(p.element, m.Vector) and isinstance(item.item, m.ScalarOp):
+            elements = item.count or 1
+        item = item.item
+    e, op, full = p.element, p.operation, bare(record)
+    numbers = {q.name: i for i, q in enumerate(record.parameters)}
+    by = p.tag or p.counts or (p.length if isinstance(p.length, str) else None)
+    scalar = upper(item.scalar.name) if isinstance(item, (m.ScalarOp, m.ConstantOp, m.CounterOp)) else "U8"
+    length = {int: "FIXED", str: "REST" if p.length == "rest" else "COUNTED"}.get(type(p.length), "ONE")
+    readings = () if union else p.readings
+    row = [
+        literals.string(p.name),
+        literals.string(", ".join(p.units)),
+        f"MIP_KIND_{_KINDS[type(item)]}",
+        f"MIP_SCALAR_{scalar}",
+        f"MIP_LENGTH_{length}",
+        str(op.capacity if isinstance(op, (m.ArrayOp, m.TextOp)) and p.length is not None else 1),
+        str(elements),
+        str(numbers.get(by or "", 0)),
+        str(0 if union else _group(p, record)),
+        literals.number(p.constant or 0, item.scalar.size if isinstance(item, m.ConstantOp) else 1),
+        *_place(p, record, union),
+        f"&{names(e)}" if isinstance(e, (m.Enum, m.Bitfield)) else "NULL",
+        f"readings_{full}_{p.name}" if readings else "NULL",
+        f"&record_{bare(e)}" if isinstance(e, m.Struct) else "NULL",
+        f"cases_{full}_{p.name}" if p.cases else "NULL",
+        str(len(readings or p.cases)),
+    ]
+    return ", ".join(row)
+
+
+def _group(p: m.Parameter, record: Record) -> int:
+    """How many parameters are there when this one is; 0 if it always is."""
+    for op in record.operations:
+        if isinstance(op, m.GroupOp) and any(inner.member == p.name for inner in op.body):  # type: ignore[union-attr]
+            return op.last
+    return 0
+
+
+def _place(p: m.Parameter, record: Record, union: m.Parameter | None) -> tuple[str, str]:
+    """Where the member and the number of its items are."""
+    if not union and p not in members(record):
+        return "0, 0", "0"
+    within = f"union {union_name(union, record)}" if union else f"struct {record_name(record)}"
+    name = (home(p) if union else "") + member(p.name)
+    size = "ONE" if p.length is None else "MANY"
+    return f"{size}({within}, {name})", f"offsetof({within}, {name}_count)" if p.length == "rest" else "0"
+
+
+def reflection(f: m.Field) -> str:
+    """The members of struct mip_reflection."""
+    name = field_name(f)
+    table = f"required_{bare(f)}"
+    row = [
+        f"&{name}_codec",
+        f"&record_{bare(f)}",
+        "true" if f.functions else "false",
+        "true" if f.optional else "false",
+        table if f.functions else "NULL",
+        f"sizeof({table})" if f.functions else "0",
+        f"offsetof(struct {name}, present)" if f.optional else "0",
+    ]
+    return ", ".join(row)
+
+
+def readings(p: m.Parameter, record: Record) -> Iterator[str]:
+    """The members of struct mip_reading: device, or index and value of the parameter that decides; and the names."""
+    numbers = {q.name: i for i, q in enumerate(record.parameters)}
+    for v in p.readings:
+        assert v.type is not None
+        device = literals.string(v.key if v.by_device else None)
+        yield f"{device}, {numbers.get(v.by, 0)}, {v.value or 0}, &{names(v.type)}"

@@ -1,0 +1,125 @@
+"""The reference manual: Markdown that reads well on a plain Git host and builds into a searchable site.
+
+`places` says where everything is, the other modules make the finished Markdown of what they are named for,
+and templates lay it out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from jinja2 import pass_context
+from jinja2.runtime import Context
+
+from ... import describe
+from ... import model as m
+from ...naming import Identifier
+from ...render import File
+from . import devices, examples, fields, parameters, places, sources, text, types
+from .index import Index
+from .places import Page, Thing
+
+TITLE = "Reference manual in Markdown, a site with MkDocs"
+
+
+def files(model: m.Model) -> Iterator[File]:
+    index = Index(model)
+
+    def page(path: str, template: str, **context: Any) -> File:
+        return File(path, template, {"page": Page(path, index), **context})
+
+    yield File("mkdocs.yml", "mkdocs.yml.j2", {"page": Page(places.INDEX, index)})  # its paths begin below docs/
+    yield page(places.README, "index.md.j2")
+    yield page(places.INDEX, "index.md.j2")
+    yield page(places.PACKETS, "packets.md.j2")
+    yield page(places.UNITS, "units.md.j2")
+    yield page(places.TYPES, "types.md.j2", set=None)
+    yield page(places.ERRATA, "errata.md.j2")
+    yield page(places.EXAMPLES, "examples.md.j2")
+    for s in model.sets:
+        yield page(places.set_page(s.name), "set.md.j2", set=s)
+        if s.types:
+            yield page(places.types_page(s.name), "types.md.j2", set=s)
+    for d in model.devices:
+        yield page(places.device_page(d), "device.md.j2", device=d)
+
+
+def identifiers(model: m.Model) -> Iterator[Identifier]:
+    """Anchors: two things of a page must not have the same."""
+    things: list[Thing] = [model.protocol.acknowledge, model.protocol.function_selector, *model.all_types]
+    things += [*model.fields, *model.protocol.units, *model.protocol.frames, *model.examples, *model.errata]
+    for thing in things:
+        page, anchor = places.place(thing, model)
+        yield Identifier(page, anchor, getattr(thing, "name", anchor), getattr(thing, "position", None))
+
+
+# --------------------------------------------------------------------------- the words of the templates
+
+Filters = dict[str, Callable[..., Any]]
+
+FILTERS: Filters = {
+    "code": text.code,
+    "count": text.count,
+    "hex": text.hexadecimal,
+    "inline": text.inline,
+    "spaced": text.spaced,
+    "label": places.label,
+    "types_page": places.types_page,
+    "number": describe.number,
+    "asked": fields.asked,
+    "field_length": fields.field_length,
+    "checksum_steps": fields.checksum_steps,
+    "nature": types.nature,
+    "elements": types.elements,
+    "ports": devices.ports,
+    "base_rate": devices.base_rate,
+    "note_table": devices.note_table,
+    "of_manual": sources.of_manual,
+    "severities": sources.severities,
+    "right_bytes": examples.right_bytes,
+    "misprints": examples.misprints,
+}
+
+#: Filters that need the page where they are used: links are relative to it.
+FILTERS_OF_PAGE: Filters = {
+    "anchor": Page.anchor,
+    "link": Page.link,
+    "links": Page.links,
+    "prose": Page.prose,
+    "facts": fields.facts,
+    "notes": fields.notes,
+    "call_table": fields.call_table,
+    "own_responses": fields.own_responses,
+    "contents": fields.contents,
+    "named": fields.named,
+    "uncertain": fields.uncertain,
+    "parameter_table": parameters.parameter_table,
+    "parameter_values": parameters.parameter_values,
+    "parameter_notes": parameters.parameter_notes,
+    "values": types.values,
+    "bits": types.bits,
+    "supported": devices.supported,
+    "differing": devices.differing,
+    "base_rates": devices.base_rates,
+    "rates_of_set": devices.rates_of_set,
+    "variants": devices.variants,
+    "citations": sources.citations,
+    "length_remarks": sources.length_remarks,
+    "subjects": sources.subjects,
+    "device": examples.device,
+    "packet_table": examples.packet_table,
+    "field_tables": examples.field_tables,
+}
+
+
+def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
+    return {**FILTERS, **{name: _of_page(function) for name, function in FILTERS_OF_PAGE.items()}}
+
+
+def _of_page(function: Callable[..., Any]) -> Callable[..., Any]:
+    @pass_context
+    def on_page(context: Context, *arguments: Any) -> Any:
+        return function(context["page"], *arguments)
+
+    return on_page

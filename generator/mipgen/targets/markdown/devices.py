@@ -1,0 +1,70 @@
+"""Devices: what each supports, and what differs there."""
+
+from __future__ import annotations
+
+from ... import describe
+from ... import model as m
+from .fields import ENTRY, entry
+from .places import Page
+from .text import code, hexadecimal, inline, table
+
+
+def supported(page: Page, d: m.Device, s: m.Set) -> str:
+    """The fields of a set that a device supports, with the functions that it takes; empty if there are none."""
+    rows = [entry(page, x.field, x.functions) for x in d.supports if x.field.set == s.number]
+    return table(rows, ENTRY) if rows else ""
+
+
+def differing(page: Page, d: m.Device) -> str:
+    """The commands that take other functions on a device than their definition says."""
+    found = [s for s in d.supports if s.differs]
+    rows = [[page.link(s.field), code(m.letters(s.functions)), code(m.letters(s.field.functions))] for s in found]
+    return table(rows, ["Command", "Functions here", "All functions"]) if rows else ""
+
+
+def hertz(rate: m.Rate) -> str:
+    return f"{describe.number(rate.hertz)} Hz" if rate.hertz else "sent as it comes"
+
+
+def base_rate(d: m.Device, s: m.Set) -> str:
+    """How often a device samples a set; empty if it says nothing of it."""
+    return next((hertz(r) for r in d.base_rates if r.set.number == s.number), "")
+
+
+def base_rates(page: Page, d: m.Device) -> str:
+    return table([[page.link(r.set), hertz(r)] for r in d.base_rates], ["Set", "Base rate"]) if d.base_rates else ""
+
+
+def rates_of_set(page: Page, s: m.Set) -> str:
+    """How often the devices sample a set."""
+    rows = [[page.link(d), rate] for d in page.model.devices if (rate := base_rate(d, s))]
+    return table(rows, ["Device", "Base rate"]) if rows else ""
+
+
+def ports(d: m.Device) -> str:
+    rows = [
+        [
+            inline(p.name),
+            "" if p.id is None else code(hexadecimal(p.id)),
+            ", ".join(map(str, p.baud_rates)),
+            ", ".join(map(inline, p.protocols)),
+        ]
+        for p in d.ports
+    ]
+    return table(rows, ["Port", "Id", "Baud rates", "Protocols"])
+
+
+def variants(page: Page, d: m.Device) -> str:
+    """The parameters that mean something else on a device."""
+    rows = []
+    for v in d.variants:
+        fact = describe.variant(v.variant, v.parameter, v.field, page.model)
+        rows.append([page.link(v.field), code(v.parameter.name), page.say(fact.value)])
+    return table(rows, ["Field", "Parameter", "Here"]) if rows else ""
+
+
+def note_table(note: m.Note) -> str:
+    """The rows of a note, the first as the heading; short rows are filled up."""
+    width = max(map(len, note.rows))
+    head, *rows = [[*map(inline, row), *[""] * (width - len(row))] for row in note.rows]
+    return "\n".join("| " + " | ".join(row) + " |" for row in [head, ["---"] * width, *rows])

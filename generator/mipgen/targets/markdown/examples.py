@@ -1,0 +1,193 @@
+"""Examples, byte by byte: what each byte of a packet is, and what its value means."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from ... import codec
+from ... import model as m
+from ...checks import differences
+from .places import Page
+from .text import code, decimal, hexadecimal, inline, plain, spaced, table
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """Some bytes of an example, and what they are."""
+
+    data: bytes
+    name: str  # Markdown
+    value: str  # Markdown
+
+
+@dataclass(frozen=True, slots=True)
+class Around:
+    """The record that a value belongs to, and the device that sends or takes it."""
+
+    parameters: Sequence[m.Parameter]
+    values: Mapping[str, Any]
+    device: m.Device | None
+
+
+# --------------------------------------------------------------------------- prints
+
+
+def device(page: Page, x: m.Example) -> m.Device | None:
+    """What sends or takes it; None also if that is not in a part of a specification."""
+    return page.model.device(x.device.id) if x.device else None
+
+
+def right_bytes(x: m.Example) -> str:
+    """Those of the field, if the manual prints no packet around it."""
+    return spaced(x.packet[4:-2] if x.role == "field" else x.packet)
+
+
+def misprints(x: m.Example) -> list[str]:
+    """How the print differs from the right bytes."""
+    return [plain(d) for d in differences(x)]
+
+
+# --------------------------------------------------------------------------- tables of bytes
+
+
+def packet_table(page: Page, x: m.Example) -> str:
+    """Every byte of an example, and what it means."""
+    pieces = [piece for part in x.fields for piece in _field(page, x, part)]
+    if x.role != "field":
+        s = page.model.set(x.set)
+        head = [
+            Piece(x.packet[:2], "sync", ""),
+            Piece(x.packet[2:3], "descriptor set", page.link(s) if s else "unknown"),
+            Piece(x.packet[3:4], "payload length", str(x.packet[3])),
+        ]
+        pieces = [*head, *pieces, Piece(x.packet[-2:], "checksum", "")]
+    return _table(pieces)
+
+
+def field_tables(page: Page, x: m.Example, f: m.Field) -> list[str]:
+    """The bytes of those parts of an example that show a field."""
+    return [_table(_field(page, x, part)) for part in x.fields if f.full_name in page.index.shown(x, part)]
+
+
+def _table(pieces: Iterable[Piece]) -> str:
+    return table([[code(spaced(p.data)), p.name, p.value] for p in pieces], ["Bytes", "What", "Value"])
+
+
+def _field(page: Page, x: m.Example, part: m.ExampleField) -> Iterator[Piece]:
+    head = bytes([len(part.data) + 2, part.descriptor])
+    f = page.model.field(part.field) if part.field else None
+    yield Piece(head, "field length, descriptor", page.link(f) if f else "unknown")
+    pieces = _record(Around(f.parameters, part.values or {}, x.device), part.data, "") if f else ()
+    at = 0
+    for piece in pieces:
+        at += len(piece.data)
+        yield piece
+    if part.data[at:]:
+        yield Piece(part.data[at:], "left over" if f else "data", "")
+
+
+def _record(around: Around, data: bytes, prefix: str) -> Iterator[Piece]:
+    """The parameters of a record that are there, in order, each with its bytes."""
+    at = 0
+    for p in around.parameters:
+        if p.constant is None and p.name not in around.values:
+            return
+        value = p.constant if p.constant is not None else around.values[p.name]
+        for piece in _parameter(p, value, around, data[at:], prefix + p.name):
+            at += len(piece.data)
+            yield piece
+
+
+def _parameter(p: m.Parameter, value: Any, around: Around, data: bytes, name: str) -> Iterator[Piece]:
+    match p.operation:
+        case m.StructOp(struct=inner):
+            yield from _record(Around(inner.parameters, value, around.device), data, f"{name}.")
+        case m.ArrayOp(item=m.StructOp(struct=inner)):
+            for i, one in enumerate(value):
+                rest = data[i * inner.max_size :]
+                yield from _record(Around(inner.parameters, one, around.device), rest, f"{name}[{i}].")
+        case m.ArrayOp(item=m.ArrayOp() as item):
+            size = codec.size_of(item)
+            for i, one in enumerate(value):
+                yield Piece(data[i * size : (i + 1) * size], code(f"{name}[{i}]"), _numbers(p, one, around))
+        case m.SwitchOp():
+            for q in (c.parameter for c in p.cases if c.parameter is not None and c.parameter.name in value):
+                yield from _parameter(q, value[q.name], around, data, f"{name}.{q.name}")
+        case m.TextOp():
+            yield Piece(data[: len(value)], code(name), code(f'"{_printable(value)}"'))
+        case m.ArrayOp(item=m.ScalarOp() as item):
+            yield Piece(data[: len(value) * item.size], code(name), _value(p, value, around))
+        case m.ScalarOp() | m.ConstantOp() | m.CounterOp() | m.BitsOp() as op:
+            yield Piece(data[: op.size], code(name), _value(p, value, around))
+        case op:
+            raise AssertionError(op)
+
+
+# --------------------------------------------------------------------------- values
+
+
+def _value(p: m.Parameter, value: Any, around: Around) -> str:
+    """A value or a list of values, with names and units."""
+    t = _type(p, around)
+    if t is None:
+        return _numbers(p, value if isinstance(value, list) else [value], around)
+    if isinstance(t, m.Bitfield) and t.scalar is None:
+        return _flags(t, int.from_bytes(bytes(value), "little"))
+    each = value if isinstance(value, list) else [value]
+    return ", ".join(_flags(t, v) if isinstance(t, m.Bitfield) else _name(t, v) for v in each)
+
+
+def _variants(p: m.Parameter, around: Around) -> list[m.Variant]:
+    """Those that hold here: of the device, or beside the value of a sibling."""
+    device = around.device.id if around.device else None
+    return [v for v in p.variants if (v.key == device if v.by_device else v.value == around.values.get(v.by))]
+
+
+def _type(p: m.Parameter, around: Around) -> m.Enum | m.Bitfield | None:
+    """The type that names a value, be it by a sibling or by the device."""
+    named = next((v.type for v in _variants(p, around) if v.type is not None), None)
+    return named or (p.element if isinstance(p.element, (m.Enum, m.Bitfield)) else None)
+
+
+def _numbers(p: m.Parameter, values: Sequence[Any], around: Around) -> str:
+    units = next((v.units for v in _variants(p, around) if v.units), p.units)
+    symbols = ["" if u == "1" else u for u in units]
+    shown = [decimal(v) if isinstance(v, str) else str(v) for v in values]
+    if isinstance(p.element, m.Vector) and len(p.element.elements) == len(shown) <= 4:
+        shown = [f"{name} {v}" for name, v in zip(p.element.elements, shown, strict=True)]
+    if len(symbols) == len(shown) > 1:
+        return inline(", ".join(f"{v} {u}".strip() for v, u in zip(shown, symbols, strict=True)))
+    return inline(f"{', '.join(shown)} {symbols[0] if symbols else ''}".strip())
+
+
+def _printable(text: str) -> str:
+    return "".join(c if " " <= c <= "~" else f"\\x{ord(c):02x}" for c in text)
+
+
+def _name(t: m.Enum, value: int) -> str:
+    known = next((v for v in t.values if v.value == value), None)
+    return f"{code(known.name)} ({value})" if known else str(value)
+
+
+def _flags(t: m.Bitfield, value: int) -> str:
+    """
+    >>> bits = (m.Bits("on", 0, 0, "", False), m.Bits("level", 4, 6, "", False))
+    >>> _flags(m.Bitfield("state", m.SCALARS["u8"], 1, bits, "", None), 0xB1)
+    '`0xB1`: `on`, `level` 3, unnamed bits `0x80`'
+    """
+    parts, rest = [], value
+    for b in t.bits:
+        found = (value & b.mask) >> b.first
+        if b.alias:
+            continue
+        rest &= ~b.mask
+        if b.width > 1 and found:
+            parts.append(f"{code(b.name)} {_name(b.enum, found) if b.enum else found}")
+        elif found:
+            parts.append(code(b.name))
+    if rest:
+        parts.append(f"unnamed bits {code(hexadecimal(rest, t.size))}")
+    shown = code(hexadecimal(value, t.size))
+    return f"{shown}: {', '.join(parts)}" if parts else shown

@@ -1,0 +1,144 @@
+"""Fields: what is known of them, how they are sent and answered, and lists of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from ... import codec, describe
+from ... import model as m
+from .offsets import Extent, totals
+from .places import Page
+from .text import code, hexadecimal, inline, opening, spaced, table
+
+#: Facts that the table of forms has.
+TABLED = ("functions", "responses")
+
+
+def facts(page: Page, f: m.Field) -> str:
+    """What is known of a field beside its description, in sentences."""
+    said = [(x.topic, page.say(x.sentence)) for x in describe.field(f, page.model) if x.topic not in (*TABLED, "note")]
+    return " ".join(f"**{sentence}**" if topic == "deprecated" else sentence for topic, sentence in said)
+
+
+def notes(page: Page, f: m.Field) -> list[str]:
+    return [opening(page.say(x.sentence)) for x in describe.topics(describe.field(f, page.model), "note")]
+
+
+# --------------------------------------------------------------------------- lengths
+
+
+def length(parameters: Sequence[m.Parameter], head: int = 2) -> str:
+    """The length of a field with these parameters behind `head` bytes."""
+    found = [code(e) if e.terms else str(e) for e in totals((p.operation for p in parameters), Extent(head))]
+    return " or ".join([", ".join(found[:-1]), found[-1]] if len(found) > 1 else found)
+
+
+def field_length(f: m.Field) -> str:
+    """The length of a field that has no selector."""
+    (call,) = f.calls
+    required, whole = length(call.required), length(f.parameters)
+    return whole if required == whole else f"{required}; {whole} with all optional parameters"
+
+
+# --------------------------------------------------------------------------- forms of a command
+
+
+def call_table(page: Page, f: m.Field) -> str:
+    """The forms of a command: one for each function, or just one."""
+    headings = ["Field begins", "Then follow", "May follow", "Field length", "Whole packet", "Answer"]
+    rows = [_call(page, f, c) for c in f.calls]
+    if f.functions:
+        headings = ["Function", "Value", *headings]
+        rows = [[f"{code(x.letter)} {code(x.name)}", str(x.value), *row] for x, row in zip(f.functions, rows)]
+    return table(rows, headings)
+
+
+def _call(page: Page, f: m.Field, c: m.Call) -> list[str]:
+    selector = [c.function.value] if c.function else []
+    whole = length(c.required, 2 + len(selector))
+    first = f"{int(whole):02X}" if whole.isdigit() else "LL"
+    packet = whole_packet(page.model, f, c)
+    return [
+        code(f"{first} {spaced([f.descriptor, *selector])}"),
+        ", ".join(code(p.name) for p in c.required),
+        ", ".join(code(p.name) for p in c.optional),
+        whole,
+        code(spaced(packet)) if packet else "",
+        _answer(page, f, c.function),
+    ]
+
+
+def _answer(page: Page, f: m.Field, function: m.Function | None) -> str:
+    if function is not None and not function.reply:
+        return "none"
+    acknowledge = "acknowledge or none" if f.silent_when or f.silenced_by else "acknowledge"
+    responses = page.model.responses(f) if function is None or function.responds else ()
+    return ", ".join([acknowledge, *([" or ".join(map(page.link, responses))] if responses else [])])
+
+
+def whole_packet(model: m.Model, f: m.Field, c: m.Call) -> bytes | None:
+    """The only packet of a form that leaves nothing to choose."""
+    if any(p.constant is None for p in c.required):
+        return None
+    values = {"function": c.function.value} if c.function else {}
+    return codec.build(model, f.set, [(f.descriptor, codec.encode(f, values))])
+
+
+def checksum_steps(model: m.Model) -> list[dict[str, Any]]:
+    """The checksum of the first command that leaves nothing to choose, byte by byte."""
+    calls = ((f, c) for f in model.fields if f.role == m.COMMAND for c in f.calls)
+    packet = next((p for f, c in calls if (p := whole_packet(model, f, c)) is not None), b"")
+    sums = [codec.checksum(packet[: i + 1]) for i in range(len(packet[:-2]))]
+    return [{"byte": byte, "a": a, "b": b} for byte, (a, b) in zip(packet, sums)]
+
+
+# --------------------------------------------------------------------------- lists of fields
+
+ENTRY = ["Descriptor", "Field", "Functions", "Responses"]
+
+
+def entry(page: Page, f: m.Field, functions: Sequence[m.Function]) -> list[str]:
+    """A field in a list, with the functions that it takes there."""
+    marks = [word for word, holds in (("advanced", f.advanced), ("deprecated", f.deprecated)) if holds]
+    return [
+        code(hexadecimal(f.descriptor)),
+        page.link(f, inline(f.title)) + (f" ({', '.join(marks)})" if marks else ""),
+        code(m.letters(functions)) if functions else "",
+        ", ".join(page.link(r, code(hexadecimal(r.descriptor))) for r in page.model.responses(f)),
+    ]
+
+
+def contents(page: Page, s: m.Set) -> str:
+    """The commands or data fields of a set."""
+    rows = [[*entry(page, f, f.functions), page.links(page.model.devices_of(f))] for f in asked(s)]
+    return table(rows, [*ENTRY, "Supported by"])
+
+
+def named(page: Page, s: m.Set) -> str:
+    """The descriptors that sources name without a layout; empty if there are none."""
+    rows = []
+    for x in s.named:
+        links = {
+            c.manual: page.link(next(k for k in page.model.protocol.manuals if k.id == c.manual)) for c in x.sources
+        }
+        role = [x.role] if s.kind == "command" else []
+        where = "; ".join(f"{links[c.manual]}: {inline(c.section)}" for c in x.sources)
+        rows.append([code(hexadecimal(x.descriptor)), inline(x.title), code(f"{s.name}.{x.name}"), *role, where])
+    headings = ["Descriptor", "Title", "Name", *(["Role"] if s.kind == "command" else []), "Sources"]
+    return table(rows, headings) if rows else ""
+
+
+def uncertain(page: Page, thing: m.Set | m.Type) -> list[str]:
+    """What is not sure about a set or a type; a field has it among its facts."""
+    return [opening(page.say(x.sentence)) for x in describe.uncertain(thing, page.model)]
+
+
+def asked(s: m.Set) -> list[m.Field]:
+    """The fields of a set that are no responses; these are with their commands."""
+    return [f for f in s.fields if f.role != m.RESPONSE]
+
+
+def own_responses(page: Page, f: m.Field) -> list[m.Field]:
+    """The responses that are described with a command: it defines them."""
+    return [r for r in page.model.responses(f) if r.command == f.name]

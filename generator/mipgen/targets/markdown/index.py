@@ -1,0 +1,119 @@
+"""What refers to a thing: errata, examples and users, each found once."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeVar
+
+from ... import model as m
+
+Key = TypeVar("Key", bound=Hashable)
+Item = TypeVar("Item")
+
+User = m.Field | m.Struct | m.Bitfield
+
+
+@dataclass(frozen=True)
+class Index:
+    model: m.Model
+
+    # ----------------------------------------------------------------------- errata
+
+    def errata(self, f: m.Field) -> list[m.Erratum]:
+        """What is wrong in the sections that a field cites, in the lengths given for it, and in its examples."""
+        found = [e for s in f.sources for e in self.errata_of_length(f, s.manual)]
+        found += [e for x in self.examples(f) for e in self.errata_of_example(x)]
+        if f.role != m.RESPONSE:  # a response cites the sections of its command
+            found += [e for s in f.sources for e in self._of_section.get((s.manual, s.section), ())]
+        return sorted({e.id: e for e in found}.values(), key=lambda e: e.id)
+
+    def errata_of_example(self, x: m.Example) -> list[m.Erratum]:
+        return self._of_example.get(x.id, [])
+
+    def errata_of_length(self, f: m.Field, manual: str) -> list[m.Erratum]:
+        return self._of_length.get((manual, f.full_name), [])
+
+    def fields_of_section(self, e: m.Erratum) -> list[m.Field]:
+        """The fields that cite the section of an erratum."""
+        return self._fields_of_section.get(_section(e), [])
+
+    @cached_property
+    def _claims(self) -> list[tuple[m.Erratum, m.Claim]]:
+        return [(e, c) for e in self.model.errata for c in e.claims]
+
+    @cached_property
+    def _of_section(self) -> dict[tuple[str, str], list[m.Erratum]]:
+        return _grouped((_section(e), e) for e in self.model.errata)
+
+    @cached_property
+    def _of_example(self) -> dict[str, list[m.Erratum]]:
+        return _grouped((c.subject, e) for e, c in self._claims if c.kind == "example")
+
+    @cached_property
+    def _of_length(self) -> dict[tuple[str, str], list[m.Erratum]]:
+        return _grouped(((e.manual, c.subject), e) for e, c in self._claims if c.kind == "length")
+
+    @cached_property
+    def _fields_of_section(self) -> dict[tuple[str, str], list[m.Field]]:
+        fields = [f for f in self.model.fields if f.role != m.RESPONSE]
+        return _grouped(((s.manual, s.section), f) for f in fields for s in f.sources)
+
+    # ----------------------------------------------------------------------- examples
+
+    def examples(self, f: m.Field) -> list[m.Example]:
+        return list({x.id: x for x in self._examples.get(f.full_name, ())}.values())
+
+    def shown(self, x: m.Example, part: m.ExampleField) -> list[str]:
+        """The fields that a part of an example shows: itself; of an acknowledge, the command that it answers."""
+        if part.field != self.model.protocol.acknowledge.full_name or not part.data:
+            return [part.field] if part.field else []
+        return [f.full_name for f in self.model.candidates(x.set, part.data[0]) if f.role == m.COMMAND]
+
+    @cached_property
+    def _examples(self) -> dict[str, list[m.Example]]:
+        parts = [(x, part) for x in self.model.examples for part in x.fields]
+        return _grouped((name, x) for x, part in parts for name in self.shown(x, part))
+
+    # ----------------------------------------------------------------------- users of types
+
+    def users(self, t: m.Type) -> list[User]:
+        """The fields and types that have parameters, bits or variants of a type."""
+        return self._users.get(_name(t), [])
+
+    @cached_property
+    def _users(self) -> dict[tuple[str | None, str], list[User]]:
+        records: list[m.Struct | m.Field] = [t for t in self.model.all_types if isinstance(t, m.Struct)]
+        records += [self.model.protocol.acknowledge, *self.model.fields]
+        users: list[tuple[User, m.Type]] = [(r, t) for r in records for t in _used(r.parameters)]
+        bitfields = [t for t in self.model.all_types if isinstance(t, m.Bitfield)]
+        users += [(t, b.enum) for t in bitfields for b in t.bits if b.enum is not None]
+        once = {(_name(t), _name(user)): user for user, t in users}
+        return _grouped((used, user) for (used, _), user in once.items())
+
+
+def _used(parameters: Iterable[m.Parameter]) -> Iterable[m.Type]:
+    for p in parameters:
+        if p.element is not None and not isinstance(p.element, m.Scalar):
+            yield p.element
+        yield from (v.type for v in p.readings if v.type is not None)
+        yield from _used(c.parameter for c in p.cases if c.parameter is not None)
+
+
+def _name(thing: m.Type | m.Field) -> tuple[str | None, str]:
+    """A field has no other name than a type of its set."""
+    owner = thing.set_name if isinstance(thing, m.Field) else getattr(thing, "owner", None)
+    return owner, thing.name
+
+
+def _section(e: m.Erratum) -> tuple[str, str]:
+    """As fields cite it: an erratum may name a part of a section behind " > "."""
+    return e.manual, e.section.partition(" > ")[0]
+
+
+def _grouped(pairs: Iterable[tuple[Key, Item]]) -> dict[Key, list[Item]]:
+    found: dict[Key, list[Item]] = {}
+    for key, item in pairs:
+        found.setdefault(key, []).append(item)
+    return found

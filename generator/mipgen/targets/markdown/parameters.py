@@ -1,0 +1,140 @@
+"""The parameters of a field or a structure: a table, and what is too long for one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from ... import describe
+from ... import model as m
+from ...describe import Fact, Record, Ref
+from .offsets import REST, Row, layout
+from .places import Page, place
+from .text import code, count, inline, table
+
+#: Columns of facts: heading -> their topics. All other facts are sentences.
+COLUMNS = {
+    "Required for": ("required", "optional"),
+    "Unit": ("unit",),
+    "Frame": ("frame",),
+    "Range": ("range",),
+    "Default": ("default",),
+    "Valid flag": ("valid",),
+}
+#: Facts below the table.
+BELOW = ("variant", "note")
+
+#: So many values of an enumeration, or bits, are listed beside a parameter; more are on the page of the type only.
+LISTED = 16
+
+
+@dataclass(frozen=True, slots=True)
+class _Row:
+    """A row on a page, with the facts of its parameter."""
+
+    page: Page
+    row: Row
+    facts: list[Fact]
+
+    def ref(self, r: Ref) -> str:
+        """What is beside the parameter has its full name."""
+        if isinstance(r.thing, m.Bits) or (isinstance(r.thing, m.Parameter) and r.within is self.row.record):
+            r = replace(r, words=self.row.beside(r.words))
+        return self.page.ref(r)
+
+    def say(self, text: describe.Text) -> str:
+        return self.page.say(text, self.ref)
+
+    def column(self, topics: tuple[str, ...]) -> str:
+        return " ".join(self.say(f.value or f.sentence) for f in describe.topics(self.facts, *topics))
+
+    def description(self) -> str:
+        """What it is, and the facts that have no column."""
+        p = self.row.parameter
+        elsewhere = {topic for topics in COLUMNS.values() for topic in topics} | {*BELOW}
+        said = [(f.topic, self.say(f.sentence)) for f in self.facts if f.topic not in elsewhere]
+        before = [sentence for topic, sentence in said if topic == "case"]
+        after = [sentence for topic, sentence in said if topic != "case"]
+        return " ".join([*before, *([self.page.prose(p.description)] if p and p.description else []), *after])
+
+
+def _rows(page: Page, record: Record) -> Iterator[_Row]:
+    for row in layout(record):
+        case = [describe.case(*row.case, row.record)] if row.case else []
+        facts = describe.parameter(row.parameter, row.record, page.model) if row.parameter else []
+        yield _Row(page, row, case + facts)
+
+
+# --------------------------------------------------------------------------- the table
+
+
+def parameter_table(page: Page, record: Record) -> str:
+    headings = ["Offset", "Bytes", "Name", "Type", *COLUMNS, "Description"]
+    return table((_cells(page, r) for r in _rows(page, record)), headings)
+
+
+def _cells(page: Page, r: _Row) -> list[str]:
+    facts = [*(r.column(topics) for topics in COLUMNS.values()), r.description()]
+    return [_extent(str(r.row.offset)), _size(r.row), code(r.row.name), _type(page, r.row), *facts]
+
+
+def _extent(bytes_: str) -> str:
+    return bytes_ if bytes_.isdigit() else code(bytes_)
+
+
+def _size(row: Row) -> str:
+    if row.size is not None:
+        return _extent(str(row.size))
+    return REST if row.parameter and row.parameter.length == REST else "by case"
+
+
+def _type(page: Page, row: Row) -> str:
+    p = row.parameter
+    if p is None:
+        return ""
+    e, many = p.element, ""
+    if e is None:
+        return "union"
+    if p.length is not None:
+        elements = "" if p.length == REST else row.beside(p.length) if isinstance(p.length, str) else p.length
+        many = inline(f"[{elements}]")
+    if isinstance(e, m.Scalar):
+        return code(e.name) + many
+    under = f" {code(e.scalar.name)}" if isinstance(e, (m.Enum, m.Bitfield)) and e.scalar else ""
+    return page.link(e) + many + under
+
+
+# --------------------------------------------------------------------------- below the table
+
+
+def parameter_values(page: Page, record: Record) -> list[str]:
+    """The values and bits that parameters may have, a line for each type."""
+    typed: dict[tuple[str, str], tuple[m.Enum | m.Bitfield, list[str]]] = {}
+    for row in layout(record):
+        p = row.parameter
+        for t in [p.element, *(v.type for v in p.readings)] if p and not p.selector else []:
+            if isinstance(t, (m.Enum, m.Bitfield)):
+                typed.setdefault(place(t, page.model), (t, []))[1].append(code(row.name))
+    return [f"{', '.join(names)}, {page.link(t)}: {_listed(t)}" for t, names in typed.values()]
+
+
+def parameter_notes(page: Page, record: Record) -> list[str]:
+    """What differs by device or by a sibling, and notes, a line for each."""
+    return [
+        f"{code(r.row.name)}: {r.say(fact.sentence)}"
+        for r in _rows(page, record)
+        for fact in describe.topics(r.facts, *BELOW)
+    ]
+
+
+def _listed(t: m.Enum | m.Bitfield) -> str:
+    """What a type holds, in short."""
+    if isinstance(t, m.Enum):
+        if len(t.values) > LISTED:
+            return f"{count(t.values, 'value')}."
+        return ", ".join(f"{v.value} {code(v.name)}" for v in t.values) + "."
+    bits = [b for b in t.bits if not b.alias]
+    if len(bits) > LISTED:
+        return f"{count(bits, 'entry', 'entries')}."
+    more = "." if len(bits) == len(t.bits) else ", and some that overlap these."
+    return ", ".join(f"{describe.bits_place(b)} {code(b.name)}" for b in bits) + more

@@ -1,0 +1,139 @@
+"""Where things are in the manual: pages, anchors, labels and links."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cache
+
+from ... import describe
+from ... import model as m
+from ...describe import Ref
+from .index import Index
+from .text import code, hexadecimal, inline, opening, plain
+
+README = "README.md"
+INDEX = "docs/index.md"
+PACKETS = "docs/packets.md"
+UNITS = "docs/units.md"
+TYPES = "docs/types.md"
+ERRATA = "docs/errata.md"
+EXAMPLES = "docs/examples.md"
+
+#: What has a place in the manual; a string is the path of a page, maybe with an anchor.
+Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | str
+
+
+def set_page(name: str) -> str:
+    return f"docs/sets/{name}.md"
+
+
+def types_page(owner: str | None) -> str:
+    return f"docs/types/{owner}.md" if owner else TYPES
+
+
+def device_page(d: m.Device) -> str:
+    return f"docs/devices/{d.id}.md"
+
+
+def place(thing: Thing, model: m.Model) -> tuple[str, str]:
+    """The page of a thing, and its anchor there."""
+    match thing:
+        case str():
+            page, _, anchor = thing.partition("#")
+            return page, anchor
+        case m.Set():
+            return set_page(thing.name), ""
+        case m.Field():
+            page = PACKETS if thing.set_name == model.protocol.acknowledge.set_name else set_page(thing.set_name)
+            return page, thing.full_name
+        case m.Device():
+            return device_page(thing), ""
+        case m.Example():
+            return EXAMPLES, f"example.{thing.id}"
+        case m.Erratum():
+            return ERRATA, f"erratum.{thing.id}"
+        case m.Manual():
+            return INDEX, f"manual.{thing.id}"
+        case m.Word():
+            kind = "frame" if thing in model.protocol.frames else "unit"
+            return UNITS, f"{kind}." + re.sub(r"[^a-z0-9]+", "-", thing.title.lower()).strip("-")
+    if thing is model.protocol.function_selector:
+        return PACKETS, "protocol.function_selector"
+    owner = getattr(thing, "owner", None)
+    return types_page(owner), f"{owner or 'types'}.{thing.name}"
+
+
+def label(thing: Thing) -> str:
+    """What a thing is called, as Markdown."""
+    match thing:
+        case m.Set():
+            return plain(f"{thing.title} ({hexadecimal(thing.number)})")
+        case m.Field():
+            of_set = f"{hexadecimal(thing.set)}," if thing.set else ""  # the acknowledge belongs to all sets
+            return plain(f"{thing.title} ({of_set}{hexadecimal(thing.descriptor)})")
+        case m.Device() | m.Word():
+            return plain(thing.title)
+        case m.Example() | m.Erratum() | m.Manual():
+            return plain(thing.id)
+        case str():
+            return plain(thing)
+    return code(thing.name)
+
+
+@cache
+def _relative(path: str, folder: str) -> str:
+    return posixpath.relpath(path, folder)
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page of the manual: links are relative to it."""
+
+    path: str
+    index: Index
+
+    @property
+    def model(self) -> m.Model:
+        return self.index.model
+
+    def anchor(self, thing: Thing) -> str:
+        return f'<a id="{place(thing, self.model)[1]}"></a>'
+
+    def url(self, thing: Thing) -> str:
+        target, anchor = place(thing, self.model)
+        path = "" if target == self.path else _relative(target, posixpath.dirname(self.path))
+        return f"{path}#{anchor}" if anchor else path or posixpath.basename(self.path)
+
+    def link(self, thing: Thing, words: str | None = None) -> str:
+        """A link to a thing; `words` are Markdown."""
+        return f"[{label(thing) if words is None else words}]({self.url(thing)})"
+
+    def links(self, things: Iterable[Thing]) -> str:
+        return ", ".join(self.link(t) for t in things)
+
+    # ----------------------------------------------------------------------- text of the specification
+
+    def prose(self, text: str) -> str:
+        """A text of the specification; what it says of fields becomes links."""
+        return opening(self.say(describe.prose(text, self.model)))
+
+    def say(self, text: describe.Text, ref: Callable[[Ref], str] | None = None) -> str:
+        return describe.say(text, ref or self.ref, inline)
+
+    def ref(self, r: Ref) -> str:
+        """What a reference of `describe` looks like."""
+        match r.thing:
+            case m.Field():
+                return self.link(r.thing, None if r.words == r.thing.full_name else inline(r.words))
+            case m.Set() | m.Device() | m.Word():
+                return self.link(r.thing, inline(r.words))
+            case m.EnumValue():
+                return f"{code(r.words)} ({r.thing.value})"
+            case m.Bits() if isinstance(r.within, m.Bitfield):
+                return self.link(r.within, code(r.words))
+            case m.Enum() | m.Bitfield() | m.Struct():
+                return self.link(r.thing)
+        return code(r.words)

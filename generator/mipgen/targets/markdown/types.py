@@ -1,0 +1,58 @@
+"""Types: what kind each is, and its values or bits."""
+
+from __future__ import annotations
+
+from ... import describe
+from ... import model as m
+from .fields import length
+from .places import Page
+from .text import code, hexadecimal, table
+
+
+def nature(t: m.Type) -> str:
+    """What kind of type it is, and how long."""
+    match t:
+        case m.Enum():
+            return f"Enumeration, {code(t.scalar.name)}"
+        case m.Bitfield():
+            return f"Bitfield, {code(t.scalar.name) if t.scalar else f'{t.size} bytes, the least significant first'}"
+        case m.Vector():
+            return f"{len(t.elements)} × {code(t.scalar.name)}, {len(t.elements) * t.scalar.size} bytes"
+        case m.Struct():
+            return f"Structure, {length(t.parameters, 0)} bytes"
+
+
+def values(page: Page, t: m.Enum) -> str:
+    rows = [
+        [
+            str(v.value),
+            code(hexadecimal(v.value, t.scalar.size)),
+            code(v.name),
+            _description(page, v.description, describe.value(v, page.model)),
+        ]
+        for v in t.values
+    ]
+    return table(rows, ["Value", "Hex", "Name", "Description"])
+
+
+def bits(page: Page, t: m.Bitfield) -> str:
+    rows = []
+    for b in t.bits:
+        place, *facts = describe.bits(b, page.model)
+        rows.append([
+            page.say(place.value),
+            code(hexadecimal(b.mask, t.size)) if t.scalar else "",
+            "" if t.scalar else f"{b.first // 8}.{b.first % 8}",
+            code(b.name),
+            _description(page, b.description, facts),
+        ])  # fmt: skip
+    return table(rows, ["Place", "Mask", "Byte.bit", "Name", "Description"])
+
+
+def elements(t: m.Vector) -> str:
+    rows = [[str(i * t.scalar.size), code(name)] for i, name in enumerate(t.elements)]
+    return table(rows, ["Offset", "Element"])
+
+
+def _description(page: Page, text: str, facts: list[describe.Fact]) -> str:
+    return " ".join([*([page.prose(text)] if text else []), *(page.say(f.sentence) for f in facts)])

@@ -1,0 +1,112 @@
+"""Python: a package on the standard library alone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from typing import Any
+
+from ... import formatting
+from ... import model as m
+from ...naming import Identifier
+from ...render import File
+from . import docs, members, names, steps, tables
+
+TITLE = "Python >= 3.10, package mip_protocol"
+FORMATTER = formatting.RUFF
+PACKAGE = "mip_protocol"
+
+
+def files(model: m.Model) -> Iterator[File]:
+    taste = model.taste("taste.py")
+    if taste:
+        yield File("taste.py", "verbatim.j2", {"text": taste})
+    shown = {"taste": taste.partition('"""\n\n')[2].rstrip(), "client": model.taste("client.py").rstrip()}
+    yield File("README.md", "README.md.j2", shown)
+    for name in ("_sets", "types", "protocol", "devices", "reflection"):
+        yield File(f"{PACKAGE}/{name}.py", f"{name}.py.j2")
+    for s in model.sets:
+        yield File(f"{PACKAGE}/{names.module(s.name)}.py", "set.py.j2", {"set": s})
+
+
+def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
+    return {
+        # identifiers
+        "module": names.module,
+        "class": names.class_name,
+        "constant": names.constant,
+        "member": names.member,
+        "property": names.prop,
+        "home": names.home,
+        "qualified": names.qualified,
+        "reference": names.reference,
+        "hides_builtin": names.hides_builtin,
+        # what objects hold
+        "members": members.members,
+        "hint": members.hint,
+        "assigned": members.assigned,
+        "decoded": members.decoded,
+        "parameters": members.parameters,
+        "arguments": members.arguments,
+        "required": members.required,
+        "groups": members.groups,
+        "answered": members.answered,
+        "expected": lambda f: members.expected(f, model),
+        "readings": members.readings,
+        # codecs
+        "plan": steps.plan,
+        # docstrings and comments
+        "set_doc": partial(docs.of_set, model=model),
+        "field_doc": partial(docs.of_field, model=model),
+        "type_doc": partial(docs.of_type, model=model),
+        "function_doc": docs.of_function,
+        "member_doc": partial(docs.of_member, model=model),
+        "value_doc": partial(docs.of_value, model=model),
+        "bits_doc": partial(docs.of_bits, model=model),
+        "unheld_doc": partial(docs.of_unheld, model=model),
+        # tables
+        "repr": repr,
+        "code": "`{}`".format,
+        "hex": "0x{:02X}".format,
+        "letters": m.letters,
+        "by_descriptor": tables.by_descriptor,
+        "properties": tables.properties,
+    }
+
+
+# --------------------------------------------------------------------------- identifiers
+
+
+def identifiers(model: m.Model) -> Iterator[Identifier]:
+    for s in model.sets:
+        yield Identifier(PACKAGE, names.module(s.name), f"set {s.name}", s.position)
+        yield from _classes(s.name, [*s.types, *s.fields])
+    yield from _classes("types", model.types)
+    for d in model.devices:
+        yield Identifier(f"{PACKAGE}.devices", names.constant(d.name), f"device {d.id}", d.position)
+
+
+def _classes(scope: str, things: Sequence[m.Type | m.Field]) -> Iterator[Identifier]:
+    for t in things:
+        place = getattr(t, "position", None)
+        yield Identifier(f"module {scope}", names.class_name(t), f"{scope}.{t.name}", place)
+        for name, words, position in _attributes(t):
+            yield Identifier(f"class {scope}.{t.name}", name, words, position or place)
+
+
+def _attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | None]]:
+    """What a class has, as Python and as the specification call it."""
+    if isinstance(t, m.Enum):
+        for v in t.values:
+            yield names.constant(v.name), v.name, v.position
+    elif isinstance(t, m.Bitfield):
+        for b in t.bits:
+            yield names.constant(b.name), b.name, b.position
+            if b.width > 1 and not b.alias:
+                yield names.prop(b.name), b.name, b.position
+                yield f"with_{b.name}", f"{b.name}, set to a number", b.position
+    elif isinstance(t, (m.Field, m.Struct)):
+        for p in members.members(t):
+            yield names.member(p.name), p.name, p.position
+        for f in t.functions if isinstance(t, m.Field) else ():
+            yield names.member(f.name), f"function {f.name}", None

@@ -1,0 +1,162 @@
+"""Docstrings: what `describe` says, with references as Python writes what they refer to."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable
+
+from ... import describe
+from ... import model as m
+from ...describe import Fact, Ref
+from .members import Record, annotation
+from .names import constant, home, member, module, reference
+
+WIDTH = 100  # of generated lines; pyproject.toml of the package says the same to ruff
+
+
+def say(text: Iterable[str | Ref], where: str) -> str:
+    """A text of `describe`, for the module `where`."""
+    return describe.say(text, lambda ref: named(ref, where))
+
+
+def named(ref: Ref, where: str) -> str:
+    """What Python calls something that a text names."""
+    match ref.thing:
+        case m.Field() if ref.words.startswith("("):  # in a text of the specification: (0x0C,0x28)
+            return f"`{reference(ref.thing, where)}` {ref.words}"
+        case m.Field() | m.Enum() | m.Bitfield() | m.Struct():
+            return f"`{reference(ref.thing, where)}`"
+        case m.EnumValue() | m.Bits():
+            assert isinstance(ref.within, (m.Enum, m.Bitfield))
+            holder, dot, _ = ref.words.rpartition(".")  # valid_flags.tow: the member that has the bit
+            name = f"`{reference(ref.within, where)}.{constant(ref.thing.name)}`"
+            return f"{name} of `{member(holder)}`" if dot else name
+        case m.Parameter() | m.Function():
+            return f"`{member(ref.thing.name)}`"
+        case _:
+            return ref.words
+
+
+# --------------------------------------------------------------------------- docstrings
+
+
+def of_set(s: m.Set, model: m.Model) -> str:
+    title = f"{s.title} (0x{s.number:02X})."
+    return literal([title, say(describe.prose(s.description, model), module(s.name)), sources(s)], 0)
+
+
+def of_field(f: m.Field, model: m.Model) -> str:
+    facts, where = describe.field(f, model), home(f)
+    notes = describe.topics(facts, "note")
+    return literal(
+        [
+            f"{f.title} (0x{f.set:02X},0x{f.descriptor:02X}).",
+            say(describe.prose(f.description, model), where),
+            sentences([fact for fact in facts if fact not in notes], where),
+            sentences(notes, where),
+            sources(f),
+        ],
+        4,
+    )
+
+
+def of_type(t: m.Type, model: m.Model) -> str:
+    description = _text(t.description, describe.type(t, model), home(t), model)
+    if isinstance(t, m.Vector):
+        return literal([f"{description} Elements: {', '.join(t.elements)}."], 0)
+    return literal([description, sources(t)], 4)
+
+
+def of_function(f: m.Function) -> str:
+    return literal([f.description], 8)
+
+
+def of_value(v: m.EnumValue, t: m.Enum, model: m.Model) -> str:
+    return literal([_text(v.description, describe.value(v, model), home(t), model)], 4)
+
+
+def of_bits(b: m.Bits, t: m.Bitfield, model: m.Model) -> str:
+    return literal([_text(b.description, describe.bits(b, model), home(t), model)], 4)
+
+
+def of_member(p: m.Parameter, record: Record, model: m.Model) -> str:
+    facts, where = describe.parameter(p, record, model), home(record)
+    variants = describe.topics(facts, "variant")
+    choices = [say(fact.sentence, where) for fact in variants]
+    choices += [_case(c, p, record, model) for c in p.cases]
+    text = _text(p.description, [fact for fact in facts if fact not in variants], where, model)
+    return literal([text, items(choices)], 4)
+
+
+def _case(c: m.Case, union: m.Parameter, record: Record, model: m.Model) -> str:
+    """What a union holds beside one value of its tag."""
+    where, p = home(record), c.parameter
+    condition = say(describe.case(c, union, record).value, where)
+    if p is None:
+        return f"If {condition}: `None`."
+    text = _text(p.description, describe.parameter(p, record, model), where, model)
+    return f"If {condition}: `{annotation(p, record)}`. {text}".strip()
+
+
+def of_unheld(p: m.Parameter, record: Record, model: m.Model) -> str:
+    """A comment on a parameter that objects do not hold, as it follows from the rest."""
+    text = _text(p.description, describe.parameter(p, record, model), home(record), model)
+    return comment(f"On the wire: {p.name}. {text}", 4)
+
+
+def _text(description: str, facts: Iterable[Fact], where: str, model: m.Model) -> str:
+    return f"{say(describe.prose(description, model), where)} {sentences(facts, where)}".strip()
+
+
+def sentences(facts: Iterable[Fact], where: str) -> str:
+    return " ".join(say(fact.sentence, where) for fact in facts)
+
+
+def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct) -> str:
+    return items(describe.sources(thing))
+
+
+def items(texts: Iterable[str]) -> str:
+    """A list, as one paragraph."""
+    return "\n".join(f"- {text}" for text in texts)
+
+
+# --------------------------------------------------------------------------- layout
+
+
+def literal(paragraphs: Iterable[str], indent: int) -> str:
+    """A docstring of these paragraphs for a place that is indented so; nothing if they say nothing.
+
+    >>> literal(["Short."], 4)
+    '\"""Short.\"""'
+    >>> print(literal(["Short.", "- one\\n- two"], 4))
+    \"""Short.
+    <BLANKLINE>
+        - one
+        - two
+        \"""
+    """
+    text = "\n\n".join(filter(None, paragraphs)).replace("\\", "\\\\").replace('"""', r"\"\"\"")
+    if not text:
+        return ""
+    lines = [line for long in f'"""{text}'.split("\n") for line in _wrapped(long, WIDTH - indent)]
+    if len(lines) == 1 and indent + len(lines[0]) + 3 <= WIDTH:
+        return lines[0] + (' """' if text.endswith('"') else '"""')
+    return _indented([*lines, '"""'], indent)
+
+
+def comment(text: str, indent: int) -> str:
+    """A comment for a place that is indented so."""
+    return _indented([f"# {line}" for line in _wrapped(text, WIDTH - indent - 2)], indent)
+
+
+def _wrapped(text: str, width: int) -> list[str]:
+    """The lines of a paragraph or of an item of a list, which hangs below its dash."""
+    hang = "  " if text.lstrip('"').startswith("- ") else ""
+    lines = textwrap.wrap(text, width, subsequent_indent=hang, break_long_words=False, break_on_hyphens=False)
+    return lines or [""]
+
+
+def _indented(lines: Iterable[str], indent: int) -> str:
+    """Lines for a place that is indented so: the first one stands there already."""
+    return "\n".join(" " * indent + line if line else "" for line in lines).lstrip()

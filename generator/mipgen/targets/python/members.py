@@ -1,0 +1,168 @@
+"""What objects hold: the members of a record, their types, defaults, and what constructors take."""
+
+from __future__ import annotations
+
+from ... import model as m
+from .names import SCALARS, constant, home, member, reference
+
+Record = m.Field | m.Struct
+
+
+def members(record: Record) -> list[m.Parameter]:
+    """The parameters that an object holds: the others follow from these."""
+    return [p for p in record.parameters if not p.derived]
+
+
+def annotation(p: m.Parameter, record: Record) -> str:
+    """The type of a parameter's value, where it is there."""
+    one = _one(p, record)
+    if p.length is None or one == "str":
+        return one
+    few = few_elements(p)
+    return f"tuple[{', '.join([one] * few)}]" if few else f"tuple[{one}, ...]"
+
+
+def few_elements(p: m.Parameter) -> int:
+    """The length of an array whose type names each element; 0 if it does not."""
+    if isinstance(p.length, int) and p.length <= 4 and isinstance(p.element, (m.Scalar, m.Vector)):
+        return p.length
+    return 0
+
+
+def _one(p: m.Parameter, record: Record) -> str:
+    match p.element:
+        case m.Scalar() as scalar:
+            return "str" if scalar.kind == "char" and p.length is not None else SCALARS[scalar.name][1]
+        case None:
+            kinds = [annotation(c.parameter, record) for c in p.cases if c.parameter is not None]
+            return " | ".join([*dict.fromkeys(kinds), "None"])
+        case t:
+            return reference(t, home(record))
+
+
+def hint(p: m.Parameter, record: Record) -> str:
+    """The type of a member."""
+    one = annotation(p, record)
+    return f"{one} | None" if may_be_absent(p, record) and p.element is not None else one
+
+
+def may_be_absent(p: m.Parameter, record: Record) -> bool:
+    """Can the member be None because it was not sent? An unknown function requires nothing."""
+    if not isinstance(record, m.Field):
+        return False
+    return not p.selector if record.selector else p.optional
+
+
+def default(p: m.Parameter, record: Record) -> str | None:
+    """The value of a member that the caller does not give."""
+    if may_be_absent(p, record) or p.element is None:
+        return "None"
+    return None if p.reserved is None else _reserved(p)
+
+
+def _reserved(p: m.Parameter) -> str:
+    if p.length is None:
+        return str(p.reserved)
+    few = few_elements(p)
+    return repr((p.reserved,) * few) if few else f"({p.reserved},) * {p.length}"
+
+
+def keyword_only(p: m.Parameter, record: Record) -> bool:
+    """A default before members without one: given by name only."""
+    held = members(record)
+    return default(p, record) is not None and any(default(q, record) is None for q in held[held.index(p) + 1 :])
+
+
+def assigned(p: m.Parameter, record: Record) -> str:
+    """What stands behind the type of a member: its default, if it has one."""
+    value = default(p, record)
+    if value is None:
+        return ""
+    return f" = field(default={value}, kw_only=True)" if keyword_only(p, record) else f" = {value}"
+
+
+def decoded(record: Record) -> list[str]:
+    """What a decoder hands to the constructor: by place, then by name."""
+    names = [(member(p.name), keyword_only(p, record)) for p in members(record)]
+    return [n for n, by_name in names if not by_name] + [f"{n}={n}" for n, by_name in names if by_name]
+
+
+# --------------------------------------------------------------------------- constructors
+
+
+def parameters(call: m.Call, record: m.Field) -> list[str]:
+    """The parameters of the constructor for a function: what is asked for, then what may follow."""
+    asked = [f"{member(p.name)}: {annotation(p, record)}" for p in call.asked if not p.derived]
+    return asked + [f"{member(p.name)}: {hint(p, record)} = None" for p in _free(call.optional)]
+
+
+def arguments(call: m.Call) -> list[str]:
+    """What that constructor hands on, behind the function."""
+    found = []
+    for p in call.required:
+        if not p.derived:
+            found.append(f"{member(p.name)}={member(p.name) if p.reserved is None else _reserved(p)}")
+    for i, p in enumerate(call.optional):
+        later = _free(call.optional[i:])
+        if p.reserved is None and not p.derived:
+            found.append(f"{member(p.name)}={member(p.name)}")
+        elif p.reserved is not None and later:  # it is sent with what comes behind it
+            found.append(f"{member(p.name)}={_reserved(p)} if {member(later[0].name)} is not None else None")
+    return found
+
+
+def _free(found: tuple[m.Parameter, ...]) -> list[m.Parameter]:
+    return [p for p in found if p.reserved is None and not p.derived]
+
+
+# --------------------------------------------------------------------------- presence and acknowledges
+
+
+def required(f: m.Field) -> dict[int, int]:
+    """Function -> how many parameters it requires."""
+    return {c.function.value: len(c.required) for c in f.calls if c.function}
+
+
+def groups(f: m.Field) -> tuple[tuple[int, tuple[str, ...], bool], ...]:
+    """As `codec.present` takes them: number of the last parameter, members, is it a union?"""
+    held = {p.name for p in members(f)}
+    return tuple(
+        (
+            op.last,
+            tuple(member(part.member) for part in op.body if not isinstance(part, m.GroupOp) and part.member in held),
+            any(isinstance(part, m.SwitchOp) for part in op.body),
+        )
+        for op in f.operations
+        if isinstance(op, m.GroupOp)
+    )
+
+
+def answered(f: m.Field) -> str:
+    """When the device sends an acknowledge, as a condition on the members; empty if it always sends one."""
+    tests = [f"self.function != FunctionSelector.{constant(x.name)}" for x in f.functions if not x.reply]
+    if f.silent_when:
+        tests.append(f"({' or '.join(f'self.{member(c.parameter)} != {c.value}' for c in f.silent_when)})")
+    return " and ".join(tests)
+
+
+def expected(f: m.Field, model: m.Model) -> list[tuple[str, str]]:
+    """The responses of a command, each with the condition under which it is sent; none if there are no conditions."""
+    found = []
+    for reply in model.replies(f):
+        functions = [f"self.function == FunctionSelector.{constant(x.name)}" for x in reply.functions]
+        tests = [" or ".join(functions)] if functions else []
+        tests += [f"self.{member(c.parameter)} == {c.value}" for c in reply.when]
+        condition = " and ".join(f"({t})" if " or " in t and len(tests) > 1 else t for t in tests)
+        found.append((condition or "True", reference(reply.response, home(f))))
+    return found if any(condition != "True" for condition, _ in found) else []
+
+
+def readings(f: m.Field) -> dict[str, tuple[str, dict[str, str]]]:
+    """Member -> what decides how it is read, and the type for each of its values, as Python writes them."""
+    found = {}
+    for p in members(f):
+        if p.readings:
+            by = p.readings[0].by if p.readings[0].by_device else member(p.readings[0].by)
+            types = {repr(v.key if v.by_device else v.value): reference(v.type, home(f)) for v in p.readings if v.type}
+            found[member(p.name)] = (by, types)
+    return found

@@ -1,0 +1,103 @@
+"""What differs: by device, or with one value of a sibling.
+
+A variant says the same things as a parameter (unit, frame, range, default, description), and it may
+name the type that gives a plain number its meaning. Those by sibling are given in the set file,
+those by device in the device's file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+
+from . import meaning
+from . import model as m
+from .meaning import Problem
+from .nodes import Node
+from .operations import size
+from .problems import nearest
+from .vocabulary import Vocabulary
+
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """What a variant may refer to where it is given."""
+
+    words: Vocabulary
+    find: Callable[[str, m.Position | None], m.Type | None]  # a type by its name
+    problem: Problem
+
+
+def differs_by_device(node: Node, p: m.Parameter, problem: Problem) -> bool:
+    """`varies: {by: device}`: every device that supports the field says in its own file what the values are."""
+    spec = node.get("varies")
+    if spec is None or spec["by"].value != m.DEVICE:
+        return False
+    if "cases" in spec:
+        problem(spec.keys["cases"], f"what '{p.name}' is on a device is said in the file of the device; remove cases")
+    return True
+
+
+def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope: Scope) -> tuple[m.Variant, ...]:
+    """`varies: {by: mode, cases: ...}`: what differs by an enumeration of the same record."""
+    spec = node.get("varies")
+    if spec is None or spec["by"].value == m.DEVICE:
+        return ()
+    by, siblings = spec["by"], {q.name: q for q in beside if q.name != p.name}
+    sibling = siblings.get(by.value)
+    if sibling is None or not isinstance(sibling.element, m.Enum):
+        near = nearest(by.value, [m.DEVICE, *(name for name, q in siblings.items() if isinstance(q.element, m.Enum))])
+        scope.problem(by.position, f"'{by.value}' is neither '{m.DEVICE}' nor an enumeration beside '{p.name}'{near}")
+        return ()
+    if "cases" not in spec:
+        scope.problem(spec.position, f"'{p.name}' varies by '{by.value}', but no case says how; add cases")
+        return ()
+    found = []
+    for key, case in spec["cases"].items():
+        value = sibling.element.by_name(key)
+        if value is None:
+            near = nearest(key, [v.name for v in sibling.element.values])
+            scope.problem(spec["cases"].keys[key], f"'{sibling.element.name}' has no value '{key}'{near}")
+        found.append(variant(case, p, by.value, key, value.value if value else None, scope))
+    return tuple(found)
+
+
+def variant(node: Node, p: m.Parameter, by: str, key: str, value: int | None, scope: Scope) -> m.Variant:
+    """One case."""
+    words, problem = scope.words, scope.problem
+    low, high = meaning.limits(node, p, problem)
+    return m.Variant(
+        by=by,
+        key=key,
+        value=value,
+        type=_reading(node, p, scope),
+        units=meaning.units(node, p, words.units, problem),
+        frame=meaning.frame(node, words.frames, problem),
+        minimum=low,
+        maximum=high,
+        default=meaning.default(node, replace(p, minimum=low, maximum=high), problem),
+        description=node.scalar("description", ""),
+    )
+
+
+def _reading(node: Node, p: m.Parameter, scope: Scope) -> m.Enum | m.Bitfield | None:
+    """The type that names the values or bits of a number."""
+    entry = node.get("type")
+    if entry is None:
+        return None
+    found = scope.find(entry.value, entry.position)
+    if found is None:
+        return None
+    if not isinstance(found, (m.Enum, m.Bitfield)):
+        scope.problem(entry.position, f"'{found.name}' is neither an enumeration nor a bitfield")
+        return None
+    if isinstance(p.element, (m.Struct, m.Vector)) or (
+        isinstance(p.element, m.Scalar) and p.element.kind != "unsigned"
+    ):
+        scope.problem(entry.position, f"'{p.name}' is not an unsigned number, so '{found.name}' cannot name its values")
+        return None
+    own, width = size(p.operation)[1], found.scalar.size if isinstance(found, m.Enum) else found.size
+    if own != width:
+        scope.problem(entry.position, f"'{found.name}' has {8 * width} bits, but '{p.name}' has {8 * own}")
+        return None
+    return found

@@ -1,0 +1,43 @@
+"""What names of a specification may refer to, and what cites a manual."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+from . import meaning
+from . import model as m
+from .nodes import Node
+from .problems import Problems
+
+
+@dataclass
+class Vocabulary:
+    """Units, frames, manuals, devices and function selectors."""
+
+    units: Collection[str]
+    frames: set[str]
+    manuals: dict[str, m.Manual]
+    devices: set[str]
+    functions: tuple[m.Function, ...]
+    selector: m.Enum
+
+    def letters(self, text: str) -> tuple[m.Function, ...]:
+        """The functions with these letters, by value."""
+        return tuple(f for f in self.functions if f.letter in text)
+
+
+def sentences(node: Node, key: str) -> tuple[str, ...]:
+    """A list of sentences: `notes`, or what is `uncertain`."""
+    return tuple(node[key].plain()) if key in node else ()
+
+
+def sources(node: Node, vocabulary: Vocabulary, problems: Problems) -> tuple[m.Source, ...]:
+    """The `sources` of a node."""
+    found = []
+    for entry in node.get("sources") or ():
+        manual, section = meaning.citation(entry, vocabulary.manuals, problems.add)
+        length = entry.get("length")
+        printed, place = (str(length.value), length.position) if length else (None, entry.position)
+        found.append(m.Source(manual, section, printed, place))
+    return tuple(found)

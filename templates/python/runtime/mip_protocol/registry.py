@@ -1,0 +1,71 @@
+"""Finds the type of any field. Sets are imported when they are first asked for."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib import import_module
+
+from ._sets import MODULES
+from .errors import PacketError
+from .field import Field, chosen
+from .packet import Packet, RawField
+from .protocol import Acknowledge
+
+SHARED_SET = 0xFF
+
+__all__ = ["MODULES", "SHARED_SET", "all_types", "decode", "decode_packet", "types"]
+
+
+@cache
+def types(set: int, descriptor: int) -> tuple[type[Field], ...]:
+    """The types that a descriptor has inside a packet of that set; empty if it is unknown.
+
+    Several mean that constants in the data tell them apart.
+    """
+    if set < 0x80 and descriptor == Acknowledge.DESCRIPTOR:
+        return (Acknowledge,)
+    found = _fields(set).get(descriptor, ())
+    if not found and set >= 0x80:
+        found = _fields(SHARED_SET).get(descriptor, ())
+    return found
+
+
+@cache
+def _fields(set: int) -> dict[int, tuple[type[Field], ...]]:
+    name = MODULES.get(set)
+    if name is None:
+        return {}
+    fields: dict[int, tuple[type[Field], ...]] = import_module(f".{name}", __package__).FIELDS
+    return fields
+
+
+def all_types() -> list[tuple[int, type[Field]]]:
+    """Every (set, type) of the specification, in order."""
+    found: list[tuple[int, type[Field]]] = [(0, Acknowledge)]
+    for number in MODULES:
+        for group in _fields(number).values():
+            found += [(number, t) for t in group]
+    return found
+
+
+def decode(raw: RawField) -> Field | None:
+    """A field with its values; None if its descriptor is unknown. Raises DecodeError."""
+    kind = chosen(types(raw.set, raw.descriptor), raw)
+    return None if kind is None else kind.decode(raw.data)
+
+
+def decode_packet(packet: Packet) -> list[Field | RawField]:
+    """All fields of a packet; those that are unknown or cannot be decoded stay raw.
+
+    Stops at a malformed field, as nothing behind it can be found.
+    """
+    found: list[Field | RawField] = []
+    try:
+        for raw in packet:
+            try:
+                found.append(decode(raw) or raw)
+            except ValueError:
+                found.append(raw)
+    except PacketError:
+        pass
+    return found

@@ -1,0 +1,201 @@
+"""The comments of the headers tell, of each thing, all that the specification knows of it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from functools import cache
+
+import pytest
+from mipgen import describe
+from mipgen import model as m
+from mipgen.targets.c import members, names
+from mipgen.targets.c.comments import Comments, comment, reference
+from support import ROOT, SPECS, model
+
+both = pytest.mark.parametrize("spec", sorted(SPECS))
+
+TOKEN = re.compile(
+    r"/\*\*(?P<doc>.*?)\*/|/\*.*?\*/"
+    r"|^\#define\s+(?P<macro>\w+)[^\n\\]*(?:\\\n[^\n]*)?|^\#[^\n]*"
+    r"|(?:struct|union)\s*(?P<opened>\w*)\s*\{|(?P<closed>\})|(?P<statement>[^;{}/#]+);",
+    re.S | re.M,
+)
+
+
+def plain(text: str) -> str:
+    """The text of a comment, without markers and line breaks."""
+    return " ".join(re.sub(r"^\s*\* ?", "", text, flags=re.M).split())
+
+
+def documented(text: str) -> dict[str, str]:
+    """Each comment of a header by what it stands before: `mip_x`, `mip_x.member`, `MIP_X`."""
+    text = re.sub(r'extern "C" \{|^#ifdef __cplusplus\n\}', "", text, flags=re.M)
+    text = re.sub(r"^(static inline [^{]*)\{.*?^\}", r"\1;", text, flags=re.M | re.S)
+    found: dict[str, str] = {}
+    scopes: list[str] = []
+    doc = ""
+    for token in TOKEN.finditer(text):
+        if token["doc"] is not None:
+            doc = plain(token["doc"])
+            continue
+        if token["macro"]:
+            found.setdefault(token["macro"], doc)
+        elif token["opened"] is not None:
+            scopes.append(token["opened"] or scopes[-1])  # one without a name: its members are those of the outer one
+            found.setdefault(token["opened"], doc)
+        elif token["closed"]:
+            scopes.pop()
+        elif token["statement"] and (name := declared(token["statement"])):
+            found.setdefault(f"{scopes[-1]}.{name}" if scopes else name, doc)
+        doc = ""
+    assert not scopes
+    return found
+
+
+def declared(statement: str) -> str:
+    """The name that a declaration gives: the one before its parameters or brackets."""
+    words = re.split(r"[(\[]", statement)[0].split()
+    return words[-1].lstrip("*") if words else ""
+
+
+@cache
+def comments(spec: str) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for path in sorted((SPECS[spec][1] / "c/include/mip").glob("*.h")):
+        if not (ROOT / "templates/c/runtime/include/mip" / path.name).exists():
+            found |= documented(path.read_text("utf-8"))
+    return found
+
+
+def said(facts: Iterable[describe.Fact]) -> list[str]:
+    return [plain(describe.say(f.sentence, reference)) for f in facts]
+
+
+def prose(text: str, of: m.Model) -> str:
+    """A text of the specification, with names of C for the fields that it names."""
+    return describe.say(describe.prose(text, of), reference)
+
+
+# --------------------------------------------------------------------------- what must be told of each thing
+
+
+def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
+    """Where a comment is, and what it must hold."""
+    for f in (of.protocol.acknowledge, *of.fields):
+        name = names.field_name(f)
+        yield name, [f.title, prose(f.description, of), *said(describe.field(f, of)), *describe.sources(f)]
+        place = f"(0x{f.set:02X},0x{f.descriptor:02X})" if f.set else f"0x{f.descriptor:02X}"
+        yield name, [f"{f.role} {place}."]
+        if not f.definition:
+            yield from of_record(f, of)
+    for t in (of.protocol.function_selector, *of.all_types):
+        if not isinstance(t, m.Vector):
+            yield names.type_name(t), [prose(t.description, of), *said(describe.type(t, of)), *describe.sources(t)]
+        if isinstance(t, m.Struct):
+            yield from of_record(t, of)
+        elif isinstance(t, m.Enum):
+            yield from (
+                (names.constant(t, v), [prose(v.description, of), *said(describe.value(v, of))]) for v in t.values
+            )
+        elif isinstance(t, m.Bitfield):
+            for b in t.bits:
+                told = [prose(b.description, of), *said(describe.bits(b, of))]
+                if t.scalar:
+                    yield names.constant(t, b), told
+                if members.has_accessor(b, t):
+                    yield f"{names.type_name(t)}_get_{b.name}", told
+    for d in of.devices:
+        yield f"mip_device_{d.name}", [d.title, d.description]
+
+
+def of_record(record: m.Field | m.Struct, of: m.Model) -> Iterator[tuple[str, list[str]]]:
+    name = names.record_name(record)
+    for p in record.parameters:
+        told = [prose(p.description, of), *said(describe.parameter(p, record, of))]
+        told += said(describe.case(c, p, record) for c in p.cases if c.parameter is None)
+        if p not in members.members(record):
+            yield name, [f"- {p.name}:", *told]
+            continue
+        yield f"{name}.{names.member(p.name)}", told
+        for c in p.cases:
+            if c.parameter is not None:
+                told = [prose(c.parameter.description or c.tag.description, of)]
+                told += said([describe.case(c, p, record), *describe.parameter(c.parameter, record, of)])
+                yield f"{names.union_name(p, record)}.{names.member(c.parameter.name)}", told
+
+
+@both
+def test_every_fact_is_told(spec: str) -> None:
+    of, found = model(spec), comments(spec)
+    things = list(wanted(of))
+    assert len(things) > 3 * len(of.fields)
+    missing = [
+        f"{name}: {text}"
+        for name, texts in things
+        for text in map(plain, texts)
+        if name not in found or text not in found[name]
+    ]
+    assert not missing, "\n".join(missing[:20])
+
+
+def test_what_is_compared_holds_all_topics() -> None:
+    """So that the test above does not pass because nothing is there to be told."""
+    of = model("invented")
+    facts = [x for f in of.fields for x in describe.field(f, of)]
+    facts += [x for f in of.fields for p in f.parameters for x in describe.parameter(p, f, of)]
+    facts += [describe.case(c, p, f) for f in of.fields for p in f.parameters for c in p.cases]
+    facts += [x for t in of.all_types if isinstance(t, m.Bitfield) for b in t.bits for x in describe.bits(b, of)]
+    assert {x.topic for x in facts} >= {
+        "advanced", "alias", "case", "commands", "constant", "counts", "default", "definition", "deprecated", "devices",
+        "elements", "frame", "functions", "max_rate", "note", "optional", "place", "range", "required", "reserved",
+        "responses", "silent", "tag", "timeout", "unit", "valid", "values", "variant", "when",
+    }  # fmt: skip
+
+
+# --------------------------------------------------------------------------- how it is told
+
+
+def test_words_of_c() -> None:
+    """References are names of C, but descriptors stay as they are."""
+    found = comments("invented")
+    assert found["mip_tools_settings.mode"] == "What to do. Default: MIP_MODE_FAST. Required for write, read and apply."
+    assert found["mip_tools_settings.limit"] == (
+        "Required by no function, not even by write. Optional. If mode is MIP_MODE_FAST: unit s; range 1 to 10; "
+        "default 5. If mode is MIP_MODE_SLOW: unit m."
+    )
+    assert "x by MIP_STATE_FLAGS_READY in valid_flags, y by" in found["mip_measurements_accel.scaled_accel"]
+    assert found["mip_tools_status"].endswith(
+        "On the wire only, without a member: - model: The model that the layouts belong to. Always 4711. "
+        "- guide: Status"
+    )
+    assert found["MIP_STATE_FLAGS_MODE"] == "Bits 8 to 9. An enumeration inside the bitfield. A value of mip_mode."
+    assert found["mip_tools_choice_parameters.label"] == "If shape is MIP_TOOLS_SHAPE_LABEL. A name."
+    assert "Use measurements.numbers instead" not in found["mip_measurements_health"]
+    assert "Deprecated: use mip_measurements_numbers instead." in found["mip_measurements_health"]
+    ping = model("real").field("base.ping")
+    assert reference(describe.Ref(ping, "(0x01,0x01)")) == "(0x01,0x01)"
+    assert reference(describe.Ref(ping, "base.ping")) == "mip_base_ping"
+
+
+def test_a_repeated_field_says_what_differs() -> None:
+    of = model("invented")
+    f = of.field("more.accel")
+    assert f is not None
+    variant = m.Variant(m.DEVICE, "model-a", units=("m/s",))
+    first, *others = f.parameters
+    varied = replace(f, parameters=(replace(first, variants=(variant,)), *others))
+    assert "- scaled_accel: On the Model A: unit m/s." in Comments(of).field(varied)
+    assert not any("scaled_accel" in line for line in Comments(of).field(f))
+
+
+def test_comments_are_wrapped() -> None:
+    long = " ".join(["word"] * 60)
+    for indent in (0, 4):
+        text = comment([long, f"- {long}\n- short", "ends */ here"], indent)
+        assert max(map(len, text.splitlines())) <= 100 - indent
+        assert " *\n * - word" in text and "\n *   word" in text and "\n * - short\n" in text
+        assert text.count("*/") == 1 and text.endswith(" */\n")
+    assert comment([]) == "" and comment(["One."]) == "/** One. */\n"
+    assert comment(["x" * 93]).count("\n") == 1 and comment(["x" * 94]).count("\n") == 3

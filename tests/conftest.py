@@ -1,0 +1,59 @@
+"""For all tests: where the generator keeps things, and the last line, which says what was run and what was left out."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import pytest
+from support import BUILD
+
+# What the generator keeps between runs is kept here: tests neither see nor change the cache of the user.
+os.environ["MIPGEN_CACHE"] = str(BUILD / "cache")
+
+#: What tests that were left out would have needed, as `support.heavy` names it.
+left_out: set[str] = set()
+
+
+def needs(items: Iterable[pytest.Item]) -> Iterator[str]:
+    for item in items:
+        mark = item.get_closest_marker("heavy")
+        if mark is not None:
+            yield mark.args[0]
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """What waits for cargo anyway, as it uses one target folder, waits in one process and not in all."""
+    for item in items:
+        if item.path.parent.name == "rust":
+            item.add_marker(pytest.mark.xdist_group("cargo"))
+
+
+def pytest_deselected(items: list[pytest.Item]) -> None:
+    left_out.update(needs(items))
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    if hasattr(session.config, "workeroutput"):  # in a worker of xdist, which alone knows what was left out
+        session.config.workeroutput["left_out"] = sorted(left_out)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node: Any) -> None:
+    left_out.update(getattr(node, "workeroutput", {}).get("left_out", ()))
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """The last line: how many tests of what were run, and what was not."""
+    reporter: Any = config.pluginmanager.get_plugin("terminalreporter")
+    if reporter is None or hasattr(config, "workeroutput"):
+        return
+    run: Counter[str] = Counter()
+    for outcome in ("passed", "failed", "error", "skipped"):
+        run.update(report.nodeid.split("/")[1] for report in reporter.stats.get(outcome, ()))
+    counts = ", ".join(f"{name} {count}" for name, count in sorted(run.items()))
+    rest = f"left out, for `make test-all`: {', '.join(sorted(left_out))}" if left_out else "nothing was left out"
+    reporter.write_line(f"tests run: {counts or 'none'}; {rest}")

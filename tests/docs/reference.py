@@ -1,0 +1,164 @@
+"""The reference manual as its readers see it: Markdown taken apart, and what should be there."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import html
+import re
+from collections.abc import Iterator
+
+from mipgen import describe, render
+from mipgen import model as m
+from support import model
+
+ANCHOR = re.compile(r'<a id="([^"]*)"></a>')
+LINK = re.compile(r"(?<!\\)\[((?:\\.|`[^`]*`|[^\[\]\\`])*)\]\(([^()\s]*)\)")
+
+
+# --------------------------------------------------------------------------- reading Markdown
+
+
+def words(cell: str) -> str:
+    """What a reader sees of some Markdown."""
+    cell = LINK.sub(r"\1", ANCHOR.sub("", cell)).replace("**", "")
+    parts = re.split(r"`([^`]*)`|<code>(.*?)</code>", cell)
+    seen = ""
+    for i in range(0, len(parts), 3):
+        seen += html.unescape(re.sub(r"\\([!-/:-@\[-`{-~])", r"\1", parts[i]))
+        if i + 2 < len(parts):
+            seen += parts[i + 1] if parts[i + 1] is not None else html.unescape(parts[i + 2])
+    return seen
+
+
+def cells(line: str) -> list[str]:
+    return [c.strip() for c in re.split(r"(?<!\\)\|", line)[1:-1]]
+
+
+def tables(text: str) -> Iterator[list[dict[str, str]]]:
+    """Every table, as rows by their headings."""
+    for block in re.findall(r"(?:^\|.*\n?)+", text, re.M):
+        head, _, *rows = block.strip().split("\n")
+        yield [dict(zip(cells(head), cells(row), strict=True)) for row in rows]
+
+
+def table_with(text: str, *headings: str) -> list[dict[str, str]]:
+    return next((t for t in tables(text) if t and set(headings) <= t[0].keys()), [])
+
+
+def rows_of(text: str) -> list[list[str]]:
+    return [[words(c) for c in cells(line)] for line in text.split("\n") if line.startswith("|")]
+
+
+def bullets(text: str) -> list[str]:
+    return [words(line[2:]) for line in text.split("\n") if line.startswith("- ")]
+
+
+def without_code(text: str) -> str:
+    return re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S)
+
+
+# --------------------------------------------------------------------------- what should be there
+
+
+def number(f: m.Field) -> str:
+    return f"(0x{f.set:02X},0x{f.descriptor:02X})" if f.set else f"(0x{f.descriptor:02X})"
+
+
+def seen(text: describe.Text, prefix: str = "") -> str:
+    """What a reader should see of a text of `describe`; `prefix` is the path of the record of what it names."""
+
+    def ref(r: describe.Ref) -> str:
+        match r.thing:
+            case m.Field() if r.words == r.thing.full_name:
+                return f"{r.thing.title} {number(r.thing)}"
+            case m.EnumValue():
+                return f"{r.words} ({r.thing.value})"
+            case m.Parameter() | m.Bits():
+                return prefix + r.words
+        return r.words
+
+    return " ".join(re.sub(r"`([^`|]+)`", r"\1", describe.say(text, ref)).split())
+
+
+def prose(text: str, of: m.Model) -> str:
+    """What a reader should see of a text of the specification: backticks make code, fields have their titles."""
+    return seen(describe.prose(text, of))
+
+
+@dataclasses.dataclass(frozen=True)
+class Place:
+    """A parameter in a table: its path, and the record that it belongs to."""
+
+    path: str
+    prefix: str  # of its record
+    parameter: m.Parameter | None  # None: an empty alternative
+    record: describe.Record
+    case: tuple[m.Case, m.Parameter] | None = None
+
+
+def places(record: describe.Record, prefix: str = "", depth: int = 0) -> Iterator[Place]:
+    """All parameters of a record with those of the structures and unions in it."""
+    for p in record.parameters:
+        yield Place(prefix + p.name, prefix, p, record)
+        yield from _inside(p, prefix + p.name, depth)
+        for c in p.cases:
+            path = f"{prefix}{p.name}.{c.parameter.name}" if c.parameter else prefix + p.name
+            yield Place(path, prefix, c.parameter, record, (c, p))
+            if c.parameter:
+                yield from _inside(c.parameter, path, depth)
+
+
+def _inside(p: m.Parameter, path: str, depth: int) -> Iterator[Place]:
+    if isinstance(p.element, m.Struct):
+        index = "" if p.length is None else f"[{'ijklmn'[depth]}]"
+        yield from places(p.element, f"{path}{index}.", depth + bool(index))
+
+
+# --------------------------------------------------------------------------- the manual
+
+
+@dataclasses.dataclass
+class Manual:
+    model: m.Model
+    files: dict[str, bytes]
+
+    @functools.cached_property
+    def pages(self) -> dict[str, str]:
+        return {path: data.decode("utf-8") for path, data in self.files.items() if path.endswith(".md")}
+
+    @functools.cached_property
+    def sections(self) -> dict[tuple[str, str], str]:
+        """(page, anchor) -> what follows, up to the next anchor on a line of its own."""
+        found = {}
+        for path, text in self.pages.items():
+            parts = re.split(r'^<a id="([^"]*)"></a>$', text, flags=re.M)
+            found.update({(path, parts[i]): parts[i + 1] for i in range(1, len(parts), 2)})
+        return found
+
+    def page(self, path: str) -> str:
+        return self.pages[f"docs/{path}"]
+
+    def section(self, path: str, anchor: str) -> str:
+        return self.sections[f"docs/{path}", anchor]
+
+    def field(self, f: m.Field) -> str:
+        page = "packets.md" if f.set_name == "protocol" else f"sets/{f.set_name}.md"
+        return self.section(page, f.full_name)
+
+    def type(self, t: m.Type) -> str:
+        owner = getattr(t, "owner", None)
+        return self.section(f"types/{owner}.md" if owner else "types.md", f"{owner or 'types'}.{t.name}")
+
+    @property
+    def fields(self) -> list[m.Field]:
+        return [*self.model.fields, self.model.protocol.acknowledge]
+
+
+def made(of: m.Model) -> Manual:
+    return Manual(of, render.render("markdown", of))
+
+
+@functools.cache
+def manual_of(spec: str) -> Manual:
+    return made(model(spec))

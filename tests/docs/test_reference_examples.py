@@ -1,0 +1,127 @@
+"""Every example is decoded byte by byte, on the page of examples and with the fields that it shows."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import struct
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import yaml
+from mipgen import model as m
+from mipgen.resolve import load_model
+from reference import Manual, made, manual_of, prose, table_with, tables, words
+from support import SPECS
+
+
+def shown(e: m.Example) -> bytes:
+    return e.packet[4:-2] if e.role == "field" else e.packet
+
+
+ROLES = {"command": "command", "reply": "reply", "data": "data", "field": "one field, without a packet"}
+
+
+def test_every_example_has_its_section(manual: Manual) -> None:
+    for e in manual.model.examples:
+        section = manual.section("examples.md", f"example.{e.id}")
+        seen = words(section)
+        (block,) = re.findall(r"^```text\n(.*)\n```$", section, re.M)
+        rows = table_with(section, "Bytes", "What")
+        assert bytes.fromhex(block) == shown(e)
+        assert bytes.fromhex(" ".join(words(row["Bytes"]) for row in rows)) == shown(e), e.id
+        device = f", {e.device.title}" if e.device else ""
+        assert f"\n### {e.id}\n\n{e.title} ({ROLES[e.role]}{device}), in “{e.section}”." in seen
+        assert prose(e.note, manual.model) in seen
+        assert (
+            (e.string is not None) == ("Printed as a string" in seen) == (f"Printed as a string: {e.string}\n" in seen)
+        )
+        table = " ".join("??" if b is None else f"{b:02X}" for b in e.table or ())
+        assert (e.table is not None) == (f"Printed as a table: {table}\n" in seen)
+        check_values(manual.model, e, rows)
+
+
+def test_examples_are_with_their_fields(manual: Manual) -> None:
+    of = manual.model
+    for e in of.examples:
+        for x in e.fields:
+            about = [x.field] if x.field else []
+            if x.field == of.protocol.acknowledge.full_name:
+                commands = [f for f in of.fields if f.role == m.COMMAND and (f.set, f.descriptor) == (e.set, x.data[0])]
+                about = [f.full_name for f in commands]
+            for name in about:
+                f = of.field(name)
+                assert f is not None
+                parts = re.split(r"^\*\*Example\*\*", manual.field(f), flags=re.M)
+                (mine,) = (part for part in parts if f"#example.{e.id})" in part)
+                assert " ".join(f"{b:02X}" for b in shown(e)) in mine
+                raw = bytes([len(x.data) + 2, x.descriptor]) + x.data
+                found = [bytes.fromhex(" ".join(words(row["Bytes"]) for row in t)) for t in tables(mine)]
+                assert raw in found, (e.id, name)
+
+
+def flat(value: Any, path: str) -> Iterator[tuple[str, Any]]:
+    """Single values by their paths; lists of numbers stay whole."""
+    if isinstance(value, dict):
+        for name, inner in value.items():
+            yield from flat(inner, f"{path}.{name}" if path else name)
+    elif isinstance(value, list) and value and isinstance(value[0], (dict, list)):
+        for i, inner in enumerate(value):
+            yield from flat(inner, f"{path}[{i}]")
+    else:
+        yield path, value
+
+
+def check_values(model: m.Model, e: m.Example, rows: list[dict[str, str]]) -> None:
+    """The decoded values stand in the table, in order."""
+    values = [pair for x in e.fields if x.values is not None for pair in flat(x.values, "")]
+    at = 0
+    for path, value in values:
+        if value == [] or value == "" or value == {}:
+            continue
+        while words(rows[at]["What"]) != path:
+            at += 1
+            assert at < len(rows), (e.id, path)
+        text = words(rows[at]["Value"])
+        at += 1
+        for one in value if isinstance(value, list) and "0x" not in text else [value]:
+            if isinstance(one, int):
+                assert re.search(rf"(?<!\w){one}(?!\w)|0x0*{one:X}(?!\w)", text), (e.id, path)
+            elif isinstance(one, str) and re.fullmatch(r"0x([0-9a-f]{8}){1,2}", one):
+                raw = bytes.fromhex(one[2:])
+                form = ">f" if len(raw) == 4 else ">d"
+                numbers = re.findall(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]\d+)?(?![\w.])", text)
+                assert raw in [struct.pack(form, float(n)) for n in numbers] or raw.hex().upper() in text, (e.id, path)
+
+
+def test_examples_keep_the_order_of_the_files(manual: Manual) -> None:
+    """The steps of a procedure come one after the other."""
+    (spec,) = (path for name, (path, _) in SPECS.items() if manual_of(name) is manual)
+    files = [yaml.safe_load(path.read_text("utf-8")) for path in sorted((spec / "examples").glob("*.yaml"))]
+    given = [(e["manual"], e["id"]) for file in files for e in file["examples"]]
+    anchors = re.findall(r'^<a id="example\.(.*)"></a>$', manual.page("examples.md"), re.M)
+    assert anchors == [name for x in manual.model.protocol.manuals for of, name in given if of == x.id]
+
+
+def test_two_devices_with_one_manual(tmp_path: Path) -> None:
+    """What a value means is known where an example names its device, or its manual is of one device only."""
+    spec = tmp_path / "spec"
+    shutil.copytree(SPECS["invented"][0], spec)
+    device = spec / "devices/model_b.yaml"
+    device.write_text(device.read_text("utf-8").replace("manual: leaflet", "manual: guide"), "utf-8")
+    both = load_model(spec)
+    assert {e.id: e.device.id if e.device else None for e in both.examples if e.role == "reply"} == {
+        "ping-reply": None,
+        "ping-reply-of-b": "model-b",
+    }
+    manual = made(both)
+    for name, device_, code in (("ping-reply", "", "ok (0)"), ("ping-reply-of-b", "Model B", "default (0)")):
+        section = words(manual.section("examples.md", f"example.{name}"))
+        assert f"| 00 | code | {code} |" in section and f"(reply{', ' if device_ else ''}{device_})" in section
+
+
+def test_values_mean_what_they_mean_on_the_device() -> None:
+    """Names and units come from what differs on the device of the example."""
+    section = words(manual_of("invented").section("examples.md", "example.accel-bytes"))
+    assert "| scaled_accel | x 1 m, y -1 m, z NaN (0x7FE5BF7F) s |" in section

@@ -1,0 +1,212 @@
+"""Every fact that `describe` knows is in the reference, where its readers look for it, and nothing else is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+import pytest
+from mipgen import describe
+from mipgen import model as m
+from reference import Manual, Place, bullets, manual_of, number, places, prose, rows_of, seen, table_with, words
+from support import model
+
+#: Which column of the table of parameters has which facts.
+COLUMNS = {
+    "required": "Required for", "optional": "Required for", "unit": "Unit", "frame": "Frame", "range": "Range",
+    "default": "Default", "valid": "Valid flag",
+}  # fmt: skip
+
+
+def sentences(facts: Iterable[describe.Fact], prefix: str = "") -> list[str]:
+    return [seen(f.sentence, prefix) for f in facts]
+
+
+def paragraphs(section: str) -> list[str]:
+    return [words(p) for p in section.strip("\n").split("\n\n")]
+
+
+# --------------------------------------------------------------------------- fields
+
+
+def test_every_fact_of_a_field(manual: Manual) -> None:
+    """A heading, what it is, a paragraph of facts, notes; the functions and the answers are in the table of forms."""
+    for f in manual.model.fields:
+        heading, what, *rest = paragraphs(manual.field(f))
+        level = "###" if f.role == m.RESPONSE else "##"
+        assert heading == f"{level} {f.title} {number(f)}"
+        assert what == f"{f.full_name}, {f.role}. {prose(f.description, manual.model)}".strip(), f.full_name
+        facts = [x for x in describe.field(f, manual.model) if x.topic not in ("functions", "responses")]
+        said = " ".join(sentences([x for x in facts if x.topic != "note"]))
+        notes = sentences(describe.topics(facts, "note"))
+        wanted = [x for x in (said, "\n".join(f"- {n}" for n in notes)) if x]
+        assert rest[: len(wanted)] == wanted, f.full_name
+
+
+def test_sources_of_a_field(manual: Manual) -> None:
+    """Where the manuals say it, and how the length given there is wrong; a response cites what its command cites."""
+    for f in manual.fields:
+        section = manual.field(f)
+        for s, cited in zip(f.sources, describe.sources(f), strict=True):
+            assert (f.role == m.RESPONSE and f.set) or any(b.startswith(cited) for b in bullets(section)), cited
+            if f.min_size == f.max_size and s.length is not None and s.length.isdigit():
+                remark = f"{s.manual}: length" if f.role == m.RESPONSE else f"{cited} (length"
+                said = [b for b in bullets(section) if b.startswith(f"{remark} given as {s.length}")]
+                others = [x for x in f.sources if x is not s and x.length == s.length]
+                assert bool(said) == (int(s.length) != f.max_size + 2) or others, f.full_name
+                assert all(f"it is {f.max_size + 2}" in b for b in said)
+
+
+# --------------------------------------------------------------------------- parameters
+
+
+def test_every_fact_of_a_parameter(manual: Manual) -> None:
+    for f in manual.fields:
+        check_parameters(manual, f, manual.field(f))
+    for t in manual.model.all_types:
+        if isinstance(t, m.Struct):
+            check_parameters(manual, t, manual.type(t))
+
+
+def check_parameters(manual: Manual, record: describe.Record, section: str) -> None:
+    rows = table_with(section, "Offset", "Name")
+    listed = list(places(record))
+    assert [words(row["Name"]) for row in rows] == [place.path for place in listed]
+    below: list[str] = []
+    for place, row in zip(listed, rows, strict=True):
+        facts = describe.parameter(place.parameter, place.record, manual.model) if place.parameter else []
+        cells = {heading: words(row.get(heading, "")) for heading in [*COLUMNS.values(), "Description"]}
+        wanted = dict.fromkeys(COLUMNS.values(), "")
+        for fact in facts:
+            if fact.topic in COLUMNS:
+                wanted[COLUMNS[fact.topic]] = seen(fact.value or fact.sentence, place.prefix)
+        rest = [x for x in facts if x.topic not in (*COLUMNS, "variant", "note")]
+        case = [describe.case(*place.case, place.record)] if place.case else []
+        what = told(place.parameter.description if place.parameter else "", manual)
+        wanted["Description"] = " ".join([*sentences(case, place.prefix), *what, *sentences(rest, place.prefix)])
+        assert cells == wanted, (record.name, place.path)
+        below += [f"{place.path}: {x}" for x in sentences(describe.topics(facts, "variant", "note"), place.prefix)]
+        check_type(manual, place, row)
+    lists = section.partition("| Offset |")[2].partition("\n\n")[2].split("\n\n")
+    assert bullets(lists[0]) == below or (not below and not lists[0].startswith("- "))
+
+
+def check_type(manual: Manual, place: Place, row: dict[str, str]) -> None:
+    p = place.parameter
+    if p is None or p.element is None:
+        assert words(row["Type"]) == ("union" if p else "")
+        return
+    scalar = p.element.scalar if isinstance(p.element, (m.Enum, m.Bitfield)) else None
+    count = "" if p.length == "rest" else place.prefix + p.length if isinstance(p.length, str) else p.length
+    many = "" if p.length is None else f"[{count}]"
+    assert words(row["Type"]) == p.element.name + many + (f" {scalar.name}" if scalar else "")
+
+
+def test_values_beside_parameters(manual: Manual) -> None:
+    """The values and bits of each type that a parameter may have, unless there are too many."""
+    for f in manual.fields:
+        found = set(bullets(manual.field(f).partition("Values:\n\n")[2].partition("\n\n")[0]))
+        wanted: dict[str, list[str]] = {}
+        for place in places(f):
+            p = place.parameter
+            for t in [p.element, *(v.type for v in p.readings)] if p and not p.selector else []:
+                if isinstance(t, (m.Enum, m.Bitfield)):
+                    wanted.setdefault(f"{t.name}: {contents(t)}", []).append(place.path)
+        assert found == {", ".join([*paths, t]) for t, paths in wanted.items()}, f.full_name
+
+
+def contents(t: m.Enum | m.Bitfield) -> str:
+    if isinstance(t, m.Enum):
+        few = len(t.values) <= 16
+        return ", ".join(f"{v.value} {v.name}" for v in t.values) + "." if few else f"{len(t.values)} values."
+    bits = [b for b in t.bits if not b.alias]
+    if len(bits) > 16:
+        return f"{len(bits)} entries."
+    more = "" if len(bits) == len(t.bits) else ", and some that overlap these"
+    return ", ".join(f"{describe.bits_place(b)} {b.name}" for b in bits) + more + "."
+
+
+# --------------------------------------------------------------------------- values and bits
+
+
+def test_every_fact_of_a_value_and_a_bit(manual: Manual) -> None:
+    for t in manual.model.all_types:
+        wanted = []
+        if isinstance(t, m.Enum):
+            for v in t.values:
+                text = " ".join([*told(v.description, manual), *sentences(describe.value(v, manual.model))])
+                wanted.append([str(v.value), f"0x{v.value:0{2 * t.scalar.size}X}", v.name, text])
+        elif isinstance(t, m.Bitfield):
+            for b in t.bits:
+                place, *facts = describe.bits(b, manual.model)
+                mask = f"0x{b.mask:0{2 * t.size}X}" if t.scalar else f"{b.first // 8}.{b.first % 8}"
+                text = " ".join([*told(b.description, manual), *sentences(facts)])
+                wanted.append([seen(place.value), mask, b.name, text])
+        if wanted and not any(row[-1] for row in wanted):
+            wanted = [row[:-1] for row in wanted]
+        assert rows_of(manual.type(t))[2 : 2 + len(wanted)] == wanted, t.name
+
+
+def told(description: str, manual: Manual) -> list[str]:
+    return [prose(description, manual.model)] if description else []
+
+
+# --------------------------------------------------------------------------- what was said badly once
+
+
+@pytest.mark.parametrize("name", ["ecef_position", "true_heading", "pressure"])
+def test_an_acknowledge_that_depends_on_another_command(name: str) -> None:
+    f = model("real").field(f"aiding.{name}")
+    assert f is not None
+    section = words(manual_of("real").field(f))
+    assert "Not acknowledged if mode of Echo control (0x13,0x1F) is suppress_ack (0)." in section
+    assert "| acknowledge or none |" in section and "alone" not in section
+
+
+def test_a_response_of_two_commands(manual: Manual) -> None:
+    shared = [f for f in manual.model.fields if len(manual.model.commands(f)) > 1]
+    assert shared
+    for f in shared:
+        first, second = manual.model.commands(f)
+        said = f"Answers {first.title} {number(first)} and {second.title} {number(second)}."
+        assert words(manual.field(f)).count(said) == 1
+
+
+# --------------------------------------------------------------------------- these tests see
+
+
+@pytest.mark.parametrize(
+    ("page", "right", "wrong"),
+    [
+        ("sets/tools.md", "| Bd |", "| Hz |"),  # a unit
+        ("sets/tools.md", "| -180 to 180 |", "| -180 to 90 |"),  # a range
+        ("sets/tools.md", "range 1 to 10", "range 1 to 20"),  # of a variant
+        ("sets/tools.md", "| `write` and `apply` |", "| `write` |"),  # who requires it
+        ("sets/tools.md", "| `fast` (1) | What to do.", "|  | What to do."),  # a default
+        ("sets/tools.md", "Always 4711.", ""),  # a constant
+        ("sets/tools.md", "Reserved: send 1.", "Reserved."),  # a reserved value
+        ("sets/tools.md", "Not acknowledged if `suppress_ack` is true. ", ""),  # silence
+        ("sets/tools.md", "`write` and `read` only", "`write` only"),  # functions on a device
+        ("sets/3d.md", "`fast` (1)", "`slow` (2)"),  # the setting of another command
+        ("sets/measurements.md", "x by [`valid_flags.ready`]", "x by [`valid_flags.hot`]"),  # a valid flag
+        ("sets/measurements.md", "[sensor](../units.md#frame.sensor-frame)", ""),  # a frame
+        ("sets/measurements.md", " and [Model B](../devices/model-b.md).", "."),  # a device
+        ("sets/measurements.md", "Sent at 100 Hz at most.", ""),  # a rate
+        ("types.md", "| bit 1 |", "| bit 2 |"),  # the place of a bit
+        ("types.md", "Deprecated.", ""),  # of a value
+    ],
+)  # fmt: skip
+def test_a_wrong_fact_is_seen(page: str, right: str, wrong: str) -> None:
+    manual = manual_of("invented")
+    text = manual.page(page)
+    assert right in text
+    changed = Manual(manual.model, {**manual.files, f"docs/{page}": text.replace(right, wrong, 1).encode()})
+    tests = (test_every_fact_of_a_field, test_every_fact_of_a_parameter, test_every_fact_of_a_value_and_a_bit)
+    assert [test.__name__ for test in tests if fails(test, changed)]
+
+
+def fails(test: Callable[[Manual], None], manual: Manual) -> bool:
+    try:
+        test(manual)
+    except (AssertionError, StopIteration):
+        return True
+    return False

@@ -1,0 +1,212 @@
+"""The pages of the reference manual are neat, their links lead somewhere, and they build into a site."""
+
+from __future__ import annotations
+
+import dataclasses
+import html
+import importlib
+import itertools
+import os
+import posixpath
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import yaml
+from mipgen import model as m
+from mipgen import naming, render
+from mipgen.problems import Problems
+from mipgen.resolve import load_model
+from mipgen.targets import markdown
+from reference import ANCHOR, LINK, Manual, cells, made, manual_of, prose, without_code, words
+from support import ROOT, SPECS, model
+
+
+def test_pages_are_neat(manual: Manual) -> None:
+    faults = []
+    for path, text in manual.pages.items():
+        plain = without_code(text)
+        if len(re.findall(r"^# ", plain, re.M)) != 1 or not text.startswith("# "):
+            faults.append(f"{path}: not one heading of level 1 at its start")
+        levels = [len(x) for x in re.findall(r"^(#+) ", plain, re.M)]
+        if any(b > a + 1 for a, b in itertools.pairwise(levels)):
+            faults.append(f"{path}: skips a level of headings")
+        if re.search(r"^#+ *$", plain, re.M):
+            faults.append(f"{path}: an empty heading")
+        if "\r" in text or "\n\n\n" in text or re.search(r"[ \t]$", text, re.M) or not text.endswith("\n"):
+            faults.append(f"{path}: untidy white space")
+    assert not faults
+
+
+def test_no_placeholders(manual: Manual) -> None:
+    bad = re.compile(
+        r"\b(TODO|TBD|FIXME|XXX|todo|tbd|lorem)\b|\{\{|\{%|Undefined|mipgen\.|object at 0x|\| None \||`None`|\(\)"
+    )
+    found = [(path, x[0]) for path, text in manual.pages.items() if (x := bad.search(text))]
+    assert not found
+
+
+def test_tables_are_whole(manual: Manual) -> None:
+    faults = []
+    for path, text in manual.pages.items():
+        for block in re.findall(r"(?:^\|.*\n?)+", text, re.M):
+            lines = block.strip().split("\n")
+            widths = {len(cells(line)) for line in lines}
+            if len(widths) != 1 or not re.fullmatch(r"\|( --- \|)+", lines[1]) or "" in cells(lines[0]):
+                faults.append(f"{path}: {lines[0]}")
+    assert not faults
+
+
+def test_lists_stay_apart(manual: Manual) -> None:
+    """Two lists with nothing but a blank line between them become one."""
+    found = [path for path, text in manual.pages.items() if re.search(r"^- .*\n\n- ", without_code(text), re.M)]
+    assert not found
+
+
+# --------------------------------------------------------------------------- links and titles
+
+
+def test_links_lead_somewhere(manual: Manual) -> None:
+    anchors = {path: ANCHOR.findall(text) for path, text in manual.pages.items()}
+    faults = [f"{path}: an anchor twice" for path, found in anchors.items() if len(found) != len(set(found))]
+    for path, text in manual.pages.items():
+        for label, target in LINK.findall(without_code(text)):
+            page, _, anchor = target.partition("#")
+            to = posixpath.normpath(posixpath.join(posixpath.dirname(path), page)) if page else path
+            if to not in anchors or (anchor and anchor not in anchors[to]) or not label:
+                faults.append(f"{path}: [{label}]({target})")
+            elif path.startswith("docs/") and not to.startswith("docs/"):
+                faults.append(f"{path}: [{label}]({target}) leads out of the site")
+        if re.search(r"(?<!\\)\]\(", LINK.sub("", without_code(text))):
+            faults.append(f"{path}: a link that is not one")
+        if "://" in text:
+            faults.append(f"{path}: an absolute link")
+    assert not faults
+
+
+def test_code_is_not_taken_for_a_link(manual: Manual) -> None:
+    """A link between backticks would be shown as its characters."""
+    for path, text in manual.pages.items():
+        spans = [code for line in text.split("\n") for code in re.findall(r"`([^`]*)`", line.replace("\\`", ""))]
+        assert not [code for code in spans if "](" in code], path
+
+
+def test_fields_between_backticks_are_links() -> None:
+    text = "As `tools.ping` (0x01,0x01), tools.ping and `tools.bias.x`."
+    f = dataclasses.replace(model("invented").sets[0].fields[0], description=text, notes=(text,))
+    first = dataclasses.replace(model("invented").sets[0], fields=(f, *model("invented").sets[0].fields[1:]))
+    manual = made(dataclasses.replace(model("invented"), sets=(first, *model("invented").sets[1:])))
+    link = "[Ping (0x01,0x01)](#tools.ping)"
+    assert manual.field(f).count(f"As {link} [(0x01,0x01)](#tools.ping), {link} and `tools.bias.x`.") == 2
+
+
+def test_every_page_can_be_reached(manual: Manual) -> None:
+    for start in ("README.md", "docs/index.md"):
+        seen, todo = set(), [start]
+        while todo:
+            path = todo.pop()
+            if path in seen:
+                continue
+            seen.add(path)
+            targets = [t.partition("#")[0] for _, t in LINK.findall(without_code(manual.pages[path]))]
+            todo += [posixpath.normpath(posixpath.join(posixpath.dirname(path), t)) for t in targets if t]
+        assert {p for p in manual.pages if p.startswith("docs/")} <= seen | {"docs/index.md"}
+
+
+def navigation(manual: Manual) -> list[tuple[str, str]]:
+    """The title and the path of every page of the site."""
+
+    def leaves(entry: Any) -> Iterator[tuple[str, str]]:
+        for child in entry:
+            for title, inside in child.items():
+                yield from [(title, inside)] if isinstance(inside, str) else leaves(inside)
+
+    return list(leaves(yaml.safe_load(manual.files["mkdocs.yml"])["nav"]))
+
+
+def test_navigation_lists_every_page(manual: Manual) -> None:
+    listed = [path for _, path in navigation(manual)]
+    assert sorted(listed) == sorted(p[5:] for p in manual.pages if p.startswith("docs/"))
+
+
+def test_no_two_pages_have_one_title(manual: Manual) -> None:
+    """Neither in the navigation and the results of a search, nor at the top of the page."""
+    titles = [title for title, _ in navigation(manual)]
+    headings = [text.partition("\n")[0] for path, text in manual.pages.items() if path != "README.md"]
+    assert len(titles) == len(set(titles)) and len(headings) == len(set(headings))
+
+
+def test_anchors_do_not_collide(manual: Manual) -> None:
+    problems = Problems()
+    naming.collisions("markdown", markdown.identifiers(manual.model), problems)
+    assert not problems
+    there = {(path, anchor) for path, text in manual.pages.items() for anchor in ANCHOR.findall(text)}
+    assert {(i.scope, i.name) for i in markdown.identifiers(manual.model)} <= there
+
+
+# --------------------------------------------------------------------------- text
+
+
+NASTY = 'a|b <b>x</b> *c* _d_ [e](f) `g` \\h & &amp; $i$ ~~j~~ #k 1. "l"'
+
+
+def nasty(model: m.Model) -> m.Model:
+    """The model with awkward texts wherever there is prose."""
+    fields = [dataclasses.replace(f, description=NASTY, notes=(NASTY,)) for f in model.sets[0].fields]
+    sets = (dataclasses.replace(model.sets[0], fields=tuple(fields), description=NASTY), *model.sets[1:])
+    errata = tuple(
+        dataclasses.replace(e, printed=NASTY, right=NASTY, reason=NASTY, section=NASTY) for e in model.errata
+    )
+    note = m.Note("n", NASTY, NASTY, ((NASTY, NASTY), (NASTY,)))
+    devices = tuple(dataclasses.replace(d, description=NASTY, notes=(note,)) for d in model.devices)
+    return dataclasses.replace(model, sets=sets, errata=errata, devices=devices)
+
+
+def test_text_is_never_markup() -> None:
+    awkward = nasty(model("invented"))
+    manual = made(awkward)
+    test_tables_are_whole(manual)
+    test_links_lead_somewhere(manual)
+    f = awkward.sets[0].fields[0]
+    assert words(manual.field(f)).count(prose(NASTY, awkward)) == 2
+    markdown_ = importlib.import_module("markdown")  # comes with mkdocs
+    for path in (f"sets/{f.set_name}.md", "errata.md", f"devices/{awkward.devices[0].id}.md"):
+        page = markdown_.markdown(manual.page(path), extensions=["tables", "fenced_code"])
+        assert not re.search(r"<b>|<em>[cd]</em>|href=\"f\"", page)
+        assert prose(NASTY, awkward) in html.unescape(re.sub(r"</?code>", "", page)), path
+
+
+# --------------------------------------------------------------------------- the folder and the site
+
+
+def test_output_is_deterministic() -> None:
+    first = render.render("markdown", load_model(SPECS["invented"][0]))
+    assert first == render.render("markdown", load_model(SPECS["invented"][0])) == manual_of("invented").files
+
+
+def test_site_builds(manual: Manual, tmp_path: Path) -> None:
+    source, site = tmp_path / "markdown", tmp_path / "site"
+    render.write(manual.files, source)
+    done = subprocess.run(
+        [sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", str(site)],
+        cwd=source, capture_output=True, text=True, env={**os.environ, "NO_MKDOCS_2_WARNING": "1"}, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
+    titles = {}
+    for _, path in navigation(manual):
+        page = (site / path[:-3]).with_suffix(".html").read_text("utf-8")
+        titles[path] = re.findall(r"<title>(.*?)</title>", page)[0]
+    assert len(set(titles.values())) == len(titles)
+    index = (site / "search/search_index.json").read_text("utf-8")
+    assert all(f.full_name in index for f in manual.fields)
+
+
+def test_site_needs_what_is_tested() -> None:
+    """The versions that the folder asks for are those that the project pins for its tests."""
+    pinned = (ROOT / "templates/markdown/runtime/requirements.txt").read_text("utf-8").split()
+    locked = (ROOT / "requirements-dev.txt").read_text("utf-8")
+    assert [p.partition("==")[0] for p in pinned] == ["mkdocs", "mkdocs-material"]
+    assert all(re.search(rf"^{re.escape(p)} ", locked, re.M) for p in pinned)

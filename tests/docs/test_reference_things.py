@@ -1,0 +1,256 @@
+"""Every set, command, type, device, erratum, unit and frame has its place in the reference."""
+
+from __future__ import annotations
+
+import re
+
+from mipgen import codec, describe
+from mipgen import model as m
+from reference import ANCHOR, Manual, bullets, number, prose, rows_of, seen, table_with, tables, words
+
+
+def asked(s: m.Set) -> list[m.Field]:
+    return [f for f in s.fields if f.role != m.RESPONSE]
+
+
+def letters(functions: tuple[m.Function, ...]) -> str:
+    return "".join(x.letter for x in functions)
+
+
+# --------------------------------------------------------------------------- contents and sets
+
+
+def test_contents(manual: Manual) -> None:
+    of = manual.model
+    for path in ("README.md", "docs/index.md"):
+        rows = rows_of(manual.pages[path])
+        for s in of.sets:
+            assert [f"0x{s.number:02X}", s.title, str(len(asked(s))), prose(s.description, of)] in rows, s.name
+        for d in of.devices:
+            assert [d.title, str(len(d.supports)), prose(d.description, of)] in rows, d.id
+        for x in of.protocol.manuals:
+            errata = sum(e.manual == x.id for e in of.errata)
+            examples = sum(e.manual == x.id for e in of.examples)
+            assert [x.id, x.title, x.document, str(errata), str(examples)] in rows, x.id
+
+
+def test_every_set_has_its_page(manual: Manual) -> None:
+    for s in manual.model.sets:
+        page = manual.page(f"sets/{s.name}.md")
+        assert page.startswith(f"# {s.title} (0x{s.number:02X})\n")
+        assert prose(s.description, manual.model) in words(page)
+        contents = table_with(page.partition("\n## Contents\n")[2], "Descriptor")
+        assert len(contents) == len(asked(s))
+        for f, row in zip(asked(s), contents, strict=True):
+            marks = [word for word, holds in (("advanced", f.advanced), ("deprecated", f.deprecated)) if holds]
+            cells = {key: words(value) for key, value in row.items()}
+            assert cells["Descriptor"] == f"0x{f.descriptor:02X}" and f"(#{f.full_name})" in row["Field"]
+            assert cells["Field"] == f.title + (f" ({', '.join(marks)})" if marks else "")
+            assert cells.get("Functions", "") == letters(f.functions)
+            assert re.findall(r"#([\w.]+)", row.get("Responses", "")) == [f"{s.name}.{name}" for name in f.responses]
+            assert cells.get("Supported by", "") == ", ".join(d.title for d in manual.model.devices_of(f))
+
+
+def test_responses_follow_their_command(manual: Manual) -> None:
+    for s in manual.model.sets:
+        page = manual.page(f"sets/{s.name}.md")
+        at = {a: page.index(f'<a id="{a}"></a>') for a in ANCHOR.findall(page)}
+        ends = [at[f.full_name] for f in asked(s)[1:]] + [len(page)]
+        for command, end in zip(asked(s), ends, strict=True):
+            for response in manual.model.responses(command):
+                if response.command == command.name:
+                    assert at[command.full_name] < at[response.full_name] < end
+                else:
+                    assert f"(#{response.full_name})" in manual.field(command)
+                    assert f"(#{command.full_name})" in manual.field(response)
+
+
+def test_descriptors_without_a_layout(manual: Manual) -> None:
+    for s in manual.model.sets:
+        rows = rows_of(manual.page(f"sets/{s.name}.md").partition("\n## Descriptors without a layout\n")[2])
+        for x in s.named:
+            role = [x.role] if s.kind == "command" else []
+            cited = "; ".join(f"{c.manual}: {c.section}" for c in x.sources)
+            assert [f"0x{x.descriptor:02X}", x.title, f"{s.name}.{x.name}", *role, cited] in rows, x.name
+
+
+def test_what_is_uncertain_of_sets_and_types(manual: Manual) -> None:
+    """Of fields, parameters, values and bits it is among their facts."""
+    for thing in (*manual.model.sets, *manual.model.all_types):
+        text = manual.page(f"sets/{thing.name}.md") if isinstance(thing, m.Set) else manual.type(thing)
+        said = [seen(f.sentence) for f in describe.uncertain(thing, manual.model)]
+        found = [b for b in bullets(text.partition("\n## Contents")[0]) if b.startswith("Uncertain: ")]
+        assert found == said, thing.name
+
+
+# --------------------------------------------------------------------------- forms of commands
+
+
+def test_every_form_of_a_command_has_its_row(manual: Manual) -> None:
+    """How it begins, what follows, its length, the whole packet if nothing is open, and how it is answered."""
+    for f in (f for f in manual.model.fields if f.role == m.COMMAND):
+        rows = table_with(manual.field(f), "Field begins", "Answer")
+        for c, row in zip(f.calls, rows, strict=True):
+            cells = {key: words(value) for key, value in row.items()}
+            if c.function:
+                assert cells["Function"] == f"{c.function.letter} {c.function.name}"
+                assert cells["Value"] == str(c.function.value)
+            selector = [c.function.value] if c.function else []
+            first, *rest = cells["Field begins"].split()
+            assert first == (f"{int(cells['Field length']):02X}" if cells["Field length"].isdigit() else "LL")
+            assert bytes.fromhex("".join(rest)) == bytes([f.descriptor, *selector])
+            assert cells.get("Then follow", "") == ", ".join(p.name for p in c.required)
+            assert cells.get("May follow", "") == ", ".join(p.name for p in c.optional)
+            check_answer(manual, f, c, row["Answer"])
+            packet = bytes.fromhex(cells.get("Whole packet", ""))
+            assert bool(packet) == all(p.constant is not None for p in c.required), f.full_name
+            if packet:
+                ((descriptor, data),) = codec.split(manual.model, packet)
+                values = {"function": c.function.value} if c.function else {}
+                assert (packet[2], descriptor, codec.decode(f, data)) == (f.set, f.descriptor, (values, 0))
+                assert cells["Field length"] == str(packet[4])
+
+
+def check_answer(manual: Manual, f: m.Field, c: m.Call, answer: str) -> None:
+    acknowledge = "acknowledge or none" if f.silent_when or f.silenced_by else "acknowledge"
+    asks = c.function is None or c.function.responds
+    responses = [f"{r.title} {number(r)}" for r in manual.model.responses(f)] if asks else []
+    wanted = ", ".join([acknowledge, *([" or ".join(responses)] if responses else [])])
+    assert words(answer) == ("none" if c.function and not c.function.reply else wanted), f.full_name
+    assert re.findall(r"#([\w.]+)", answer) == ([f"{f.set_name}.{r}" for r in f.responses] if responses else [])
+
+
+def test_packets(manual: Manual) -> None:
+    """The page on packets: frame, checksum, acknowledges, function selectors."""
+    protocol, page = manual.model.protocol, manual.page("packets.md")
+    assert f"`{bytes(protocol.sync).hex(' ').upper()}`" in page and f"0 to {protocol.max_payload}:" in page
+    steps = [[int(c, 16) for c in row] for row in rows_of(page.partition("For example:")[2].partition("\n## ")[0])[2:]]
+    packet = bytes(step[0] for step in steps)
+    assert [bytes(step[1:]) for step in steps] == [codec.checksum(packet[: i + 1]) for i in range(len(packet))]
+    end = re.search(r"The packet ends with `([0-9A-F ]+)`", page)
+    assert end and codec.split(manual.model, packet + bytes.fromhex(end[1]))
+    for d in manual.model.devices:
+        assert f"{d.title} sends the codes {', '.join(map(str, d.ack_codes))}." in bullets(page)
+    rows = rows_of(manual.section("packets.md", "protocol.function_selector"))
+    for x in protocol.functions:
+        answer = "none" if not x.reply else "acknowledge and response" if x.responds else "acknowledge"
+        assert [str(x.value), x.letter, x.name, prose(x.description, manual.model), answer] in rows
+
+
+# --------------------------------------------------------------------------- types
+
+
+def test_every_type_has_its_section(manual: Manual) -> None:
+    for t in manual.model.all_types:
+        section = manual.type(t)
+        seen_ = words(section)
+        assert f"## {t.name}\n" in seen_ and prose(t.description, manual.model) in seen_, t.name
+        if isinstance(t, m.Vector):
+            assert [row[1] for row in rows_of(section)[2:]] == list(t.elements)
+        for cited in describe.sources(t) if not isinstance(t, m.Vector) else ():
+            assert cited in bullets(section), t.name
+
+
+def test_every_type_names_its_users(manual: Manual) -> None:
+    for f in manual.fields:
+        for p in f.parameters:
+            for t in (p.element, *(v.type for v in p.readings)):
+                if isinstance(t, (m.Enum, m.Bitfield, m.Struct)) and not p.selector:
+                    assert f"#{f.full_name})" in manual.type(t).partition("Used by ")[2], f"{f.full_name}.{p.name}"
+
+
+# --------------------------------------------------------------------------- devices
+
+
+def test_every_device_has_its_page(manual: Manual) -> None:
+    of = manual.model
+    for d in of.devices:
+        page = manual.page(f"devices/{d.id}.md")
+        text, rows = words(page), rows_of(page)
+        assert page.startswith(f"# {d.title}\n") and prose(d.description, of) in text
+        assert [d.ack_codes] == [
+            tuple(map(int, row[1].partition(" (")[0].split(", "))) for row in rows if row[0] == "Acknowledge codes"
+        ]
+        for port in d.ports:
+            wanted = {port.name, ", ".join(map(str, port.baud_rates)), ", ".join(port.protocols)}
+            wanted |= {f"0x{port.id:02X}"} if port.id is not None else set()
+            assert any(wanted <= {*row, ""} for row in rows), port.name
+        for limit in d.limits:
+            value = f"{limit.value:.15g}{' ' + limit.unit if limit.unit else ''}"
+            assert [limit.name.replace("_", " "), value, prose(limit.description, of)] in rows
+        for note in d.notes:
+            assert f"### {note.title}" in text and prose(note.description, of) in text
+            for line in note.rows:
+                assert any(found[: len(line)] == list(line) for found in rows), note.name
+
+
+def test_what_a_device_supports(manual: Manual) -> None:
+    for d in manual.model.devices:
+        page = manual.page(f"devices/{d.id}.md").partition("\n## Supported fields\n")[2].partition("\n## ")[0]
+        rows = [row for t in tables(page) for row in t]
+        assert len(rows) == len(d.supports)
+        for s, row in zip(d.supports, rows, strict=True):
+            assert f"#{s.field.full_name})" in row["Field"] and words(row["Field"]).startswith(s.field.title)
+            assert words(row.get("Functions", "")) == letters(s.functions)
+            assert f"(../devices/{d.id}.md)" in manual.field(s.field)
+
+
+def test_what_differs_on_a_device(manual: Manual) -> None:
+    for d in manual.model.devices:
+        rows = rows_of(manual.page(f"devices/{d.id}.md"))
+        functions = [s for s in d.supports if s.differs]
+        wanted = [
+            [f"{s.field.title} {number(s.field)}", letters(s.functions), letters(s.field.functions)] for s in functions
+        ]
+        assert [row for row in rows if row[0] == "Command"][:1] == (
+            [["Command", "Functions here", "All functions"]] if wanted else []
+        )
+        assert all(row in rows for row in wanted)
+        for v in d.variants:
+            fact = describe.variant(v.variant, v.parameter, v.field, manual.model)
+            assert [f"{v.field.title} {number(v.field)}", v.parameter.name, seen(fact.value)] in rows, v.path
+
+
+def test_base_rates(manual: Manual) -> None:
+    for d in manual.model.devices:
+        page = manual.page(f"devices/{d.id}.md")
+        for r in d.base_rates:
+            shown = f"{r.hertz:g} Hz" if r.hertz else "sent as it comes"
+            of_set = f"{r.set.title} (0x{r.set.number:02X})"
+            assert [of_set, shown] in rows_of(page)
+            assert f"See {of_set}. Base rate: {shown}.\n" in words(page)
+            assert [d.title, shown] in rows_of(manual.page(f"sets/{r.set.name}.md"))
+
+
+# --------------------------------------------------------------------------- errata, units
+
+
+def test_every_erratum_has_its_section(manual: Manual) -> None:
+    of, page = manual.model, manual.page("errata.md")
+    for e in of.errata:
+        section = manual.section("errata.md", f"erratum.{e.id}")
+        text = words(section)
+        assert f"### {e.id}\n" in text and f"{e.severity.capitalize()}*, in “{e.section}”." in text, e.id
+        listed = [
+            f"{key}: {prose(value, of)}"
+            for key, value in (("Printed", e.printed), ("Right", e.right), ("Why", e.reason))
+        ]
+        assert bullets(section)[:3] == listed, e.id
+        title = next(x.title for x in of.protocol.manuals if x.id == e.manual)
+        before = words(page[: page.index(f'"erratum.{e.id}"')])
+        assert re.findall(r"^## (.*)$", before, re.M)[-1] == title
+        for c in e.claims:
+            if c.kind == "length":
+                f = of.field(c.subject)
+                assert f is not None and f"#{c.subject})" in section and f"#erratum.{e.id})" in manual.field(f)
+            elif c.kind == "example":
+                assert f"(examples.md#example.{c.subject})" in section
+                assert f"#erratum.{e.id})" in manual.section("examples.md", f"example.{c.subject}")
+            else:
+                assert c.subject in text
+
+
+def test_every_unit_and_frame_has_its_row(manual: Manual) -> None:
+    rows = rows_of(manual.page("units.md"))
+    for word in (*manual.model.protocol.units, *manual.model.protocol.frames):
+        assert [word.symbol, word.title, prose(word.description, manual.model)] in rows

@@ -1,0 +1,368 @@
+"""The command line: folders, help, a specification to start from, completion; and runs with nothing to do."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mipgen import __version__, cli, discovery, parallel, stamp
+from mipgen.errors import Failure
+from mipgen.resolve import load_model
+from support import ROOT, SPECS, need
+
+INVENTED, GOLDEN = SPECS["invented"]
+
+
+def mipgen(*arguments: str | Path, cwd: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "mipgen", *map(str, arguments)], capture_output=True, text=True, cwd=cwd,
+        env={**os.environ, "PYTHONPATH": str(ROOT / "generator"), **environment},
+    )  # fmt: skip
+
+
+def tree(folder: Path) -> dict[str, bytes]:
+    return {p.relative_to(folder).as_posix(): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
+
+
+# --------------------------------------------------------------------------- a specification to start from
+
+
+def test_a_new_specification_is_valid_and_generates(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    spec, out = tmp_path / "device", tmp_path / "out"
+    assert cli.main(["new", str(spec)]) == 0
+    assert f"mipgen generate --spec {spec}" in capsys.readouterr().out
+    assert cli.main(["generate", "--spec", str(spec), "--out", str(out)]) == 0
+    assert {p.name for p in out.iterdir()} == set(discovery.names())
+    of = load_model(spec)
+    assert [f.full_name for f in of.fields] == ["tools.light", "tools.light_response", "measurements.temperature"]
+    assert len(of.devices) == 1 and len(of.examples) == 2
+
+
+def test_a_new_specification_says_what_it_is(tmp_path: Path) -> None:
+    """Each file names a schema that is there, and says in a comment what it is for."""
+    assert cli.main(["new", str(tmp_path)]) == 0  # an empty folder will do
+    for path in sorted(tmp_path.rglob("*.yaml")):
+        named, gap, comment = path.read_text("utf-8").splitlines()[:3]
+        schema = re.fullmatch(r"# yaml-language-server: \$schema=(\S+)", named)
+        assert schema and (path.parent / schema[1]).is_file(), path
+        assert gap == "#" and len(comment) > 20
+
+
+def test_what_the_new_specification_generates_is_usable(tmp_path: Path) -> None:
+    assert cli.main(["new", str(tmp_path / "spec")]) == 0
+    assert mipgen("generate", cwd=tmp_path).returncode == 0
+    c = tmp_path / "generated/c"
+    sources = map(str, sorted((c / "src").glob("*.c")))
+    flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only", f"-I{c / 'include'}"]
+    subprocess.run([need("cc"), *flags, *sources], check=True)
+    code = """if True:
+        from mip_protocol import Parser, measurements, tools
+        import mip_protocol.devices, mip_protocol.reflection, mip_protocol.registry
+        print(bytes(tools.Light.write(tools.LightMode.ON, 2).packet()).hex())
+        (packet,) = Parser().feed(bytes.fromhex("75658006060141ac0000547a"))
+        print(measurements.Temperature.find(packet).temperature)
+    """
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, cwd=tmp_path / "generated/python"
+    )
+    assert done.stdout == "7565010505020101" + "02eb92\n21.5\n", done.stderr
+
+
+def test_a_folder_with_something_in_it_is_left_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "mine.txt").write_text("mine\n")
+    for folder in (tmp_path, tmp_path / "mine.txt"):
+        assert cli.main(["new", str(folder)]) == 1
+        assert capsys.readouterr().err == (
+            f"{folder}: error: there is something here already; name a folder that is new, or empty\n"
+        )
+    assert [p.name for p in tmp_path.iterdir()] == ["mine.txt"]
+
+
+# --------------------------------------------------------------------------- folders, help, versions
+
+
+def test_the_folders_of_the_current_folder(tmp_path: Path) -> None:
+    done = mipgen("generate", cwd=tmp_path)
+    assert done.returncode == 1 and done.stdout == ""
+    assert done.stderr == (
+        "spec: error: there is no specification here: protocol.yaml is missing; name its folder with --spec, "
+        "or write one to start from with 'mipgen new FOLDER'\n"
+    )
+    shutil.copytree(INVENTED, tmp_path / "spec")
+    assert mipgen("generate", cwd=tmp_path).returncode == 0
+    assert tree(tmp_path / "generated") == tree(GOLDEN)
+    assert mipgen("check", cwd=tmp_path).returncode == 0
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["generated", "spec"]
+
+
+def test_version(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as end:
+        cli.main(["--version"])
+    assert end.value.code == 0 and capsys.readouterr().out == f"mipgen {__version__}\n"
+
+
+def test_help(capsys: pytest.CaptureFixture[str]) -> None:
+    """Alone it says what there is; every command and every option says what it is for."""
+    assert cli.main([]) == 0
+    shown = capsys.readouterr().out
+    for command, parser in commands().items():
+        assert re.search(rf"^  {command}  +\w+", shown, re.M), command
+        assert all(action.help for action in parser._actions), command
+        with pytest.raises(SystemExit):
+            cli.main([command, "--help"])
+    for line in re.findall(r"^  mipgen (.*?)   ", cli.EXAMPLES, re.M):
+        cli.parser().parse_args(line.split())
+
+
+def commands() -> dict[str, Any]:
+    (of,) = (action.choices for action in cli.parser()._actions if isinstance(action.choices, dict))
+    return of
+
+
+def test_targets(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["targets"]) == 0
+    assert "c          C99, library mip\n" in capsys.readouterr().out
+    assert cli.main(["targets", "--names"]) == 0
+    assert capsys.readouterr().out.split() == discovery.names()
+
+
+def completed(script: Path, words: str, folder: Path) -> list[str]:
+    """What bash offers after these words."""
+    program = f"""
+        source {script}
+        COMP_WORDS=({words}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))
+        {"COMP_WORDS+=(''); COMP_CWORD=$((COMP_CWORD + 1))" if words.endswith(" ") else ":"}
+        $(complete -p mipgen | sed 's/.*-F \\([^ ]*\\).*/\\1/') mipgen "${{COMP_WORDS[COMP_CWORD]}}"
+        printf '%s\\n' "${{COMPREPLY[@]}}"
+    """
+    environment = {**os.environ, "PATH": f"{script.parent / 'bin'}:{os.environ['PATH']}"}
+    done = subprocess.run(["bash", "-c", program], capture_output=True, text=True, cwd=folder, env=environment)
+    return done.stdout.split()
+
+
+def test_completion_in_bash(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["completion", "bash"]) == 0
+    script = tmp_path / "mipgen.bash"
+    script.write_text(capsys.readouterr().out)
+    program = tmp_path / "bin/mipgen"
+    program.parent.mkdir()
+    program.write_text(f'#!/bin/sh\nPYTHONPATH={ROOT}/generator exec {sys.executable} -m mipgen "$@"\n')
+    program.chmod(0o755)
+    (tmp_path / "folder").mkdir()
+    assert completed(script, "mipgen generate --target p", tmp_path) == ["python"]
+    assert completed(script, "mipgen gen", tmp_path) == ["generate"]
+    assert completed(script, "mipgen generate --targ", tmp_path) == ["--target", "--target-path"]
+    assert completed(script, "mipgen new f", tmp_path) == ["folder"]
+    assert sorted(completed(script, "mipgen generate --spec ", tmp_path)) == ["bin", "folder"]
+    assert completed(script, "mipgen completion z", tmp_path) == ["zsh"]
+
+
+@pytest.mark.parametrize("shell", ["zsh", "fish"])
+def test_completion_in_other_shells(shell: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["completion", shell]) == 0
+    shown = capsys.readouterr().out
+    assert all(command in shown for command in commands()) and "mipgen targets --names" in shown
+
+
+# --------------------------------------------------------------------------- nothing to do
+
+
+@pytest.fixture(scope="module")
+def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("prepared")
+    shutil.copytree(INVENTED, folder / "spec")
+    assert generated(folder, made=True) == tree(GOLDEN)
+    return folder
+
+
+@pytest.fixture
+def work(prepared: Path, tmp_path: Path) -> Path:
+    """A folder with a specification, what it gives, and what was kept of that run."""
+    return Path(shutil.copytree(prepared, tmp_path / "work"))
+
+
+def generated(folder: Path, made: bool, *more: str) -> dict[str, bytes]:
+    """The output after a run; `made`: whether it had to be made, which loads the parser of YAML."""
+    done = subprocess.run(
+        [sys.executable, "-X", "importtime", "-m", "mipgen", "generate", *more], capture_output=True, text=True,
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": str(ROOT / "generator"), "MIPGEN_CACHE": str(folder / "cache")},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert bool(re.search(r"\| +yaml$", done.stderr, re.M)) == made
+    return tree(folder / "generated")
+
+
+def test_nothing_changed(work: Path) -> None:
+    before = {p: p.stat().st_mtime_ns for p in (work / "generated").rglob("*")}
+    assert generated(work, made=False) == tree(GOLDEN)
+    assert {p: p.stat().st_mtime_ns for p in (work / "generated").rglob("*")} == before
+    first = mipgen("generate", cwd=work, MIPGEN_CACHE="")
+    second = mipgen("generate", cwd=work, MIPGEN_CACHE=str(work / "cache"))
+    assert first.stdout == second.stdout and " 0 changed" in first.stdout
+
+
+@pytest.mark.parametrize("path", ["c/src/core.c", "python/.manifest", "markdown/README.md"])
+def test_an_output_that_was_changed_or_is_gone_is_written_again(work: Path, path: str) -> None:
+    file = work / "generated" / path
+    status = file.stat()
+    file.write_bytes(file.read_bytes()[:-2] + b"!\n")
+    os.utime(file, ns=(status.st_atime_ns, status.st_mtime_ns))
+    assert generated(work, made=True) == tree(GOLDEN)
+    file.unlink()
+    assert generated(work, made=True) == tree(GOLDEN)
+    assert generated(work, made=False) == tree(GOLDEN)
+
+
+def test_a_stale_file_goes(work: Path) -> None:
+    (work / "generated/c/old.h").write_text("old\n")
+    manifest = work / "generated/c/.manifest"
+    manifest.write_text(manifest.read_text() + "old.h\n")
+    assert generated(work, made=True) == tree(GOLDEN)
+
+
+def test_a_change_of_the_specification_is_seen(work: Path) -> None:
+    file = work / "spec/devices" / sorted(os.listdir(work / "spec/devices"))[0]
+    status, text = file.stat(), file.read_text("utf-8")
+    title = re.search(r"^title: (.*)$", text, re.M)
+    assert title is not None
+    file.write_text(text.replace(title[1], title[1][::-1]), "utf-8")
+    os.utime(file, ns=(status.st_atime_ns, status.st_mtime_ns))  # as if it had not been touched
+    assert generated(work, made=True) != tree(GOLDEN)
+    file.write_text(text, "utf-8")
+    assert generated(work, made=True) == tree(GOLDEN)  # the output is another one
+    assert generated(work, made=False) == tree(GOLDEN)
+
+
+def test_the_last_line_says_what_was_made_and_what_was_left_out(work: Path) -> None:
+    for _ in range(2):  # the second time nothing is to be done
+        done = mipgen("generate", "--target", "c", "--target", "rust", cwd=work)
+        count = len(tree(GOLDEN / "c")) + len(tree(GOLDEN / "rust"))
+        assert done.stdout.splitlines()[-1] == f"generated: {count} files, 0 changed; left out: markdown, python"
+    assert mipgen("generate", cwd=work).stdout.endswith("nothing was left out\n")
+
+
+def test_another_part_of_the_specification_is_other_work(work: Path) -> None:
+    shown = [mipgen("generate", "--set", "tools", cwd=work).stdout for _ in range(2)]
+    assert shown[0].splitlines()[0] == shown[1].splitlines()[0] != mipgen("generate", cwd=work).stdout.splitlines()[0]
+    assert tree(work / "generated") == tree(GOLDEN)
+
+
+def test_other_targets_are_other_work(work: Path) -> None:
+    shutil.rmtree(work / "generated")
+    assert set(generated(work, True, "--target", "c")) == {f"c/{p}" for p in tree(GOLDEN / "c")}
+    assert set(generated(work, False, "--target", "c")) == {f"c/{p}" for p in tree(GOLDEN / "c")}
+    assert generated(work, made=True) == tree(GOLDEN)
+
+
+def test_a_change_of_a_template_is_seen(work: Path) -> None:
+    template = work / "targets/c/README.md.j2"
+    template.parent.mkdir(parents=True)
+    for text, made in (("one", True), ("one", False), ("two", True)):
+        template.write_text(f"{text}\n")
+        assert generated(work, made, "--target-path", "targets")["c/README.md"] == f"{text}\n".encode()
+
+
+def test_a_target_of_the_user_is_always_asked(work: Path) -> None:
+    """What its module looks at is unknown."""
+    (work / "targets/note").mkdir(parents=True)
+    (work / "targets/note/target.py").write_text(
+        "from mipgen.render import File\n"
+        "TITLE = 'a note'\n"
+        "def files(model): yield File('note.txt', 'note.j2', {'text': open('note.txt').read()})\n"
+        "def identifiers(model): return ()\n"
+        "def filters(model): return {}\n"
+    )
+    (work / "targets/note/note.j2").write_text("{{ text }}")
+    for text in ("one", "two"):
+        (work / "note.txt").write_text(text)
+        assert generated(work, True, "--target-path", "targets")["note/note.txt"] == text.encode()
+
+
+def test_the_program_is_part_of_the_input(tmp_path: Path) -> None:
+    keys = []
+    copy = tmp_path / "copy"
+    for part in ("generator", "templates", "spec/schema"):
+        shutil.copytree(ROOT / part, copy / part, ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copy(ROOT / "LICENSE", copy)
+    for path in (None, "generator/mipgen/naming.py", "templates/c/README.md.j2", "spec/schema/common.schema.json"):
+        if path:
+            (copy / path).write_bytes((copy / path).read_bytes() + b"\n")
+        code = "from mipgen import stamp; print(stamp.program())"
+        keys.append(subprocess.run(
+            [sys.executable, "-c", code], capture_output=True, text=True, check=True,
+            env={**os.environ, "PYTHONPATH": str(copy / "generator")},
+        ).stdout)  # fmt: skip
+    assert len(set(keys)) == 4
+
+
+def test_so_is_each_library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "path", [*sys.path, str(tmp_path)])
+    before = stamp.program.__wrapped__()
+    assert stamp.program.__wrapped__() == before
+    (tmp_path / "ruff-99.0.dist-info").mkdir()
+    assert stamp.program.__wrapped__() != before
+
+
+def test_a_folder_that_is_too_large_is_not_remembered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "a").write_bytes(bytes(100))
+    assert stamp.key([tmp_path]) is not None
+    monkeypatch.setattr(stamp, "TOO_MUCH", 99)
+    assert stamp.key([tmp_path]) is None
+
+
+def test_a_file_that_was_valid_once_is_judged_when_it_changes(tmp_path: Path) -> None:
+    shutil.copytree(INVENTED, tmp_path / "spec")
+    assert cli.main(["validate", "--spec", str(tmp_path / "spec")]) == 0
+    for text, status in (("acknowledge", 0), ("acknowledg", 1), ("acknowledge", 0)):
+        file = tmp_path / "spec/protocol.yaml"
+        file.write_text(re.sub(r"^acknowledge?:", f"{text}:", file.read_text("utf-8"), flags=re.M), "utf-8")
+        assert cli.main(["validate", "--spec", str(tmp_path / "spec")]) == status
+
+
+# --------------------------------------------------------------------------- processes
+
+
+def test_each_in_a_process_of_its_own() -> None:
+    assert parallel.each(lambda n: (n, bytes(n)), [1, 200_000, 3]) == [
+        (1, b"\0"),
+        (200_000, bytes(200_000)),
+        (3, bytes(3)),
+    ]
+    parents = parallel.each(lambda _: os.getpid(), [1, 2])
+    assert len({os.getpid(), *parents}) == 3
+
+
+def test_what_fails_in_a_process_is_raised_here() -> None:
+    def fail(n: int) -> int:
+        if n == 2:
+            raise Failure("two is not liked", "here")
+        return n
+
+    with pytest.raises(Failure, match=r"^here: error: two is not liked$"):
+        parallel.each(fail, [1, 2, 3])
+    with pytest.raises(RuntimeError, match="ZeroDivisionError"):
+        parallel.each(lambda n: 1 // n, [1, 0])
+    with pytest.raises(RuntimeError, match="it ended with status"):
+        parallel.each(lambda n: os._exit(n), [0, 3])
+
+
+def test_names_that_collide_are_reported_for_all_targets(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    shutil.copytree(INVENTED, tmp_path / "spec")
+    (tmp_path / "spec/types/bad.yaml").write_text(
+        "types:\n"
+        "  gnss_1: {enum: u8, description: A., values: {x: 1}}\n"
+        "  gnss1: {enum: u8, description: A., values: {x: 1}}\n"
+    )
+    for command in (["validate"], ["generate", "--out", str(tmp_path / "out")]):
+        assert cli.main([*command, "--spec", str(tmp_path / "spec")]) == 1
+        shown = capsys.readouterr()
+        assert {"python", "rust"} <= set(re.findall(r"of the target (\w+)", shown.err)) and shown.out == ""
+        assert "problems; nothing was written" in shown.err
+    assert not (tmp_path / "out").exists()

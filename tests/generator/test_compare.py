@@ -1,0 +1,67 @@
+"""Two specifications are compared by what a program on the old one would meet with the new one."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from mipgen.compare import Report, compare
+from mipgen.resolve import load_model
+from support import ROOT, SPECS, model
+
+BASE = ROOT / "tests/bad_specs/base"
+
+
+def changed(folder: Path, file: str, old: str, new: str) -> Report:
+    spec = folder / "spec"
+    shutil.copytree(BASE, spec)
+    text = (spec / file).read_text()
+    assert text.count(old) >= 1, text
+    (spec / file).write_text(text.replace(old, new))
+    return compare(load_model(BASE), load_model(spec))
+
+
+TOOLS, DATA, TYPES = "sets/tools.yaml", "sets/measurements.yaml", "types/types.yaml"
+PORT = "{name: port, type: u8, for: WRS"
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new", "verdict", "said"),
+    [
+        (TOOLS, "title: Ping", "title: Ping it", "compatible", "tools.ping: another description"),
+        (TOOLS, "name: identify", "name: who", "source", "tools.who: was called tools.identify"),
+        (TOOLS, "{name: port, type: u8", "{name: line, type: u8", "source", "tools.settings.line: was called port"),
+        (TOOLS, PORT, PORT.replace("u8", "s8"), "wire", "from port on"),
+        (TOOLS, PORT, PORT.replace("WRS", "WR"), "wire", "tools.settings: functions require other parameters"),
+        (TOOLS, "{name: mode, type: mode", "{name: mode, type: u8", "source", "type u8, was mode"),
+        (DATA, "unit: m,", "unit: s,", "wire", "measurements.accel.accel: unit s, was m"),
+        (DATA, "frame: sensor, ", "", "wire", "frame none, was sensor"),
+        (DATA, "unit: m,", "unit: m, range: [0, ~],", "compatible", "range 0, open, was open, open"),
+        (DATA, ", valid: flags.ready", "", "compatible", "valid flag none, was flags.ready"),
+        (TYPES, "slow: 1", "slow: 3", "wire", "mode.slow: is 3, was 1"),
+        (TYPES, "slow: 1", "lazy: 1", "source", "mode.lazy: was called slow"),
+        (TYPES, "slow: 1", "slow: 1, turbo: 9", "compatible", "mode.turbo: added: 9"),
+        (TYPES, "level: 4-6", "level: 4-7", "wire", "flags.level: is bits 4-7, was bits 4-6"),
+        ("devices/model_a.yaml", "title: Model A", "title: Model 1", "compatible", "model-a: another profile"),
+        ("protocol.yaml", "save: {value", "store: {value", "source", "function_selector.store: was called save"),
+    ],
+)
+def test_verdict(tmp_path: Path, file: str, old: str, new: str, verdict: str, said: str) -> None:
+    report = changed(tmp_path, file, old, new)
+    assert report.verdict == verdict, report.changes
+    assert any(said in str(c) for c in report.changes), [str(c) for c in report.changes]
+
+
+def test_a_field_less_and_a_field_more() -> None:
+    real, more = model("real"), load_model(SPECS["real"][0], ROOT / "tests/overlay")
+    assert compare(real, more).verdict == "compatible" and compare(more, real).verdict == "source"
+    assert compare(real, real).verdict == "same" and compare(real, real).changes == ()
+    assert "payload.lamp" in {c["subject"] for c in compare(more, real).plain()["changes"]}
+
+
+def test_the_worst_comes_first() -> None:
+    report = compare(model("real"), model("invented"))
+    order = ["wire", "source", "compatible"]
+    found = [c.verdict for c in report.changes]
+    assert found == sorted(found, key=order.index) and report.verdict == "wire"

@@ -1,0 +1,117 @@
+"""Facts are composed from the model once; here they are compared with what the invented specification says."""
+
+from __future__ import annotations
+
+import pytest
+from mipgen import describe
+from mipgen import model as m
+from support import model
+
+INVENTED, REAL = model("invented"), model("real")
+
+
+def plain(text: describe.Text) -> str:
+    return describe.say(text, lambda ref: f"<{ref.words}>")
+
+
+def of(path: str, own: m.Model = INVENTED) -> dict[str, str]:
+    """Topic -> sentence of a field, or of a parameter "set.field:parameter"."""
+    name, _, parameter = path.partition(":")
+    f = own.field(name)
+    assert f is not None
+    if not parameter:
+        return {x.topic: plain(x.sentence) for x in describe.field(f, own)}
+    p = next(p for p in f.parameters if p.name == parameter)
+    return {x.topic: plain(x.sentence) for x in describe.parameter(p, f, own)}
+
+
+A, BOTH = "Supported by <Model A>.", "Supported by <Model A> and <Model B>."
+
+
+@pytest.mark.parametrize(
+    ("path", "facts"),
+    [
+        ("tools.ping", {"devices": BOTH}),
+        (
+            "tools.set_time",
+            {
+                "functions": "Functions: <write>, <read> and <apply>.",
+                "responses": "Answered by <tools.set_time_fast_response> or <tools.set_time_slow_response>.",
+                "devices": A,
+                "note": "Send it once a second.",
+            },
+        ),
+        (
+            "tools.status",
+            {
+                "advanced": "For advanced use.",
+                "responses": "Answered by <tools.status_short> or <tools.status_long>.",
+                "timeout": "The device may take 2.5 s to answer.",
+                "devices": BOTH,
+            },
+        ),
+        ("tools.formats", {"silent": "Not acknowledged if <suppress_ack> is true.", "devices": A}),
+        (
+            "tools.set_time_slow_response",
+            {"commands": "Answers <tools.set_time>.", "when": "Sent if <part> is <slow>.", "devices": A},
+        ),
+        ("tools.bias_vector", {"commands": "Answers <tools.bias> and <tools.capture_bias>.", "devices": A}),
+        (
+            "more.accel",
+            {
+                "definition": "Has the layout of <measurements.accel>.",
+                "max_rate": "Sent at 100 Hz at most.",
+                "devices": A,
+            },
+        ),
+        ("tools.settings:port", {"range": "Range: 0 to 8."}),
+        (
+            "tools.settings:mode",
+            {"default": "Default: <fast>.", "required": "Required for <write>, <read> and <apply>."},
+        ),
+        (
+            "tools.settings:baud",
+            {"unit": "Unit: Bd.", "default": "Default: 115200.", "required": "Required for <write> and <apply>."},
+        ),
+        ("tools.settings:limit", {"optional": "Optional.", "variant": "If <mode> is <slow>: unit m."}),
+        ("tools.settings:reserved", {"reserved": "Reserved: send 1.", "optional": "Optional."}),
+        ("tools.settings_response:reserved", {"reserved": "Reserved."}),
+        ("tools.status:model", {"constant": "Always 4711."}),
+        ("tools.choice:parameters", {"tag": "Selected by <shape>.", "required": "Required for <write>."}),
+        ("tools.list:count", {"counts": "The number of elements of <items>.", "required": "Required for <write>."}),
+        (
+            "measurements.accel:scaled_accel",
+            {
+                "elements": "Elements: x, y, z.",
+                "unit": "Unit: g.",
+                "frame": "Frame: <sensor>.",
+                "valid": "Each element is valid by its bit: x by <valid_flags.ready>, y by <valid_flags.hot>, "
+                "z by <valid_flags.ready>.",
+                "variant": "On the <Model B>: unit m, m, s; frame <ned>. Turned by the device.",
+            },
+        ),
+    ],
+)
+def test_facts(path: str, facts: dict[str, str]) -> None:
+    assert of(path) == facts
+
+
+def test_variants_by_value_are_told_one_by_one() -> None:
+    f = INVENTED.field("tools.pin")
+    assert f is not None
+    said = [plain(x.sentence) for x in describe.parameter(f.parameters[2], f, INVENTED) if x.topic == "variant"]
+    assert said == ["If <drive> is <pulse>: values of <pulse_use>.", "If <drive> is <serial>: values of <serial_use>."]
+
+
+def test_prose_refers_to_fields() -> None:
+    found = describe.prose("See tools.ping, (0x01,0x02), (0x01, 0x7F), 1.5 and e.g. no.such.", INVENTED)
+    assert plain(found) == "See <tools.ping>, <(0x01,0x02)>, (0x01, 0x7F), 1.5 and e.g. no.such."
+    assert plain(describe.prose("`tools.ping`, `a.b`", INVENTED)) == "<tools.ping>, `a.b`"
+
+
+@pytest.mark.parametrize("own", [INVENTED, REAL], ids=["invented", "real"])
+def test_a_value_is_part_of_its_sentence(own: m.Model) -> None:
+    for f in (own.protocol.acknowledge, *own.fields):
+        for fact in [*describe.field(f, own), *(x for p in f.parameters for x in describe.parameter(p, f, own))]:
+            assert plain(fact.value) in plain(fact.sentence)
+            assert plain(fact.sentence)[-1] == "." or fact.topic == "note", fact

@@ -1,0 +1,156 @@
+"""Targets and templates of a user's own folders."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from mipgen import cli
+from support import ROOT, SPECS, model
+
+SPEC = SPECS["invented"][0]
+GOLDEN = SPECS["invented"][1]
+GUIDE = (ROOT / "docs/new-language.md").read_text("utf-8")
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A folder of targets as the guide shows it."""
+    for path, text in re.findall(r"^`my-targets/(\S+)`:\n\n```\w+\n(.*?)```\n", GUIDE, re.M | re.S):
+        (tmp_path / "targets" / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "targets" / path).write_text(text)
+    return tmp_path / "targets"
+
+
+def generate(folder: Path, *more: str) -> int:
+    out = str(folder.parent / "out")
+    return cli.main(["generate", "--spec", str(SPEC), "--out", out, "--target-path", str(folder), *more])
+
+
+def made(folder: Path, path: str) -> str:
+    return (folder.parent / "out" / path).read_text("utf-8")
+
+
+def write(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text)
+
+
+def test_a_new_language_is_one_folder(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert generate(folder) == 0
+    rows = made(folder, "csv/fields.csv").splitlines()
+    assert len(rows) == len(model("invented").fields) + 1
+    assert "0x01,0x01,tools.ping," in rows
+    assert made(folder, "csv/.manifest") == "LICENSE\nfields.csv\n"
+    assert {p.name for p in (folder.parent / "out").iterdir()} == {"c", "csv", "markdown", "python", "rust"}
+    capsys.readouterr()
+    assert cli.main(["targets", "--target-path", str(folder)]) == 0
+    assert f"csv        a table of all fields  [{folder / 'csv'}]\n" in capsys.readouterr().out
+
+
+def test_one_target_of_a_folder(folder: Path) -> None:
+    assert generate(folder, "--target", "csv") == 0
+    assert [p.name for p in (folder.parent / "out").iterdir()] == ["csv"]
+
+
+def test_a_target_may_have_modules_and_files_beside_it(folder: Path) -> None:
+    write(folder / "csv/words.py", "HEX = '{:#x}'\n")
+    write(folder / "csv/runtime/read/me.txt", "read\n")
+    target = folder / "csv/target.py"
+    text = target.read_text().replace("from mipgen", "from . import words\nfrom mipgen")
+    target.write_text(text.replace('f"0x{n:02X}"', "words.HEX.format(n)"))
+    assert generate(folder, "--target", "csv") == 0
+    assert "0x1,0x1,tools.ping," in made(folder, "csv/fields.csv")
+    assert made(folder, "csv/read/me.txt") == "read\n"
+
+
+def test_templates_and_runtime_of_ours_are_replaced_and_joined(tmp_path: Path) -> None:
+    folder = tmp_path / "targets"
+    write(folder / "c/README.md.j2", "C of {{ model.protocol.name }}\n")
+    write(folder / "c/runtime/src/error.c", "int   error;\n")
+    write(folder / "c/runtime/Makefile", "all:\n")
+    assert generate(folder, "--target", "c") == 0
+    golden = {p.relative_to(GOLDEN / "c").as_posix() for p in (GOLDEN / "c").rglob("*") if p.is_file()}
+    there = {p.relative_to(tmp_path / "out/c").as_posix() for p in (tmp_path / "out/c").rglob("*") if p.is_file()}
+    assert there == golden | {"Makefile"}
+    assert made(folder, "c/README.md") == "C of MIP\n"
+    assert made(folder, "c/src/error.c") == "int error;\n"
+    for path in golden - {"README.md", "src/error.c", ".manifest"}:
+        assert (tmp_path / "out/c" / path).read_bytes() == (GOLDEN / "c" / path).read_bytes(), path
+
+
+def test_the_module_of_ours_is_replaced(tmp_path: Path) -> None:
+    folder = tmp_path / "targets"
+    shown = re.search(r"```python\n(from mipgen\.targets\.c import \*.*?)```", GUIDE, re.S)
+    assert shown is not None
+    write(folder / "c/target.py", f"from mipgen.render import File\n{shown[1]}")
+    write(folder / "c/fields.csv.j2", "{{ model.sets | length }} sets, {{ 'sensor' | module }}\n")
+    assert generate(folder, "--target", "c") == 0
+    assert made(folder, "c/fields.csv") == f"{len(model('invented').sets)} sets, sensor\n"
+    assert made(folder, "c/README.md") == (GOLDEN / "c/README.md").read_text("utf-8")
+
+
+def test_the_first_folder_goes_before(tmp_path: Path) -> None:
+    write(tmp_path / "a/c/README.md.j2", "first\n")
+    write(tmp_path / "b/c/README.md.j2", "second\n")
+    write(tmp_path / "b/c/runtime/NOTES", "second\n")
+    assert generate(tmp_path / "a", "--target", "c", "--target-path", str(tmp_path / "b")) == 0
+    assert made(tmp_path / "a", "c/README.md") == "first\n"
+    assert made(tmp_path / "a", "c/NOTES") == "second\n"
+
+
+def test_a_change_of_a_target_is_seen(folder: Path) -> None:
+    """Nothing that is kept between runs hides it: neither of a template, nor of a filter, nor of the model."""
+    template = folder / "csv/fields.csv.j2"
+    template.write_text('{{ 31 | hex }} {{ "a" | title }}\n')
+    assert generate(folder, "--target", "csv") == 0
+    assert made(folder, "csv/fields.csv") == "0x1F A\n"
+    target = folder / "csv/target.py"
+    target.write_text(target.read_text().replace('f"0x{n:02X}"', 'f"{n}, {len(model.sets)} sets"'))
+    assert generate(folder, "--target", "csv") == 0
+    assert made(folder, "csv/fields.csv") == f"31, {len(model('invented').sets)} sets A\n"
+    target.write_text(target.read_text().replace('"hex":', '"title": lambda text: "mine", "hex":'))
+    assert generate(folder, "--target", "csv") == 0
+    assert made(folder, "csv/fields.csv") == f"31, {len(model('invented').sets)} sets mine\n"
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda f: write(f / "csv/fields.csv.j2", "\n{{ model.fieldz }}\n"),
+         "{f}/csv/fields.csv.j2:2: error: 'mipgen.model.Model object' has no attribute 'fieldz' (for fields.csv)"),
+        (lambda f: write(f / "csv/fields.csv.j2", "\n\n{% for %}\n"),
+         "{f}/csv/fields.csv.j2:3: error: Expected an expression, got 'end of statement block' (for fields.csv)"),
+        (lambda f: write(f / "csv/fields.csv.j2", "{{ 1 | hexx }}\n"),
+         "{f}/csv/fields.csv.j2:1: error: No filter named 'hexx'. (for fields.csv)"),
+        (lambda f: (f / "csv/fields.csv.j2").unlink(),
+         "target csv: error: there is no template fields.csv.j2 (for fields.csv)"),
+        (lambda f: write(f / "csv/runtime/fields.csv", ""), "target csv: error: fields.csv is made twice"),
+        (lambda f: write(f / "csv/target.py", "TITLE = 'x'\ndef files(model): return ()\n"),
+         "{f}/csv/target.py: error: a target must have identifiers and filters"),
+        (lambda f: (f / "cc").mkdir(), "{f}/cc: error: target.py is missing, and there is no target 'cc', "
+         "did you mean 'c'?"),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_is_named(change: object, message: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert callable(change)
+    change(folder)
+    assert generate(folder) == 1
+    assert capsys.readouterr().err == message.format(f=folder) + "\n"
+    assert not (folder.parent / "out").exists()
+
+
+def test_a_folder_without_targets_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert generate(tmp_path / "none") == 1
+    assert f"{tmp_path / 'none'}: error: there is no such folder" in capsys.readouterr().err
+    assert generate(tmp_path) == 1
+    assert f"{tmp_path}: error: there is no target in it" in capsys.readouterr().err
+
+
+def test_a_fault_in_a_target_is_shown_with_its_place(folder: Path) -> None:
+    write(folder / "csv/target.py", (folder / "csv/target.py").read_text().replace("return ()", "return 1 / 0"))
+    for targets in (("csv",), ("csv", "c")):  # in this process, in another one
+        with pytest.raises(ArithmeticError if len(targets) == 1 else RuntimeError, match="division by zero"):
+            generate(folder, *(x for t in targets for x in ("--target", t)))
+    assert not (folder.parent / "out").exists()

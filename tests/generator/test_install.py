@@ -1,0 +1,103 @@
+"""The program as people install it: from a wheel, from a source distribution, on other Pythons, in any folder."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+from support import ROOT, SPECS, another_python, heavy
+
+INVENTED, GOLDEN = SPECS["invented"]
+
+
+def run(*command: str | Path, cwd: Path | None = None, **environment: str) -> str:
+    done = subprocess.run(
+        [str(c) for c in command], capture_output=True, text=True, cwd=cwd, env={**os.environ, **environment}
+    )
+    assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
+    return done.stdout
+
+
+def tree(folder: Path) -> dict[str, bytes]:
+    return {p.relative_to(folder).as_posix(): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a source distribution, and with a wheel that is made from it."""
+    out = tmp_path_factory.mktemp("built")
+    run(sys.executable, "-m", "build", "--no-isolation", "--outdir", out, ROOT)
+    return out
+
+
+def wheel(built: Path) -> Path:
+    return next(built.glob("*.whl"))
+
+
+def environment(folder: Path, python: str = sys.executable) -> Path:
+    """The bin folder of a new virtual environment with nothing in it."""
+    run(python, "-m", "venv", "--without-pip", folder)
+    return folder / "bin"
+
+
+def install(bin_folder: Path, *what: str | Path) -> None:
+    run(sys.executable, "-m", "pip", "--python", bin_folder / "python", "install", "--quiet", *what)
+
+
+def borrow_libraries(bin_folder: Path) -> None:
+    """Lets an environment use what is installed here, as installing all of it takes long."""
+    (site,) = bin_folder.parent.glob("lib/python*/site-packages")
+    here = [p for p in sys.path if p.endswith("site-packages")]
+    (site / "borrowed.pth").write_text("\n".join(here))
+
+
+def use(mipgen: Path, folder: Path) -> None:
+    """From nothing to bindings, and the known output of a known specification."""
+    folder.mkdir()
+    assert run(mipgen, "--version", cwd=folder) == "mipgen 0.1.0\n"
+    run(mipgen, "new", "spec", cwd=folder)
+    assert run(mipgen, "validate", cwd=folder).startswith("2 sets: ")
+    assert "python " in run(mipgen, "generate", cwd=folder)
+    assert "generated is what" in run(mipgen, "check", cwd=folder)
+    assert (folder / "generated/python/mip_protocol/tools.py").is_file()
+    run(mipgen, "generate", "--spec", INVENTED, "--out", folder / "out", cwd=folder)
+    assert tree(folder / "out") == tree(GOLDEN)
+
+
+def test_what_is_installed_works_in_any_folder(built: Path, tmp_path: Path) -> None:
+    bin_folder = environment(tmp_path / "venv")
+    install(bin_folder, "--no-deps", wheel(built))
+    borrow_libraries(bin_folder)
+    assert run(bin_folder / "python", "-c", "import mipgen; print(mipgen.__file__)").startswith(str(tmp_path))
+    use(bin_folder / "mipgen", tmp_path / "work")
+
+
+def test_it_reads_its_files_from_an_archive_too(built: Path, tmp_path: Path) -> None:
+    run(
+        sys.executable, "-m", "mipgen", "generate", "--spec", INVENTED, "--out", tmp_path / "out",
+        cwd=tmp_path, PYTHONPATH=str(wheel(built)),
+    )  # fmt: skip
+    assert tree(tmp_path / "out") == tree(GOLDEN)
+
+
+def test_the_wheel_holds_all_of_its_files(built: Path) -> None:
+    with zipfile.ZipFile(wheel(built)) as archive:
+        held = {name for name in archive.namelist() if ".dist-info/" not in name}
+    listed = run("git", "ls-files", "generator", "templates", "spec/schema", "LICENSE", cwd=ROOT).splitlines()
+    there = [name for name in listed if (ROOT / name).is_file()]
+    assert held == {
+        name.removeprefix("generator/") if name.startswith("generator/") else f"mipgen/data/{name}" for name in there
+    }
+
+
+@heavy("other Pythons")
+@pytest.mark.parametrize("version", ["3.10", "3.11", "3.12", "3.13"])
+def test_installed_on_every_python(built: Path, tmp_path: Path, version: str) -> None:
+    """With all libraries from the registry, in the newest versions that the package allows; from the sources."""
+    bin_folder = environment(tmp_path / "venv", another_python(version))
+    install(bin_folder, next(built.glob("*.tar.gz")))
+    use(bin_folder / "mipgen", tmp_path / "work")

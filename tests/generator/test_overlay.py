@@ -1,0 +1,87 @@
+"""Overlays add to a specification; what they do wrong is said with its place."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from mipgen import describe
+from mipgen.problems import SpecError
+from mipgen.resolve import load_model
+from support import ROOT, SPECS, model
+
+OVERLAY = ROOT / "tests/overlay"
+BASE = ROOT / "tests/bad_specs/base"
+
+
+def test_an_overlay_adds_sets_fields_types_units_and_support() -> None:
+    before, after = model("real"), load_model(SPECS["real"][0], OVERLAY)
+    new = {f.full_name for f in after.fields} - {f.full_name for f in before.fields}
+    assert new == {"payload.lamp", "payload.lamp_response", "sensor.ambient_light"}
+    light, lamp = after.field("sensor.ambient_light"), after.field("payload.lamp")
+    assert light is not None and lamp is not None and light.sources == lamp.sources == ()
+    assert light.parameters[0].units == ("lx",) and light.parameters[1].element in after.types
+    assert [d.id for d in after.devices_of(light)] == [d.id for d in after.devices_of(lamp)] == ["3dm-cv7-gnss-ins"]
+    said = [describe.say(x.sentence, lambda ref: ref.words) for x in describe.field(lamp, after)]
+    assert "Supported by 3DM-CV7-GNSS/INS." in said
+
+
+def test_the_specification_below_keeps_its_requirements(tmp_path: Path) -> None:
+    """Sources are optional in an overlay alone."""
+    shutil.copytree(BASE, tmp_path / "spec")
+    shutil.copy(OVERLAY / "sets/payload.yaml", tmp_path / "spec/sets/payload.yaml")
+    with pytest.raises(SpecError, match="'sources' is missing"):
+        load_model(tmp_path / "spec")
+
+
+A = "sets/a.yaml"
+DEVICE = "devices/a.yaml"
+PONG = "extend: tools\nfields:\n  - {command: 0x01, name: pong, title: Pong, description: Pongs.}\n"
+MODE = "extend: tools\ntypes:\n  mode: {enum: u8, description: A., values: {a: {value: 1, description: A.}}}\n"
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "message"),
+    [
+        (A, "extend: tols\nfields: []\n", ":1:9: error: no set 'tols' to extend, did you mean 'tools'?"),
+        (A, "extend: tools\ntitle: T\n", ":2:1: error: unknown key 'title'"),
+        (A, PONG, ":3:5: error: 'pong' has the descriptor 0x01 of 'ping'; give it another"),
+        (A, MODE, ":3:3: error: the type 'mode' is already defined"),
+        (DEVICE, "extend: model-x\n", ":1:9: error: no device 'model-x' to extend, did you mean 'model-a'?"),
+        (
+            DEVICE,
+            "extend: model-a\nbase_rates: {measurements: 5}\n",
+            ":2:14: error: 'measurements' is already given at ",
+        ),
+        ("overlay.yaml", "units:\n  m: {title: mile}\n", ":2:3: error: 'm' is already given at "),
+        ("protocol.yaml", "name: MIP\n", ":1:1: error: this file is not read"),
+        (
+            "sets/a.txt",
+            "",
+            ":1:1: error: nothing to lay over the specification: no overlay.yaml, manuals/*.yaml, types/*.yaml",
+        ),
+    ],
+)
+def test_messages(tmp_path: Path, file: str, text: str, message: str) -> None:
+    path = tmp_path / "over" / file
+    path.parent.mkdir(parents=True)
+    path.write_text(text)
+    with pytest.raises(SpecError) as caught:
+        load_model(BASE, tmp_path / "over")
+    place = "" if file.endswith(".txt") else file
+    assert f"{place}{message}" in str(caught.value)
+
+
+def test_an_overlay_may_extend_another(tmp_path: Path) -> None:
+    sets = tmp_path / "sets"
+    sets.mkdir()
+    (sets / "a.yaml").write_text(
+        "extend: payload\nfields:\n  - {command: 0x02, name: horn, title: Horn, description: Sounds the horn.}\n"
+    )
+    both = load_model(SPECS["real"][0], OVERLAY, tmp_path)
+    assert [f.name for f in both.sets[[s.name for s in both.sets].index("payload")].fields] == [
+        "lamp",
+        "horn",
+        "lamp_response",
+    ]

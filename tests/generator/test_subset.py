@@ -1,0 +1,93 @@
+"""A part of a specification has what is asked for and what that needs, and nothing else."""
+
+from __future__ import annotations
+
+import pytest
+from mipgen import model as m
+from mipgen.errors import Failure
+from mipgen.subset import Selection, left_out, select
+from support import model
+
+REAL, INVENTED = model("real"), model("invented")
+
+
+def names(part: m.Model) -> set[str]:
+    return {f.full_name for f in part.fields}
+
+
+def whole(part: m.Model) -> None:
+    """Everything that a part refers to is in it."""
+    types = {(getattr(t, "owner", None), t.name) for t in part.all_types}
+    for f in (part.protocol.acknowledge, *part.fields):
+        part.responses(f), part.commands(f), part.original(f), part.supports(f)
+        for p in f.parameters:
+            for t in (p.element, *(v.type for v in p.variants)):
+                if isinstance(t, (m.Enum, m.Bitfield, m.Struct)) and t != part.protocol.function_selector:
+                    assert (t.owner, t.name) in types, (f.full_name, t.name)
+            assert all(part.device(v.key) for v in p.variants if v.by_device)
+    for d in part.devices:
+        assert all(part.field(s.field.full_name) is s.field for s in d.supports)
+        assert all(part.set(r.set.number) is r.set for r in d.base_rates)
+    for e in part.examples:
+        assert all(x.field is None or part.field(x.field) for x in e.fields)
+
+
+@pytest.mark.parametrize("device", REAL.devices, ids=lambda d: d.id)
+def test_of_a_device(device: m.Device) -> None:
+    part = select(REAL, Selection(devices=(device.id,)))
+    whole(part)
+    supported = {s.field.full_name for s in device.supports}
+    assert {n for n in names(part) if part.field(n).role != m.RESPONSE} - supported == {  # type: ignore[union-attr]
+        f.definition for f in part.fields if f.definition and f.definition not in supported
+    }
+    assert [d.id for d in part.devices] == [device.id]
+
+
+@pytest.mark.parametrize("s", REAL.sets, ids=lambda s: s.name)
+def test_of_a_set(s: m.Set) -> None:
+    part = select(REAL, Selection(sets=(s.name,)))
+    whole(part)
+    needed = {f.definition for f in s.fields if f.definition}
+    shared = {f.full_name for f in REAL.fields if f.set == m.SHARED_SET} if s.kind != "command" else set()
+    assert names(part) == {f.full_name for f in s.fields} | needed | shared
+
+
+@pytest.mark.parametrize("f", INVENTED.fields, ids=lambda f: f.full_name)
+def test_of_a_field(f: m.Field) -> None:
+    part = select(INVENTED, Selection(fields=(f.full_name,)))
+    whole(part)
+    assert f.full_name in names(part) and len(names(part)) < 6
+
+
+def test_a_response_comes_with_its_commands() -> None:
+    part = select(INVENTED, Selection(fields=("tools.bias_vector",)))
+    assert names(part) == {"tools.bias_vector", "tools.bias", "tools.capture_bias"}
+
+
+def test_devices_narrow_sets() -> None:
+    part = select(INVENTED, Selection(devices=("model-b",), sets=("tools",)))
+    assert names(part) == {
+        "tools.ping", "tools.settings", "tools.settings_response", "tools.status", "tools.status_short",
+        "tools.status_long",
+    }  # fmt: skip
+
+
+def test_what_was_left_out() -> None:
+    part = select(REAL, Selection(sets=("base",)))
+    line = left_out(REAL, part)
+    assert f"{len(REAL.fields) - len(part.fields)} fields" in line and f"{len(REAL.sets) - 1} sets" in line
+    assert left_out(REAL, REAL).endswith("left out: nothing")
+
+
+@pytest.mark.parametrize(
+    ("selection", "message"),
+    [
+        (Selection(devices=("3dm-gx5",)), "unknown device '3dm-gx5', did you mean '3dm-gx5-15'?"),
+        (Selection(sets=("sensr",)), "unknown set 'sensr', did you mean 'sensor'?"),
+        (Selection(fields=("base.pin",)), "unknown field 'base.pin', did you mean 'base.ping'?"),
+    ],
+)
+def test_unknown_names(selection: Selection, message: str) -> None:
+    with pytest.raises(Failure) as caught:
+        select(REAL, selection)
+    assert str(caught.value) == f"mipgen: error: {message}"

@@ -1,0 +1,23 @@
+/**
+ * @file
+ * Constants of the protocol, and the version of this binding.
+ */
+#ifndef MIP_CONSTANTS_H
+#define MIP_CONSTANTS_H
+
+/** Version of the specification and of all files of this binding. */
+#define MIP_VERSION "0.1.0"
+/** The same as a number: 10203 is 1.2.3. */
+#define MIP_VERSION_NUMBER 100
+
+/** The first byte of every packet. */
+#define MIP_SYNC_1 0x75
+/** The second byte of every packet. */
+#define MIP_SYNC_2 0x65
+
+/** Most bytes of the payload of a packet. */
+#define MIP_MAX_PAYLOAD 255
+/** Most bytes of the data of a field. */
+#define MIP_MAX_FIELD_DATA 253
+
+#endif

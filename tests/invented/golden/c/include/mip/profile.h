@@ -1,0 +1,117 @@
+/**
+ * @file
+ * What a device supports, and how it differs from others. mip/devices.h names the devices.
+ */
+#ifndef MIP_PROFILE_H
+#define MIP_PROFILE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A command or a data field that a device supports. */
+struct mip_device_field {
+    uint8_t descriptor_set;
+    uint8_t descriptor;
+    /** Letters of the function selectors that the device takes: "WRSLD"; empty if there is none. */
+    const char *functions;
+};
+
+/** How often a device samples the fields of a data set. */
+struct mip_device_rate {
+    uint8_t descriptor_set;
+    /** In Hz; 0: sent as it comes. */
+    double rate;
+};
+
+/** A port of a device. */
+struct mip_device_port {
+    const char *name;
+    /** The number that commands use; 0 if there is none. */
+    uint8_t id;
+    uint8_t baud_rate_count;
+    const uint32_t *baud_rates;
+    /** "MIP, NMEA" */
+    const char *protocols;
+};
+
+/** A limit of a device: a number, and what it limits. */
+struct mip_device_limit {
+    const char *name;
+    double value;
+    /** Empty if there is none. */
+    const char *unit;
+    const char *description;
+};
+
+/** A fact in words, with a table if it has rows. */
+struct mip_device_note {
+    const char *name;
+    const char *title;
+    const char *description;
+    /** Row by row, the heading first. */
+    const char *const *cells;
+    uint8_t rows;
+    uint8_t columns;
+};
+
+/** The device's own type for a parameter. */
+struct mip_device_reading {
+    /** "filter_data.status.status_flags" */
+    const char *of;
+    /** Name of an enumeration or a bitfield: "filter_data.gx5_status_flags". */
+    const char *type;
+};
+
+/** A device. */
+struct mip_device {
+    const char *id;
+    const char *title;
+    const char *manual;
+    const char *description;
+    /** 0 if the manual gives none. */
+    uint16_t model_number;
+    /** Elements of the tables below. */
+    uint16_t field_count;
+    uint8_t rate_count;
+    uint8_t port_count;
+    uint8_t limit_count;
+    uint8_t note_count;
+    uint8_t reading_count;
+    uint8_t ack_code_count;
+    /** By descriptor set and descriptor. */
+    const struct mip_device_field *fields;
+    const struct mip_device_rate *rates;
+    const struct mip_device_port *ports;
+    const struct mip_device_limit *limits;
+    const struct mip_device_note *notes;
+    const struct mip_device_reading *readings;
+    /** The acknowledge codes that it sends. */
+    const uint8_t *ack_codes;
+};
+
+/** All devices. */
+extern const struct mip_device *const mip_devices[];
+extern const size_t mip_device_count;
+
+/** A device by its id ("3dm-gx5-15"); NULL if it is unknown. */
+const struct mip_device *mip_device_find(const char *id);
+
+/** Does the device support a command or a data field? NULL if it does not. */
+const struct mip_device_field *mip_device_supports(const struct mip_device *device,
+                                                   uint8_t descriptor_set, uint8_t descriptor);
+
+/** The base rate of a data set in Hz: 0 if data are sent as they come, negative if it has none. */
+double mip_device_base_rate(const struct mip_device *device, uint8_t descriptor_set);
+
+/** The name of the device's own type for a parameter; NULL if it has none. */
+const char *mip_device_reading_of(const struct mip_device *device, const char *of);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

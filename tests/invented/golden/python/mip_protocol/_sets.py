@@ -1,0 +1,11 @@
+"""The descriptor sets of the specification."""
+
+#: Descriptor set -> module of this package.
+MODULES: dict[int, str] = {
+    0x01: "tools",
+    0x0C: "mip_3d",
+    0x80: "measurements",
+    0x81: "more",
+    0x92: "copy",
+    0xFF: "shared",
+}

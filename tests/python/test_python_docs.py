@@ -1,0 +1,160 @@
+"""What is documented where: every fact of every field, parameter, value and bit, at that very thing."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+from mipgen import describe
+from mipgen import model as m
+from mipgen.targets.python import docs, members, names
+from support import SPECS, all_fields, model
+
+
+def plain(text: str) -> str:
+    """White space is one blank."""
+    return " ".join(text.split())
+
+
+@cache
+def documentation(path: Path) -> dict[str, str]:
+    """The docstrings of a module by name ("Ping", "Settings.port"); what is on the wire only by "Path#num_points"."""
+    source = path.read_text("utf-8")
+    tree = ast.parse(source)
+    found = dict(_attributes("", tree.body))
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef):
+            found[node.name] = plain(ast.get_docstring(node) or "")
+            found |= _attributes(f"{node.name}.", node.body)
+            lines = "\n".join(source.splitlines()[node.lineno : node.end_lineno])
+            comments = plain(" ".join(re.findall(r"^    # ?(.*)", lines, re.M)))
+            for name, text in re.findall(r"On the wire: (\w+)\. (.*?)(?=On the wire: |$)", comments):
+                found[f"{node.name}#{name}"] = text.strip()
+    return found
+
+
+def _attributes(owner: str, body: list[ast.stmt]) -> Iterator[tuple[str, str]]:
+    for node, behind in zip(body, [*body[1:], ast.Pass()]):
+        target = (
+            node.targets[0] if isinstance(node, ast.Assign) else node.target if isinstance(node, ast.AnnAssign) else 0
+        )
+        if isinstance(target, ast.Name):
+            documented = isinstance(behind, ast.Expr) and isinstance(behind.value, ast.Constant)
+            yield owner + target.id, plain(str(behind.value.value)) if documented else ""  # type: ignore[attr-defined]
+
+
+def texts(of: m.Model) -> Iterator[tuple[str, str, str]]:
+    """Module, name in it, and a text that must be there."""
+    for f in all_fields(of):
+        yield from _about(f, [f"{f.title} (0x{f.set:02X},0x{f.descriptor:02X}).", *_prose(f.description, f, of)])
+        yield from _about(f, _sentences(describe.field(f, of), f))
+        yield from _about(f, describe.sources(f))
+        yield from _parameters(f, of)
+    for t in (*of.all_types, of.protocol.function_selector):
+        yield from _about(t, [*_prose(t.description, t, of), *_sentences(describe.type(t, of), t)])
+        match t:
+            case m.Enum():
+                for v in t.values:
+                    yield from _about(
+                        t, [*_prose(v.description, t, of), *_sentences(describe.value(v, of), t)], f".{v.name}"
+                    )
+            case m.Bitfield():
+                for b in t.bits:
+                    said = [*_prose(b.description, t, of), *_sentences(describe.bits(b, of), t)]
+                    yield from _about(t, said, f".{b.name}")
+            case m.Struct():
+                yield from _parameters(t, of)
+            case m.Vector():
+                yield from _about(t, [f"Elements: {', '.join(t.elements)}."])
+        if not isinstance(t, m.Vector):
+            yield from _about(t, describe.sources(t))
+
+
+def _parameters(record: m.Field | m.Struct, of: m.Model) -> Iterator[tuple[str, str, str]]:
+    for p in record.parameters:
+        holder = record
+        if isinstance(record, m.Field) and p in of.original(record).parameters:
+            holder = of.original(record)
+        for q in (p, *(c.parameter for c in p.cases if c.parameter)):
+            said = [*_prose(q.description, holder, of), *_sentences(describe.parameter(q, holder, of), holder)]
+            yield from _about(holder, said, f"#{p.name}" if p.derived else f".{p.name}")
+        for c in p.cases:
+            yield from _about(holder, [docs.say(describe.case(c, p, holder).value, names.home(holder))], f".{p.name}")
+
+
+def _about(thing: m.Field | m.Type, said: list[str], part: str = "") -> Iterator[tuple[str, str, str]]:
+    if part.startswith("."):
+        part = "." + (names.constant if isinstance(thing, (m.Enum, m.Bitfield)) else names.member)(part[1:])
+    for text in said:
+        yield names.home(thing), names.class_name(thing) + part, plain(text)
+
+
+def _prose(text: str, thing: m.Field | m.Type, of: m.Model) -> list[str]:
+    return [docs.say(describe.prose(text, of), names.home(thing))] if text else []
+
+
+def _sentences(facts: list[describe.Fact], thing: m.Field | m.Type) -> list[str]:
+    return [docs.say(fact.sentence, names.home(thing)) for fact in facts]
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_every_fact_is_documented_where_it_belongs(spec: str) -> None:
+    package = SPECS[spec][1] / "python/mip_protocol"
+    wanted = list(texts(model(spec)))
+    missing = [
+        f"{module}.{name}: {text}"
+        for module, name, text in wanted
+        if text not in documentation(package / f"{module}.py")[name]
+    ]
+    assert not missing, "\n".join(missing[:20])
+    assert len(wanted) > {"real": 4000, "invented": 300}[spec]
+
+
+def test_references_are_names_of_python() -> None:
+    package = SPECS["invented"][1] / "python/mip_protocol"
+    tools, more = documentation(package / "tools.py"), documentation(package / "more.py")
+    assert tools["SetTimeSlowResponse"] == (
+        "Set time response (0x01,0x84). Answers `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A. "
+        "- guide: Set time"
+    )
+    assert tools["Settings.mode"] == "What to do. Default: `types.Mode.FAST`. Required for `write`, `read` and `apply`."
+    assert tools["Path#num_points"] == "Number of points. The number of elements of `points`."
+    assert tools["Circle.filling"] == (
+        "How it is filled. Selected by `fill`. - If `fill` is `Fill.EMPTY`: `None`. "
+        "- If `fill` is `Fill.SOLID`: `int`. A colour. - If `fill` is `Fill.STRIPED`: `Stripes`."
+    )
+    assert more["Accel.scaled_accel"].endswith("z by `types.StateFlags.READY` of `valid_flags`.")
+    assert "Has the layout of `measurements.Accel`." in more["Accel"]
+
+
+def test_prose_keeps_the_numbers_of_a_field_that_it_names() -> None:
+    of = model("invented")
+    assert docs.say(describe.prose("After (0x01,0x01), see tools.status.", of), "more") == (
+        "After `tools.Ping` (0x01,0x01), see `tools.Status`."
+    )
+
+
+def test_layout_of_docstrings() -> None:
+    assert docs.literal(["", ""], 4) == ""
+    assert docs.literal(['Ends in "quotes"'], 4) == '"""Ends in "quotes" """'
+    assert ast.literal_eval(docs.literal([r'A \ and """', "- a"], 4)) == 'A \\ and """\n\n    - a\n    '
+    line = "x" * (docs.WIDTH - 10)
+    assert docs.literal([line], 4) == f'"""{line}"""'
+    assert docs.literal([line + "x"], 4) == f'"""{line}x\n    """'
+    assert docs.literal(["- " + "word " * 30], 4).splitlines()[1].startswith("      word")
+    assert docs.comment("word " * 30, 4).splitlines()[1].startswith("    # word")
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_every_member_says_something(spec: str) -> None:
+    """No parameter of the specification is without a text, so every attribute has a docstring."""
+    package = SPECS[spec][1] / "python/mip_protocol"
+    for f in all_fields(model(spec)):
+        if f.definition is None:
+            found = documentation(package / f"{names.home(f)}.py")
+            for p in members.members(f):
+                assert found[f"{names.class_name(f)}.{names.member(p.name)}"], f"{f.full_name}.{p.name}"

@@ -1,0 +1,50 @@
+"""docs/architecture.md is true: what it names is there, and what is there it names."""
+
+from __future__ import annotations
+
+import re
+
+from support import ROOT
+
+TEXT = (ROOT / "docs/architecture.md").read_text("utf-8")
+GENERATOR = ROOT / "generator/mipgen"
+
+
+def table(heading: str) -> list[list[str]]:
+    """The rows of the first table below a heading."""
+    rows = re.findall(r"^\|.*\|$", TEXT.partition(f"\n## {heading}\n")[2].partition("\n## ")[0], re.M)
+    return [[cell.strip() for cell in row.strip("|").split("|")] for row in rows[2:]]
+
+
+def test_modules() -> None:
+    there = {p.stem for p in GENERATOR.glob("*.py") if not p.stem.startswith("__")} | {"targets/<name>"}
+    named = [name for row in table("Who knows what") for name in re.findall(r"`(.*?)`", row[0])]
+    assert sorted(named) == sorted(there)
+
+
+def test_paths() -> None:
+    """Files and folders, with the target that has them for <name>."""
+    paths = set(re.findall(r"`((?:spec|tests|templates|generated|docs)/[\w./<>-]*)`", TEXT))
+    assert len(paths) > 5
+    for path in paths:
+        assert list(ROOT.glob(path.replace("<name>", "*"))), path
+    for link in re.findall(r"\]\((.*?)\)", TEXT):
+        assert (ROOT / "docs" / link).exists(), link
+
+
+def test_the_way_of_a_fact() -> None:
+    """The example is what the outputs have."""
+    c = (ROOT / "generated/c/include/mip/base.h").read_text("utf-8")
+    python = (ROOT / "generated/python/mip_protocol/base.py").read_text("utf-8")
+    rust = (ROOT / "generated/rust/src/sets/base.rs").read_text("utf-8")
+    markdown = (ROOT / "generated/markdown/docs/sets/base.md").read_text("utf-8")
+    assert re.search(r"mip_base_comm_speed_write\(uint8_t port, uint32_t baud\)", c)
+    assert re.search(r"mip_base_comm_speed_read\(uint8_t port\)", c)
+    own = python.partition("\nclass CommSpeed(")[2].partition("\nclass ")[0]
+    assert "def write(cls, port: int, baud: int)" in own and "def read(cls, port: int)" in own
+    assert "\n    REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}" in own and "Required for `write`." in own
+    own = rust.partition("pub struct CommSpeed ")[2].partition("record!")[0]
+    assert "[baud for WRITE]" in own and "fn write(port: u8, baud: u32)" in own and "fn read(port: u8)" in own
+    own = markdown.partition('<a id="base.comm_speed"></a>')[2]
+    assert "| `W` `write` | 1 | `08 09 01` | `port`, `baud` | 8 | acknowledge |" in own
+    assert "| 2 | 4 | `baud` | `u32` | `write` | Bd |" in own
