@@ -54,9 +54,9 @@ class Docs:
         unheld = self._unheld(t) if isinstance(t, m.Struct) else []
         return [said, more, *unheld, "" if isinstance(t, m.Vector) else sources(t)]
 
-    def value(self, v: m.EnumValue) -> list[Block]:
-        said, _ = self._facts(describe.value(v, self.model), "")
-        return [f"{self._prose(v.description, '') or words(v.name)} {said}".strip()]
+    def value(self, v: m.EnumValue, of: m.Enum) -> list[Block]:
+        said, _ = self._facts(describe.value(v, self.model), home(of))
+        return [f"{self._prose(v.description, home(of)) or words(v.name)} {said}".strip()]
 
     def bits(self, b: m.Bits, of: m.Bitfield) -> list[Block]:
         said, _ = self._facts(describe.bits(b, self.model), home(of))
