@@ -291,7 +291,11 @@ def _letters(p: m.Parameter) -> str:
 
 
 def _range(p: m.Parameter) -> str:
-    """The bounds, apart from those that the type or the room in a field gives."""
+    """The bounds, apart from those that the type or the room in a field gives. The SDK bounds the elements of a vector
+    where we have its greatest magnitude."""
+    least, most = p.magnitude
+    if most is not None and least is None:
+        return f">= {-most} <= {most}"
     low = f"> {p.above}" if p.above is not None else f">= {p.minimum}" if p.minimum is not None else ""
     high = f"< {p.below}" if p.below is not None else f"<= {p.maximum}" if p.maximum is not None else ""
     return f"{low} {high}".strip()
