@@ -731,6 +731,7 @@ class Usage:
 
     word: str
     instead_of: tuple[str, ...]
+    position: Position | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ from .layout import Types
 from .nodes import Node
 from .problems import Problems, nearest
 from .sets import Sets
-from .vocabulary import Vocabulary, sentences, sources
+from .vocabulary import Vocabulary, sources
 
 
 def load_model(spec: Path, *overlays: Path) -> m.Model:
@@ -131,9 +131,7 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
             m.Chapter(n["title"].value, tuple(n["text"].plain()), sources(n, types.vocabulary, problems))
             for n in root.get("notes") or ()
         ),
-        vocabulary=tuple(m.Usage(word, sentences(root["vocabulary"], word)) for word in root["vocabulary"].value)
-        if "vocabulary" in root
-        else (),
+        vocabulary=_vocabulary(root.get("vocabulary")),
     )
 
 
@@ -150,6 +148,10 @@ def _manuals(nodes: list[Node], problems: Problems) -> list[m.Manual]:
             node.scalar("kind", "manual"),
         )  # fmt: skip
     return sorted(found.values(), key=lambda x: (x.document, x.id))
+
+
+def _vocabulary(node: Node | None) -> tuple[m.Usage, ...]:
+    return tuple(m.Usage(word, tuple(x.plain()), node.keys[word]) for word, x in node.items()) if node else ()
 
 
 def _words(node: Node) -> tuple[m.Word, ...]:

@@ -80,8 +80,8 @@ class Expected:
     def all(self) -> Iterator[tuple[Item, str]]:
         for s in self.model.sets:
             module = names.module(s.name)
-            unsure = [said(fact.sentence, "") for fact in describe.uncertain(s, self.model)]
-            texts = [s.title, self.prose(s.description, ""), *unsure, *describe.sources(s)]
+            unsure = [said(fact.sentence, module) for fact in describe.uncertain(s, self.model)]
+            texts = [s.title, self.prose(s.description, module), *unsure, *describe.sources(s)]
             yield from (((module, "", ""), text) for text in texts)
             for f in s.fields:
                 yield from self.field(f)
@@ -95,10 +95,9 @@ class Expected:
             yield from self.union(u.record, u.name, u.operation)
         for d in self.model.devices:
             item = ("known", names.constant(d.name), "")
-            yield from ((item, text) for text in (d.title, self.prose(d.description, "")))
-            for n in d.notes:
-                texts = [n.title, self.prose(n.description, ""), *(cell for row in n.rows for cell in row)]
-                yield from ((item, text) for text in texts)
+            prose = [self.prose(text, "devices") for text in (d.description, *(n.description for n in d.notes))]
+            words = [text for n in d.notes for text in (n.title, *(cell for row in n.rows for cell in row))]
+            yield from ((item, text) for text in (d.title, *prose, *words))
 
     def prose(self, text: str, here: str) -> str:
         return said(describe.prose(text, self.model), here)
@@ -125,7 +124,8 @@ class Expected:
     def union(self, record: names.Record, name: str, op: m.SwitchOp) -> Iterator[tuple[Item, str]]:
         here = names.home(record)
         for case in op.cases:
-            texts = [self.prose((case.parameter and case.parameter.description) or case.tag.description, here)]
+            description = (case.parameter and case.parameter.description) or case.tag.description
+            texts = [self.prose(description, here)]
             texts += self.facts(case.parameter, record) if case.parameter else []
             yield from (((here, name, names.constant(case.tag.name)), text) for text in texts)
 
@@ -138,13 +138,15 @@ class Expected:
                 yield from self.parameters(t)
             case m.Enum():
                 for v in t.values:
-                    facts = [said(fact.sentence, here) for fact in describe.value(v, self.model)]
-                    texts = [self.prose(v.description, here), *facts]
+                    texts = [
+                        self.prose(v.description, here),
+                        *(said(fact.sentence, here) for fact in describe.value(v, self.model)),
+                    ]
                     yield from (((here, owner, names.constant(v.name)), text) for text in texts)
             case m.Bitfield():
                 for b in t.bits:
-                    facts = [said(fact.sentence, here) for fact in describe.bits(b, self.model)]
-                    texts = [self.prose(b.description, here), *facts]
+                    facts = describe.bits(b, self.model)
+                    texts = [self.prose(b.description, here), *(said(fact.sentence, here) for fact in facts)]
                     yield from (((here, owner, names.constant(b.name)), text) for text in texts)
 
 

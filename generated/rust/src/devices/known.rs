@@ -5,7 +5,10 @@ use crate::protocol::AckCode;
 
 /// All devices.
 #[rustfmt::skip]
-pub static ALL: &[&Device] = &[&CV7_GNSS_INS, &GX5_15];
+pub static ALL: &[&Device] = &[
+    &CV7_GNSS_INS,
+    &GX5_15,
+];
 
 /// 3DM-CV7-GNSS/INS
 ///

@@ -174,7 +174,7 @@ union! {
 }
 
 constructors! {
-    FrameConfig { function, frame_id, format, tracking_enabled, translation, rotation }
+    FrameConfig
 
     /// Apply the new setting.
     fn write(
@@ -198,7 +198,7 @@ constructors! {
 }
 
 field! {
-    FrameConfig: 0x13, 0x01, "aiding.frame_config"
+    FrameConfig: 0x13, 0x01, "aiding.frame_config";
 }
 
 command! {
@@ -233,7 +233,7 @@ record! {
 }
 
 constructors! {
-    EchoControl { function, mode }
+    EchoControl
 
     /// Apply the new setting.
     fn write(mode: AidingEchoMode) = WRITE;
@@ -252,7 +252,7 @@ constructors! {
 }
 
 field! {
-    EchoControl: 0x13, 0x1F, "aiding.echo_control"
+    EchoControl: 0x13, 0x1F, "aiding.echo_control";
 }
 
 command! {
@@ -313,7 +313,7 @@ constructors! {
 }
 
 field! {
-    EcefPosition: 0x13, 0x21, "aiding.ecef_position"
+    EcefPosition: 0x13, 0x21, "aiding.ecef_position";
 }
 
 command! {
@@ -383,7 +383,7 @@ constructors! {
 }
 
 field! {
-    LlhPosition: 0x13, 0x22, "aiding.llh_position"
+    LlhPosition: 0x13, 0x22, "aiding.llh_position";
 }
 
 command! {
@@ -437,7 +437,7 @@ constructors! {
 }
 
 field! {
-    HeightAboveEllipsoid: 0x13, 0x23, "aiding.height_above_ellipsoid"
+    HeightAboveEllipsoid: 0x13, 0x23, "aiding.height_above_ellipsoid";
 }
 
 command! {
@@ -498,7 +498,7 @@ constructors! {
 }
 
 field! {
-    EcefVelocity: 0x13, 0x28, "aiding.ecef_velocity"
+    EcefVelocity: 0x13, 0x28, "aiding.ecef_velocity";
 }
 
 command! {
@@ -559,7 +559,7 @@ constructors! {
 }
 
 field! {
-    NedVelocity: 0x13, 0x29, "aiding.ned_velocity"
+    NedVelocity: 0x13, 0x29, "aiding.ned_velocity";
 }
 
 command! {
@@ -624,7 +624,7 @@ constructors! {
 }
 
 field! {
-    BodyFrameVelocity: 0x13, 0x2A, "aiding.body_frame_velocity"
+    BodyFrameVelocity: 0x13, 0x2A, "aiding.body_frame_velocity";
 }
 
 command! {
@@ -679,7 +679,7 @@ constructors! {
 }
 
 field! {
-    TrueHeading: 0x13, 0x31, "aiding.true_heading"
+    TrueHeading: 0x13, 0x31, "aiding.true_heading";
 }
 
 command! {
@@ -739,7 +739,7 @@ constructors! {
 }
 
 field! {
-    MagneticField: 0x13, 0x32, "aiding.magnetic_field"
+    MagneticField: 0x13, 0x32, "aiding.magnetic_field";
 }
 
 command! {
@@ -794,7 +794,7 @@ constructors! {
 }
 
 field! {
-    Pressure: 0x13, 0x33, "aiding.pressure"
+    Pressure: 0x13, 0x33, "aiding.pressure";
 }
 
 command! {
@@ -836,7 +836,8 @@ record! {
 }
 
 field! {
-    FrameConfigResponse: 0x13, 0x81, "aiding.frame_config_response", answers FrameConfig
+    FrameConfigResponse: 0x13, 0x81, "aiding.frame_config_response";
+    answers FrameConfig;
 }
 
 record! {
@@ -854,5 +855,6 @@ record! {
 }
 
 field! {
-    EchoControlResponse: 0x13, 0x9F, "aiding.echo_control_response", answers EchoControl
+    EchoControlResponse: 0x13, 0x9F, "aiding.echo_control_response";
+    answers EchoControl;
 }

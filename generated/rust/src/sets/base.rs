@@ -77,7 +77,7 @@ constructors! {
 }
 
 field! {
-    Ping: 0x01, 0x01, "base.ping"
+    Ping: 0x01, 0x01, "base.ping";
 }
 
 command! {
@@ -108,7 +108,7 @@ constructors! {
 }
 
 field! {
-    SetIdle: 0x01, 0x02, "base.set_idle"
+    SetIdle: 0x01, 0x02, "base.set_idle";
 }
 
 command! {
@@ -136,7 +136,7 @@ constructors! {
 }
 
 field! {
-    GetDeviceInfo: 0x01, 0x03, "base.get_device_info"
+    GetDeviceInfo: 0x01, 0x03, "base.get_device_info";
 }
 
 command! {
@@ -168,7 +168,7 @@ constructors! {
 }
 
 field! {
-    GetDeviceDescriptors: 0x01, 0x04, "base.get_device_descriptors"
+    GetDeviceDescriptors: 0x01, 0x04, "base.get_device_descriptors";
 }
 
 command! {
@@ -204,7 +204,7 @@ constructors! {
 }
 
 field! {
-    BuiltInTest: 0x01, 0x05, "base.built_in_test"
+    BuiltInTest: 0x01, 0x05, "base.built_in_test";
 }
 
 command! {
@@ -235,7 +235,7 @@ constructors! {
 }
 
 field! {
-    Resume: 0x01, 0x06, "base.resume"
+    Resume: 0x01, 0x06, "base.resume";
 }
 
 command! {
@@ -266,7 +266,7 @@ constructors! {
 }
 
 field! {
-    GetExtendedDescriptors: 0x01, 0x07, "base.get_extended_descriptors"
+    GetExtendedDescriptors: 0x01, 0x07, "base.get_extended_descriptors";
 }
 
 command! {
@@ -300,7 +300,7 @@ constructors! {
 }
 
 field! {
-    ContinuousBuiltInTest: 0x01, 0x08, "base.continuous_built_in_test"
+    ContinuousBuiltInTest: 0x01, 0x08, "base.continuous_built_in_test";
 }
 
 command! {
@@ -339,7 +339,7 @@ record! {
 }
 
 constructors! {
-    CommSpeed { function, port, baud }
+    CommSpeed
 
     /// Apply the new setting.
     fn write(port: u8, baud: u32) = WRITE;
@@ -358,7 +358,7 @@ constructors! {
 }
 
 field! {
-    CommSpeed: 0x01, 0x09, "base.comm_speed"
+    CommSpeed: 0x01, 0x09, "base.comm_speed";
 }
 
 command! {
@@ -405,7 +405,7 @@ record! {
 }
 
 constructors! {
-    GpsTimeUpdate { function, field_id, value }
+    GpsTimeUpdate
 
     /// Apply the new setting.
     fn write(field_id: GpsTimeField, value: u32) = WRITE;
@@ -418,7 +418,7 @@ constructors! {
 }
 
 field! {
-    GpsTimeUpdate: 0x01, 0x72, "base.gps_time_update"
+    GpsTimeUpdate: 0x01, 0x72, "base.gps_time_update";
 }
 
 command! {
@@ -459,7 +459,7 @@ constructors! {
 }
 
 field! {
-    SoftReset: 0x01, 0x7E, "base.soft_reset"
+    SoftReset: 0x01, 0x7E, "base.soft_reset";
 }
 
 command! {
@@ -481,7 +481,8 @@ record! {
 }
 
 field! {
-    GetDeviceInfoResponse: 0x01, 0x81, "base.get_device_info_response", answers GetDeviceInfo
+    GetDeviceInfoResponse: 0x01, 0x81, "base.get_device_info_response";
+    answers GetDeviceInfo;
 }
 
 record! {
@@ -500,7 +501,8 @@ record! {
 }
 
 field! {
-    GetDeviceDescriptorsResponse: 0x01, 0x82, "base.get_device_descriptors_response", answers GetDeviceDescriptors
+    GetDeviceDescriptorsResponse: 0x01, 0x82, "base.get_device_descriptors_response";
+    answers GetDeviceDescriptors;
 }
 
 record! {
@@ -540,7 +542,8 @@ impl BuiltInTestResponse {
 }
 
 field! {
-    BuiltInTestResponse: 0x01, 0x83, "base.built_in_test_response", answers BuiltInTest
+    BuiltInTestResponse: 0x01, 0x83, "base.built_in_test_response";
+    answers BuiltInTest;
 }
 
 record! {
@@ -563,7 +566,8 @@ record! {
 }
 
 field! {
-    GpsTimeUpdateWeekNumberResponse: 0x01, 0x84, "base.gps_time_update_week_number_response", answers GpsTimeUpdate
+    GpsTimeUpdateWeekNumberResponse: 0x01, 0x84, "base.gps_time_update_week_number_response";
+    answers GpsTimeUpdate;
 }
 
 record! {
@@ -586,7 +590,8 @@ record! {
 }
 
 field! {
-    GpsTimeUpdateTowResponse: 0x01, 0x85, "base.gps_time_update_tow_response", answers GpsTimeUpdate
+    GpsTimeUpdateTowResponse: 0x01, 0x85, "base.gps_time_update_tow_response";
+    answers GpsTimeUpdate;
 }
 
 record! {
@@ -605,7 +610,8 @@ record! {
 }
 
 field! {
-    GetExtendedDescriptorsResponse: 0x01, 0x86, "base.get_extended_descriptors_response", answers GetExtendedDescriptors
+    GetExtendedDescriptorsResponse: 0x01, 0x86, "base.get_extended_descriptors_response";
+    answers GetExtendedDescriptors;
 }
 
 record! {
@@ -637,7 +643,8 @@ impl ContinuousBuiltInTestResponse {
 }
 
 field! {
-    ContinuousBuiltInTestResponse: 0x01, 0x88, "base.continuous_built_in_test_response", answers ContinuousBuiltInTest
+    ContinuousBuiltInTestResponse: 0x01, 0x88, "base.continuous_built_in_test_response";
+    answers ContinuousBuiltInTest;
 }
 
 record! {
@@ -658,5 +665,6 @@ record! {
 }
 
 field! {
-    CommSpeedResponse: 0x01, 0x89, "base.comm_speed_response", answers CommSpeed
+    CommSpeedResponse: 0x01, 0x89, "base.comm_speed_response";
+    answers CommSpeed;
 }

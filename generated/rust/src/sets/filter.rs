@@ -308,7 +308,7 @@ constructors! {
 }
 
 field! {
-    Reset: 0x0D, 0x01, "filter.reset"
+    Reset: 0x0D, 0x01, "filter.reset";
 }
 
 command! {
@@ -354,7 +354,7 @@ constructors! {
 }
 
 field! {
-    SetInitialAttitude: 0x0D, 0x02, "filter.set_initial_attitude"
+    SetInitialAttitude: 0x0D, 0x02, "filter.set_initial_attitude";
 }
 
 command! {
@@ -391,7 +391,7 @@ constructors! {
 }
 
 field! {
-    SetInitialHeading: 0x0D, 0x03, "filter.set_initial_heading"
+    SetInitialHeading: 0x0D, 0x03, "filter.set_initial_heading";
 }
 
 command! {
@@ -421,7 +421,7 @@ constructors! {
 }
 
 field! {
-    Run: 0x0D, 0x05, "filter.run"
+    Run: 0x0D, 0x05, "filter.run";
 }
 
 command! {
@@ -452,7 +452,7 @@ record! {
 }
 
 constructors! {
-    VehicleDynamicsMode { function, mode }
+    VehicleDynamicsMode
 
     /// Apply the new setting.
     fn write(mode: DynamicsMode) = WRITE;
@@ -471,7 +471,7 @@ constructors! {
 }
 
 field! {
-    VehicleDynamicsMode: 0x0D, 0x10, "filter.vehicle_dynamics_mode"
+    VehicleDynamicsMode: 0x0D, 0x10, "filter.vehicle_dynamics_mode";
 }
 
 command! {
@@ -519,7 +519,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleRotationEuler { function, roll, pitch, yaw }
+    SensorToVehicleRotationEuler
 
     /// Apply the new setting.
     fn write(
@@ -542,7 +542,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleRotationEuler: 0x0D, 0x11, "filter.sensor_to_vehicle_rotation_euler"
+    SensorToVehicleRotationEuler: 0x0D, 0x11, "filter.sensor_to_vehicle_rotation_euler";
 }
 
 command! {
@@ -580,7 +580,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleOffset { function, offset }
+    SensorToVehicleOffset
 
     /// Apply the new setting.
     fn write(offset: impl Into<types::Vector3f>) = WRITE;
@@ -599,7 +599,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleOffset: 0x0D, 0x12, "filter.sensor_to_vehicle_offset"
+    SensorToVehicleOffset: 0x0D, 0x12, "filter.sensor_to_vehicle_offset";
 }
 
 command! {
@@ -636,7 +636,7 @@ record! {
 }
 
 constructors! {
-    AntennaOffset { function, offset }
+    AntennaOffset
 
     /// Apply the new setting.
     fn write(offset: impl Into<types::Vector3f>) = WRITE;
@@ -655,7 +655,7 @@ constructors! {
 }
 
 field! {
-    AntennaOffset: 0x0D, 0x13, "filter.antenna_offset"
+    AntennaOffset: 0x0D, 0x13, "filter.antenna_offset";
 }
 
 command! {
@@ -687,7 +687,7 @@ record! {
 }
 
 constructors! {
-    EstimationControl { function, flags }
+    EstimationControl
 
     /// Apply the new setting.
     fn write(flags: EstimatedStates) = WRITE;
@@ -706,7 +706,7 @@ constructors! {
 }
 
 field! {
-    EstimationControl: 0x0D, 0x14, "filter.estimation_control"
+    EstimationControl: 0x0D, 0x14, "filter.estimation_control";
 }
 
 command! {
@@ -741,7 +741,7 @@ record! {
 }
 
 constructors! {
-    GnssSource { function, source }
+    GnssSource
 
     /// Apply the new setting.
     fn write(source: GnssAidingSource) = WRITE;
@@ -760,7 +760,7 @@ constructors! {
 }
 
 field! {
-    GnssSource: 0x0D, 0x15, "filter.gnss_source"
+    GnssSource: 0x0D, 0x15, "filter.gnss_source";
 }
 
 command! {
@@ -833,7 +833,7 @@ constructors! {
 }
 
 field! {
-    ExternalGnssUpdate: 0x0D, 0x16, "filter.external_gnss_update"
+    ExternalGnssUpdate: 0x0D, 0x16, "filter.external_gnss_update";
 }
 
 command! {
@@ -887,7 +887,7 @@ constructors! {
 }
 
 field! {
-    ExternalHeadingUpdate: 0x0D, 0x17, "filter.external_heading_update"
+    ExternalHeadingUpdate: 0x0D, 0x17, "filter.external_heading_update";
 }
 
 command! {
@@ -918,7 +918,7 @@ record! {
 }
 
 constructors! {
-    HeadingSource { function, source }
+    HeadingSource
 
     /// Apply the new setting.
     fn write(source: HeadingUpdateSource) = WRITE;
@@ -937,7 +937,7 @@ constructors! {
 }
 
 field! {
-    HeadingSource: 0x0D, 0x18, "filter.heading_source"
+    HeadingSource: 0x0D, 0x18, "filter.heading_source";
 }
 
 command! {
@@ -971,7 +971,7 @@ record! {
 }
 
 constructors! {
-    AutoInitializationControl { function, enable }
+    AutoInitializationControl
 
     /// Apply the new setting.
     fn write(enable: u8) = WRITE;
@@ -990,7 +990,7 @@ constructors! {
 }
 
 field! {
-    AutoInitializationControl: 0x0D, 0x19, "filter.auto_initialization_control"
+    AutoInitializationControl: 0x0D, 0x19, "filter.auto_initialization_control";
 }
 
 command! {
@@ -1025,7 +1025,7 @@ record! {
 }
 
 constructors! {
-    AccelNoise { function, noise }
+    AccelNoise
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -1044,7 +1044,7 @@ constructors! {
 }
 
 field! {
-    AccelNoise: 0x0D, 0x1A, "filter.accel_noise"
+    AccelNoise: 0x0D, 0x1A, "filter.accel_noise";
 }
 
 command! {
@@ -1079,7 +1079,7 @@ record! {
 }
 
 constructors! {
-    GyroNoise { function, noise }
+    GyroNoise
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -1098,7 +1098,7 @@ constructors! {
 }
 
 field! {
-    GyroNoise: 0x0D, 0x1B, "filter.gyro_noise"
+    GyroNoise: 0x0D, 0x1B, "filter.gyro_noise";
 }
 
 command! {
@@ -1135,7 +1135,7 @@ record! {
 }
 
 constructors! {
-    AccelBiasModel { function, beta, noise }
+    AccelBiasModel
 
     /// Apply the new setting.
     fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) = WRITE;
@@ -1154,7 +1154,7 @@ constructors! {
 }
 
 field! {
-    AccelBiasModel: 0x0D, 0x1C, "filter.accel_bias_model"
+    AccelBiasModel: 0x0D, 0x1C, "filter.accel_bias_model";
 }
 
 command! {
@@ -1192,7 +1192,7 @@ record! {
 }
 
 constructors! {
-    GyroBiasModel { function, beta, noise }
+    GyroBiasModel
 
     /// Apply the new setting.
     fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) = WRITE;
@@ -1211,7 +1211,7 @@ constructors! {
 }
 
 field! {
-    GyroBiasModel: 0x0D, 0x1D, "filter.gyro_bias_model"
+    GyroBiasModel: 0x0D, 0x1D, "filter.gyro_bias_model";
 }
 
 command! {
@@ -1251,7 +1251,7 @@ record! {
 }
 
 constructors! {
-    AutoZupt { function, enable, threshold }
+    AutoZupt
 
     /// Apply the new setting.
     fn write(enable: u8, threshold: f32) = WRITE;
@@ -1270,7 +1270,7 @@ constructors! {
 }
 
 field! {
-    AutoZupt: 0x0D, 0x1E, "filter.auto_zupt"
+    AutoZupt: 0x0D, 0x1E, "filter.auto_zupt";
 }
 
 command! {
@@ -1339,7 +1339,7 @@ constructors! {
 }
 
 field! {
-    ExternalHeadingUpdateWithTime: 0x0D, 0x1F, "filter.external_heading_update_with_time"
+    ExternalHeadingUpdateWithTime: 0x0D, 0x1F, "filter.external_heading_update_with_time";
 }
 
 command! {
@@ -1379,7 +1379,7 @@ record! {
 }
 
 constructors! {
-    AutoAngularZupt { function, enable, threshold }
+    AutoAngularZupt
 
     /// Apply the new setting.
     fn write(enable: u8, threshold: f32) = WRITE;
@@ -1398,7 +1398,7 @@ constructors! {
 }
 
 field! {
-    AutoAngularZupt: 0x0D, 0x20, "filter.auto_angular_zupt"
+    AutoAngularZupt: 0x0D, 0x20, "filter.auto_angular_zupt";
 }
 
 command! {
@@ -1433,7 +1433,7 @@ record! {
 }
 
 constructors! {
-    TareOrientation { function, axes }
+    TareOrientation
 
     /// Apply the new setting.
     fn write(axes: TareAxes) = WRITE;
@@ -1452,7 +1452,7 @@ constructors! {
 }
 
 field! {
-    TareOrientation: 0x0D, 0x21, "filter.tare_orientation"
+    TareOrientation: 0x0D, 0x21, "filter.tare_orientation";
 }
 
 command! {
@@ -1482,7 +1482,7 @@ constructors! {
 }
 
 field! {
-    CommandedZupt: 0x0D, 0x22, "filter.commanded_zupt"
+    CommandedZupt: 0x0D, 0x22, "filter.commanded_zupt";
 }
 
 command! {
@@ -1511,7 +1511,7 @@ constructors! {
 }
 
 field! {
-    CommandedAngularZupt: 0x0D, 0x23, "filter.commanded_angular_zupt"
+    CommandedAngularZupt: 0x0D, 0x23, "filter.commanded_angular_zupt";
 }
 
 command! {
@@ -1557,7 +1557,7 @@ record! {
 }
 
 constructors! {
-    ReferencePosition { function, enable, latitude, longitude, altitude }
+    ReferencePosition
 
     /// Apply the new setting.
     fn write(
@@ -1581,7 +1581,7 @@ constructors! {
 }
 
 field! {
-    ReferencePosition: 0x0D, 0x26, "filter.reference_position"
+    ReferencePosition: 0x0D, 0x26, "filter.reference_position";
 }
 
 command! {
@@ -1607,10 +1607,13 @@ record! {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
     }
+    wire 1 {
+        [function selects]
+    }
 }
 
 constructors! {
-    MagCaptureAutoCalibration { function }
+    MagCaptureAutoCalibration
 
     /// Apply the new setting.
     fn write() = WRITE;
@@ -1620,7 +1623,7 @@ constructors! {
 }
 
 field! {
-    MagCaptureAutoCalibration: 0x0D, 0x27, "filter.mag_capture_auto_calibration"
+    MagCaptureAutoCalibration: 0x0D, 0x27, "filter.mag_capture_auto_calibration";
 }
 
 command! {
@@ -1654,7 +1657,7 @@ record! {
 }
 
 constructors! {
-    GravityNoise { function, noise }
+    GravityNoise
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -1673,7 +1676,7 @@ constructors! {
 }
 
 field! {
-    GravityNoise: 0x0D, 0x28, "filter.gravity_noise"
+    GravityNoise: 0x0D, 0x28, "filter.gravity_noise";
 }
 
 command! {
@@ -1709,7 +1712,7 @@ record! {
 }
 
 constructors! {
-    PressureAltitudeNoise { function, noise }
+    PressureAltitudeNoise
 
     /// Apply the new setting.
     fn write(noise: f32) = WRITE;
@@ -1728,7 +1731,7 @@ constructors! {
 }
 
 field! {
-    PressureAltitudeNoise: 0x0D, 0x29, "filter.pressure_altitude_noise"
+    PressureAltitudeNoise: 0x0D, 0x29, "filter.pressure_altitude_noise";
 }
 
 command! {
@@ -1760,7 +1763,7 @@ record! {
 }
 
 constructors! {
-    HardIronOffsetNoise { function, noise }
+    HardIronOffsetNoise
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -1779,7 +1782,7 @@ constructors! {
 }
 
 field! {
-    HardIronOffsetNoise: 0x0D, 0x2B, "filter.hard_iron_offset_noise"
+    HardIronOffsetNoise: 0x0D, 0x2B, "filter.hard_iron_offset_noise";
 }
 
 command! {
@@ -1812,7 +1815,7 @@ record! {
 }
 
 constructors! {
-    SoftIronMatrixNoise { function, noise }
+    SoftIronMatrixNoise
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Matrix3f>) = WRITE;
@@ -1831,7 +1834,7 @@ constructors! {
 }
 
 field! {
-    SoftIronMatrixNoise: 0x0D, 0x2C, "filter.soft_iron_matrix_noise"
+    SoftIronMatrixNoise: 0x0D, 0x2C, "filter.soft_iron_matrix_noise";
 }
 
 command! {
@@ -1863,7 +1866,7 @@ record! {
 }
 
 constructors! {
-    EnableMeasurements { function, control }
+    EnableMeasurements
 
     /// Apply the new setting.
     fn write(control: MeasurementFlags) = WRITE;
@@ -1882,7 +1885,7 @@ constructors! {
 }
 
 field! {
-    EnableMeasurements: 0x0D, 0x41, "filter.enable_measurements"
+    EnableMeasurements: 0x0D, 0x41, "filter.enable_measurements";
 }
 
 command! {
@@ -1915,7 +1918,7 @@ record! {
 }
 
 constructors! {
-    MagNoise { function, noise }
+    MagNoise
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -1934,7 +1937,7 @@ constructors! {
 }
 
 field! {
-    MagNoise: 0x0D, 0x42, "filter.mag_noise"
+    MagNoise: 0x0D, 0x42, "filter.mag_noise";
 }
 
 command! {
@@ -1973,7 +1976,7 @@ record! {
 }
 
 constructors! {
-    MagneticDeclinationSource { function, source, declination }
+    MagneticDeclinationSource
 
     /// Apply the new setting.
     fn write(source: MagParameterSource, declination: f32) = WRITE;
@@ -1992,7 +1995,7 @@ constructors! {
 }
 
 field! {
-    MagneticDeclinationSource: 0x0D, 0x43, "filter.magnetic_declination_source"
+    MagneticDeclinationSource: 0x0D, 0x43, "filter.magnetic_declination_source";
 }
 
 command! {
@@ -2060,7 +2063,7 @@ record! {
 }
 
 constructors! {
-    AccelMagnitudeErrorAdaptiveMeasurement { function, adaptive_measurement, frequency, low_limit, high_limit, low_limit_uncertainty, high_limit_uncertainty, minimum_uncertainty }
+    AccelMagnitudeErrorAdaptiveMeasurement
 
     /// Apply the new setting.
     fn write(adaptive_measurement: AdaptiveMeasurementSelector) = WRITE;
@@ -2079,18 +2082,17 @@ constructors! {
 }
 
 setters! {
-    AccelMagnitudeErrorAdaptiveMeasurement {
-        fn with_frequency(frequency: f32);
-        fn with_low_limit(low_limit: f32);
-        fn with_high_limit(high_limit: f32);
-        fn with_low_limit_uncertainty(low_limit_uncertainty: f32);
-        fn with_high_limit_uncertainty(high_limit_uncertainty: f32);
-        fn with_minimum_uncertainty(minimum_uncertainty: f32);
-    }
+    AccelMagnitudeErrorAdaptiveMeasurement
+    fn with_frequency(frequency: f32);
+    fn with_low_limit(low_limit: f32);
+    fn with_high_limit(high_limit: f32);
+    fn with_low_limit_uncertainty(low_limit_uncertainty: f32);
+    fn with_high_limit_uncertainty(high_limit_uncertainty: f32);
+    fn with_minimum_uncertainty(minimum_uncertainty: f32);
 }
 
 field! {
-    AccelMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x44, "filter.accel_magnitude_error_adaptive_measurement"
+    AccelMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x44, "filter.accel_magnitude_error_adaptive_measurement";
 }
 
 command! {
@@ -2164,7 +2166,7 @@ record! {
 }
 
 constructors! {
-    MagMagnitudeErrorAdaptiveMeasurement { function, adaptive_measurement, frequency, low_limit, high_limit, low_limit_uncertainty, high_limit_uncertainty, minimum_uncertainty }
+    MagMagnitudeErrorAdaptiveMeasurement
 
     /// Apply the new setting.
     fn write(
@@ -2191,7 +2193,7 @@ constructors! {
 }
 
 field! {
-    MagMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x45, "filter.mag_magnitude_error_adaptive_measurement"
+    MagMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x45, "filter.mag_magnitude_error_adaptive_measurement";
 }
 
 command! {
@@ -2252,7 +2254,7 @@ record! {
 }
 
 constructors! {
-    MagDipAngleErrorAdaptiveMeasurement { function, enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty }
+    MagDipAngleErrorAdaptiveMeasurement
 
     /// Apply the new setting.
     fn write(
@@ -2277,7 +2279,7 @@ constructors! {
 }
 
 field! {
-    MagDipAngleErrorAdaptiveMeasurement: 0x0D, 0x46, "filter.mag_dip_angle_error_adaptive_measurement"
+    MagDipAngleErrorAdaptiveMeasurement: 0x0D, 0x46, "filter.mag_dip_angle_error_adaptive_measurement";
 }
 
 command! {
@@ -2312,7 +2314,7 @@ record! {
 }
 
 constructors! {
-    AltitudeAiding { function, selector }
+    AltitudeAiding
 
     /// Apply the new setting.
     fn write(selector: AltitudeAidingSource) = WRITE;
@@ -2331,7 +2333,7 @@ constructors! {
 }
 
 field! {
-    AltitudeAiding: 0x0D, 0x47, "filter.altitude_aiding"
+    AltitudeAiding: 0x0D, 0x47, "filter.altitude_aiding";
 }
 
 command! {
@@ -2363,7 +2365,7 @@ record! {
 }
 
 constructors! {
-    PitchRollAiding { function, aiding }
+    PitchRollAiding
 
     /// Apply the new setting.
     fn write(aiding: PitchRollAidingSource) = WRITE;
@@ -2382,7 +2384,7 @@ constructors! {
 }
 
 field! {
-    PitchRollAiding: 0x0D, 0x4B, "filter.pitch_roll_aiding"
+    PitchRollAiding: 0x0D, 0x4B, "filter.pitch_roll_aiding";
 }
 
 command! {
@@ -2423,7 +2425,7 @@ record! {
 }
 
 constructors! {
-    MagneticInclinationSource { function, source, inclination }
+    MagneticInclinationSource
 
     /// Apply the new setting.
     fn write(source: MagParameterSource, inclination: f32) = WRITE;
@@ -2442,7 +2444,7 @@ constructors! {
 }
 
 field! {
-    MagneticInclinationSource: 0x0D, 0x4C, "filter.magnetic_inclination_source"
+    MagneticInclinationSource: 0x0D, 0x4C, "filter.magnetic_inclination_source";
 }
 
 command! {
@@ -2484,7 +2486,7 @@ record! {
 }
 
 constructors! {
-    MagneticMagnitudeSource { function, source, magnitude }
+    MagneticMagnitudeSource
 
     /// Apply the new setting.
     fn write(source: MagParameterSource, magnitude: f32) = WRITE;
@@ -2503,7 +2505,7 @@ constructors! {
 }
 
 field! {
-    MagneticMagnitudeSource: 0x0D, 0x4D, "filter.magnetic_magnitude_source"
+    MagneticMagnitudeSource: 0x0D, 0x4D, "filter.magnetic_magnitude_source";
 }
 
 command! {
@@ -2546,7 +2548,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleRotationDcm { function, dcm }
+    SensorToVehicleRotationDcm
 
     /// Apply the new setting.
     fn write(dcm: impl Into<types::Matrix3f>) = WRITE;
@@ -2565,7 +2567,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleRotationDcm: 0x0D, 0x4E, "filter.sensor_to_vehicle_rotation_dcm"
+    SensorToVehicleRotationDcm: 0x0D, 0x4E, "filter.sensor_to_vehicle_rotation_dcm";
 }
 
 command! {
@@ -2607,7 +2609,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleRotationQuaternion { function, q }
+    SensorToVehicleRotationQuaternion
 
     /// Apply the new setting.
     fn write(q: impl Into<types::Quatf>) = WRITE;
@@ -2626,7 +2628,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleRotationQuaternion: 0x0D, 0x4F, "filter.sensor_to_vehicle_rotation_quaternion"
+    SensorToVehicleRotationQuaternion: 0x0D, 0x4F, "filter.sensor_to_vehicle_rotation_quaternion";
 }
 
 command! {
@@ -2661,7 +2663,7 @@ record! {
 }
 
 constructors! {
-    AidingMeasurementEnable { function, aiding_source, enable }
+    AidingMeasurementEnable
 
     /// Apply the new setting.
     fn write(aiding_source: AidingSource, enable: bool) = WRITE;
@@ -2680,7 +2682,7 @@ constructors! {
 }
 
 field! {
-    AidingMeasurementEnable: 0x0D, 0x50, "filter.aiding_measurement_enable"
+    AidingMeasurementEnable: 0x0D, 0x50, "filter.aiding_measurement_enable";
 }
 
 command! {
@@ -2723,7 +2725,7 @@ record! {
 }
 
 constructors! {
-    KinematicConstraint { function, accel_constraint, velocity_constraint, angular_constraint }
+    KinematicConstraint
 
     /// Apply the new setting.
     fn write(
@@ -2746,7 +2748,7 @@ constructors! {
 }
 
 field! {
-    KinematicConstraint: 0x0D, 0x51, "filter.kinematic_constraint"
+    KinematicConstraint: 0x0D, 0x51, "filter.kinematic_constraint";
 }
 
 command! {
@@ -2827,7 +2829,7 @@ record! {
 }
 
 constructors! {
-    InitializationConfig { function, wait_for_run_command, initial_condition_source, auto_heading_alignment_selector, initial_heading, initial_pitch, initial_roll, initial_position, initial_velocity, reference_frame_selector }
+    InitializationConfig
 
     /// Apply the new setting.
     fn write(
@@ -2856,7 +2858,7 @@ constructors! {
 }
 
 field! {
-    InitializationConfig: 0x0D, 0x52, "filter.initialization_config"
+    InitializationConfig: 0x0D, 0x52, "filter.initialization_config";
 }
 
 command! {
@@ -2893,7 +2895,7 @@ record! {
 }
 
 constructors! {
-    AdaptiveFilterOptions { function, level, time_limit }
+    AdaptiveFilterOptions
 
     /// Apply the new setting.
     fn write(level: AdaptiveLevel, time_limit: u16) = WRITE;
@@ -2912,7 +2914,7 @@ constructors! {
 }
 
 field! {
-    AdaptiveFilterOptions: 0x0D, 0x53, "filter.adaptive_filter_options"
+    AdaptiveFilterOptions: 0x0D, 0x53, "filter.adaptive_filter_options";
 }
 
 command! {
@@ -2950,7 +2952,7 @@ record! {
 }
 
 constructors! {
-    MultiAntennaOffset { function, receiver_id, antenna_offset }
+    MultiAntennaOffset
 
     /// Apply the new setting.
     fn write(receiver_id: u8, antenna_offset: impl Into<types::Vector3f>) = WRITE;
@@ -2969,7 +2971,7 @@ constructors! {
 }
 
 field! {
-    MultiAntennaOffset: 0x0D, 0x54, "filter.multi_antenna_offset"
+    MultiAntennaOffset: 0x0D, 0x54, "filter.multi_antenna_offset";
 }
 
 command! {
@@ -3013,7 +3015,7 @@ record! {
 }
 
 constructors! {
-    RelativePositionConfig { function, source, reference_frame_selector, reference_coordinates }
+    RelativePositionConfig
 
     /// Apply the new setting.
     fn write(
@@ -3036,7 +3038,7 @@ constructors! {
 }
 
 field! {
-    RelativePositionConfig: 0x0D, 0x55, "filter.relative_position_config"
+    RelativePositionConfig: 0x0D, 0x55, "filter.relative_position_config";
 }
 
 command! {
@@ -3081,7 +3083,7 @@ record! {
 }
 
 constructors! {
-    ReferencePointLeverArm { function, reference_point, lever_arm_offset }
+    ReferencePointLeverArm
 
     /// Apply the new setting.
     fn write(reference_point: ReferencePoint, lever_arm_offset: impl Into<types::Vector3f>) = WRITE;
@@ -3100,7 +3102,7 @@ constructors! {
 }
 
 field! {
-    ReferencePointLeverArm: 0x0D, 0x56, "filter.reference_point_lever_arm"
+    ReferencePointLeverArm: 0x0D, 0x56, "filter.reference_point_lever_arm";
 }
 
 command! {
@@ -3164,7 +3166,7 @@ constructors! {
 }
 
 field! {
-    SpeedMeasurement: 0x0D, 0x60, "filter.speed_measurement"
+    SpeedMeasurement: 0x0D, 0x60, "filter.speed_measurement";
 }
 
 command! {
@@ -3200,7 +3202,7 @@ record! {
 }
 
 constructors! {
-    SpeedLeverArm { function, source, lever_arm_offset }
+    SpeedLeverArm
 
     /// Apply the new setting.
     fn write(lever_arm_offset: impl Into<types::Vector3f>) = WRITE, source: 1;
@@ -3219,7 +3221,7 @@ constructors! {
 }
 
 field! {
-    SpeedLeverArm: 0x0D, 0x61, "filter.speed_lever_arm"
+    SpeedLeverArm: 0x0D, 0x61, "filter.speed_lever_arm";
 }
 
 command! {
@@ -3254,7 +3256,7 @@ record! {
 }
 
 constructors! {
-    VerticalGyroConstraintControl { function, enable }
+    VerticalGyroConstraintControl
 
     /// Apply the new setting.
     fn write(enable: u8) = WRITE;
@@ -3273,7 +3275,7 @@ constructors! {
 }
 
 field! {
-    VerticalGyroConstraintControl: 0x0D, 0x62, "filter.vertical_gyro_constraint_control"
+    VerticalGyroConstraintControl: 0x0D, 0x62, "filter.vertical_gyro_constraint_control";
 }
 
 command! {
@@ -3308,7 +3310,7 @@ record! {
 }
 
 constructors! {
-    WheeledVehicleConstraintControl { function, enable }
+    WheeledVehicleConstraintControl
 
     /// Apply the new setting.
     fn write(enable: u8) = WRITE;
@@ -3327,7 +3329,7 @@ constructors! {
 }
 
 field! {
-    WheeledVehicleConstraintControl: 0x0D, 0x63, "filter.wheeled_vehicle_constraint_control"
+    WheeledVehicleConstraintControl: 0x0D, 0x63, "filter.wheeled_vehicle_constraint_control";
 }
 
 command! {
@@ -3365,7 +3367,7 @@ record! {
 }
 
 constructors! {
-    GnssAntennaCalibrationControl { function, enable, max_offset }
+    GnssAntennaCalibrationControl
 
     /// Apply the new setting.
     fn write(enable: u8, max_offset: f32) = WRITE;
@@ -3384,7 +3386,7 @@ constructors! {
 }
 
 field! {
-    GnssAntennaCalibrationControl: 0x0D, 0x64, "filter.gnss_antenna_calibration_control"
+    GnssAntennaCalibrationControl: 0x0D, 0x64, "filter.gnss_antenna_calibration_control";
 }
 
 command! {
@@ -3406,7 +3408,8 @@ record! {
 }
 
 field! {
-    VehicleDynamicsModeResponse: 0x0D, 0x80, "filter.vehicle_dynamics_mode_response", answers VehicleDynamicsMode
+    VehicleDynamicsModeResponse: 0x0D, 0x80, "filter.vehicle_dynamics_mode_response";
+    answers VehicleDynamicsMode;
 }
 
 record! {
@@ -3433,7 +3436,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleRotationEulerResponse: 0x0D, 0x81, "filter.sensor_to_vehicle_rotation_euler_response", answers SensorToVehicleRotationEuler
+    SensorToVehicleRotationEulerResponse: 0x0D, 0x81, "filter.sensor_to_vehicle_rotation_euler_response";
+    answers SensorToVehicleRotationEuler;
 }
 
 record! {
@@ -3452,7 +3456,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleOffsetResponse: 0x0D, 0x82, "filter.sensor_to_vehicle_offset_response", answers SensorToVehicleOffset
+    SensorToVehicleOffsetResponse: 0x0D, 0x82, "filter.sensor_to_vehicle_offset_response";
+    answers SensorToVehicleOffset;
 }
 
 record! {
@@ -3471,7 +3476,8 @@ record! {
 }
 
 field! {
-    AntennaOffsetResponse: 0x0D, 0x83, "filter.antenna_offset_response", answers AntennaOffset
+    AntennaOffsetResponse: 0x0D, 0x83, "filter.antenna_offset_response";
+    answers AntennaOffset;
 }
 
 record! {
@@ -3488,7 +3494,8 @@ record! {
 }
 
 field! {
-    EstimationControlResponse: 0x0D, 0x84, "filter.estimation_control_response", answers EstimationControl
+    EstimationControlResponse: 0x0D, 0x84, "filter.estimation_control_response";
+    answers EstimationControl;
 }
 
 record! {
@@ -3505,7 +3512,8 @@ record! {
 }
 
 field! {
-    GnssSourceResponse: 0x0D, 0x86, "filter.gnss_source_response", answers GnssSource
+    GnssSourceResponse: 0x0D, 0x86, "filter.gnss_source_response";
+    answers GnssSource;
 }
 
 record! {
@@ -3522,7 +3530,8 @@ record! {
 }
 
 field! {
-    HeadingSourceResponse: 0x0D, 0x87, "filter.heading_source_response", answers HeadingSource
+    HeadingSourceResponse: 0x0D, 0x87, "filter.heading_source_response";
+    answers HeadingSource;
 }
 
 record! {
@@ -3542,7 +3551,8 @@ record! {
 }
 
 field! {
-    AutoInitializationControlResponse: 0x0D, 0x88, "filter.auto_initialization_control_response", answers AutoInitializationControl
+    AutoInitializationControlResponse: 0x0D, 0x88, "filter.auto_initialization_control_response";
+    answers AutoInitializationControl;
 }
 
 record! {
@@ -3562,7 +3572,8 @@ record! {
 }
 
 field! {
-    AccelNoiseResponse: 0x0D, 0x89, "filter.accel_noise_response", answers AccelNoise
+    AccelNoiseResponse: 0x0D, 0x89, "filter.accel_noise_response";
+    answers AccelNoise;
 }
 
 record! {
@@ -3582,7 +3593,8 @@ record! {
 }
 
 field! {
-    GyroNoiseResponse: 0x0D, 0x8A, "filter.gyro_noise_response", answers GyroNoise
+    GyroNoiseResponse: 0x0D, 0x8A, "filter.gyro_noise_response";
+    answers GyroNoise;
 }
 
 record! {
@@ -3605,7 +3617,8 @@ record! {
 }
 
 field! {
-    AccelBiasModelResponse: 0x0D, 0x8B, "filter.accel_bias_model_response", answers AccelBiasModel
+    AccelBiasModelResponse: 0x0D, 0x8B, "filter.accel_bias_model_response";
+    answers AccelBiasModel;
 }
 
 record! {
@@ -3629,7 +3642,8 @@ record! {
 }
 
 field! {
-    GyroBiasModelResponse: 0x0D, 0x8C, "filter.gyro_bias_model_response", answers GyroBiasModel
+    GyroBiasModelResponse: 0x0D, 0x8C, "filter.gyro_bias_model_response";
+    answers GyroBiasModel;
 }
 
 record! {
@@ -3652,7 +3666,8 @@ record! {
 }
 
 field! {
-    AutoZuptResponse: 0x0D, 0x8D, "filter.auto_zupt_response", answers AutoZupt
+    AutoZuptResponse: 0x0D, 0x8D, "filter.auto_zupt_response";
+    answers AutoZupt;
 }
 
 record! {
@@ -3676,7 +3691,8 @@ record! {
 }
 
 field! {
-    AutoAngularZuptResponse: 0x0D, 0x8E, "filter.auto_angular_zupt_response", answers AutoAngularZupt
+    AutoAngularZuptResponse: 0x0D, 0x8E, "filter.auto_angular_zupt_response";
+    answers AutoAngularZupt;
 }
 
 record! {
@@ -3707,7 +3723,8 @@ record! {
 }
 
 field! {
-    ReferencePositionResponse: 0x0D, 0x90, "filter.reference_position_response", answers ReferencePosition
+    ReferencePositionResponse: 0x0D, 0x90, "filter.reference_position_response";
+    answers ReferencePosition;
 }
 
 record! {
@@ -3727,7 +3744,8 @@ record! {
 }
 
 field! {
-    GravityNoiseResponse: 0x0D, 0x93, "filter.gravity_noise_response", answers GravityNoise
+    GravityNoiseResponse: 0x0D, 0x93, "filter.gravity_noise_response";
+    answers GravityNoise;
 }
 
 record! {
@@ -3746,7 +3764,8 @@ record! {
 }
 
 field! {
-    PressureAltitudeNoiseResponse: 0x0D, 0x94, "filter.pressure_altitude_noise_response", answers PressureAltitudeNoise
+    PressureAltitudeNoiseResponse: 0x0D, 0x94, "filter.pressure_altitude_noise_response";
+    answers PressureAltitudeNoise;
 }
 
 record! {
@@ -3765,7 +3784,8 @@ record! {
 }
 
 field! {
-    HardIronOffsetNoiseResponse: 0x0D, 0x96, "filter.hard_iron_offset_noise_response", answers HardIronOffsetNoise
+    HardIronOffsetNoiseResponse: 0x0D, 0x96, "filter.hard_iron_offset_noise_response";
+    answers HardIronOffsetNoise;
 }
 
 record! {
@@ -3784,7 +3804,8 @@ record! {
 }
 
 field! {
-    SoftIronMatrixNoiseResponse: 0x0D, 0x97, "filter.soft_iron_matrix_noise_response", answers SoftIronMatrixNoise
+    SoftIronMatrixNoiseResponse: 0x0D, 0x97, "filter.soft_iron_matrix_noise_response";
+    answers SoftIronMatrixNoise;
 }
 
 record! {
@@ -3804,7 +3825,8 @@ record! {
 }
 
 field! {
-    TareOrientationResponse: 0x0D, 0xA1, "filter.tare_orientation_response", answers TareOrientation
+    TareOrientationResponse: 0x0D, 0xA1, "filter.tare_orientation_response";
+    answers TareOrientation;
 }
 
 record! {
@@ -3821,7 +3843,8 @@ record! {
 }
 
 field! {
-    EnableMeasurementsResponse: 0x0D, 0xB0, "filter.enable_measurements_response", answers EnableMeasurements
+    EnableMeasurementsResponse: 0x0D, 0xB0, "filter.enable_measurements_response";
+    answers EnableMeasurements;
 }
 
 record! {
@@ -3840,7 +3863,8 @@ record! {
 }
 
 field! {
-    MagNoiseResponse: 0x0D, 0xB1, "filter.mag_noise_response", answers MagNoise
+    MagNoiseResponse: 0x0D, 0xB1, "filter.mag_noise_response";
+    answers MagNoise;
 }
 
 record! {
@@ -3861,7 +3885,8 @@ record! {
 }
 
 field! {
-    MagneticDeclinationSourceResponse: 0x0D, 0xB2, "filter.magnetic_declination_source_response", answers MagneticDeclinationSource
+    MagneticDeclinationSourceResponse: 0x0D, 0xB2, "filter.magnetic_declination_source_response";
+    answers MagneticDeclinationSource;
 }
 
 record! {
@@ -3902,7 +3927,8 @@ record! {
 }
 
 field! {
-    AccelMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB3, "filter.accel_magnitude_error_adaptive_measurement_response", answers AccelMagnitudeErrorAdaptiveMeasurement
+    AccelMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB3, "filter.accel_magnitude_error_adaptive_measurement_response";
+    answers AccelMagnitudeErrorAdaptiveMeasurement;
 }
 
 record! {
@@ -3948,7 +3974,8 @@ record! {
 }
 
 field! {
-    MagMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB4, "filter.mag_magnitude_error_adaptive_measurement_response", answers MagMagnitudeErrorAdaptiveMeasurement
+    MagMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB4, "filter.mag_magnitude_error_adaptive_measurement_response";
+    answers MagMagnitudeErrorAdaptiveMeasurement;
 }
 
 record! {
@@ -3981,7 +4008,8 @@ record! {
 }
 
 field! {
-    MagDipAngleErrorAdaptiveMeasurementResponse: 0x0D, 0xB5, "filter.mag_dip_angle_error_adaptive_measurement_response", answers MagDipAngleErrorAdaptiveMeasurement
+    MagDipAngleErrorAdaptiveMeasurementResponse: 0x0D, 0xB5, "filter.mag_dip_angle_error_adaptive_measurement_response";
+    answers MagDipAngleErrorAdaptiveMeasurement;
 }
 
 record! {
@@ -3998,7 +4026,8 @@ record! {
 }
 
 field! {
-    AltitudeAidingResponse: 0x0D, 0xB7, "filter.altitude_aiding_response", answers AltitudeAiding
+    AltitudeAidingResponse: 0x0D, 0xB7, "filter.altitude_aiding_response";
+    answers AltitudeAiding;
 }
 
 record! {
@@ -4015,7 +4044,8 @@ record! {
 }
 
 field! {
-    PitchRollAidingResponse: 0x0D, 0xBB, "filter.pitch_roll_aiding_response", answers PitchRollAiding
+    PitchRollAidingResponse: 0x0D, 0xBB, "filter.pitch_roll_aiding_response";
+    answers PitchRollAiding;
 }
 
 record! {
@@ -4038,7 +4068,8 @@ record! {
 }
 
 field! {
-    MagneticInclinationSourceResponse: 0x0D, 0xBC, "filter.magnetic_inclination_source_response", answers MagneticInclinationSource
+    MagneticInclinationSourceResponse: 0x0D, 0xBC, "filter.magnetic_inclination_source_response";
+    answers MagneticInclinationSource;
 }
 
 record! {
@@ -4061,7 +4092,8 @@ record! {
 }
 
 field! {
-    MagneticMagnitudeSourceResponse: 0x0D, 0xBD, "filter.magnetic_magnitude_source_response", answers MagneticMagnitudeSource
+    MagneticMagnitudeSourceResponse: 0x0D, 0xBD, "filter.magnetic_magnitude_source_response";
+    answers MagneticMagnitudeSource;
 }
 
 record! {
@@ -4080,7 +4112,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleRotationDcmResponse: 0x0D, 0xBE, "filter.sensor_to_vehicle_rotation_dcm_response", answers SensorToVehicleRotationDcm
+    SensorToVehicleRotationDcmResponse: 0x0D, 0xBE, "filter.sensor_to_vehicle_rotation_dcm_response";
+    answers SensorToVehicleRotationDcm;
 }
 
 record! {
@@ -4099,7 +4132,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleRotationQuaternionResponse: 0x0D, 0xBF, "filter.sensor_to_vehicle_rotation_quaternion_response", answers SensorToVehicleRotationQuaternion
+    SensorToVehicleRotationQuaternionResponse: 0x0D, 0xBF, "filter.sensor_to_vehicle_rotation_quaternion_response";
+    answers SensorToVehicleRotationQuaternion;
 }
 
 record! {
@@ -4118,7 +4152,8 @@ record! {
 }
 
 field! {
-    AidingMeasurementEnableResponse: 0x0D, 0xD0, "filter.aiding_measurement_enable_response", answers AidingMeasurementEnable
+    AidingMeasurementEnableResponse: 0x0D, 0xD0, "filter.aiding_measurement_enable_response";
+    answers AidingMeasurementEnable;
 }
 
 record! {
@@ -4145,7 +4180,8 @@ record! {
 }
 
 field! {
-    KinematicConstraintResponse: 0x0D, 0xD1, "filter.kinematic_constraint_response", answers KinematicConstraint
+    KinematicConstraintResponse: 0x0D, 0xD1, "filter.kinematic_constraint_response";
+    answers KinematicConstraint;
 }
 
 record! {
@@ -4194,7 +4230,8 @@ record! {
 }
 
 field! {
-    InitializationConfigResponse: 0x0D, 0xD2, "filter.initialization_config_response", answers InitializationConfig
+    InitializationConfigResponse: 0x0D, 0xD2, "filter.initialization_config_response";
+    answers InitializationConfig;
 }
 
 record! {
@@ -4217,7 +4254,8 @@ record! {
 }
 
 field! {
-    AdaptiveFilterOptionsResponse: 0x0D, 0xD3, "filter.adaptive_filter_options_response", answers AdaptiveFilterOptions
+    AdaptiveFilterOptionsResponse: 0x0D, 0xD3, "filter.adaptive_filter_options_response";
+    answers AdaptiveFilterOptions;
 }
 
 record! {
@@ -4240,7 +4278,8 @@ record! {
 }
 
 field! {
-    MultiAntennaOffsetResponse: 0x0D, 0xD4, "filter.multi_antenna_offset_response", answers MultiAntennaOffset
+    MultiAntennaOffsetResponse: 0x0D, 0xD4, "filter.multi_antenna_offset_response";
+    answers MultiAntennaOffset;
 }
 
 record! {
@@ -4266,7 +4305,8 @@ record! {
 }
 
 field! {
-    RelativePositionConfigResponse: 0x0D, 0xD5, "filter.relative_position_config_response", answers RelativePositionConfig
+    RelativePositionConfigResponse: 0x0D, 0xD5, "filter.relative_position_config_response";
+    answers RelativePositionConfig;
 }
 
 record! {
@@ -4288,7 +4328,8 @@ record! {
 }
 
 field! {
-    ReferencePointLeverArmResponse: 0x0D, 0xD6, "filter.reference_point_lever_arm_response", answers ReferencePointLeverArm
+    ReferencePointLeverArmResponse: 0x0D, 0xD6, "filter.reference_point_lever_arm_response";
+    answers ReferencePointLeverArm;
 }
 
 record! {
@@ -4318,7 +4359,8 @@ impl core::default::Default for SpeedLeverArmResponse {
 }
 
 field! {
-    SpeedLeverArmResponse: 0x0D, 0xE1, "filter.speed_lever_arm_response", answers SpeedLeverArm
+    SpeedLeverArmResponse: 0x0D, 0xE1, "filter.speed_lever_arm_response";
+    answers SpeedLeverArm;
 }
 
 record! {
@@ -4337,7 +4379,8 @@ record! {
 }
 
 field! {
-    VerticalGyroConstraintControlResponse: 0x0D, 0xE2, "filter.vertical_gyro_constraint_control_response", answers VerticalGyroConstraintControl
+    VerticalGyroConstraintControlResponse: 0x0D, 0xE2, "filter.vertical_gyro_constraint_control_response";
+    answers VerticalGyroConstraintControl;
 }
 
 record! {
@@ -4356,7 +4399,8 @@ record! {
 }
 
 field! {
-    WheeledVehicleConstraintControlResponse: 0x0D, 0xE3, "filter.wheeled_vehicle_constraint_control_response", answers WheeledVehicleConstraintControl
+    WheeledVehicleConstraintControlResponse: 0x0D, 0xE3, "filter.wheeled_vehicle_constraint_control_response";
+    answers WheeledVehicleConstraintControl;
 }
 
 record! {
@@ -4381,5 +4425,6 @@ record! {
 }
 
 field! {
-    GnssAntennaCalibrationControlResponse: 0x0D, 0xE4, "filter.gnss_antenna_calibration_control_response", answers GnssAntennaCalibrationControl
+    GnssAntennaCalibrationControlResponse: 0x0D, 0xE4, "filter.gnss_antenna_calibration_control_response";
+    answers GnssAntennaCalibrationControl;
 }

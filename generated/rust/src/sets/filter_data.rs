@@ -378,7 +378,7 @@ record! {
 }
 
 field! {
-    LlhPosition: 0x82, 0x01, "filter_data.llh_position"
+    LlhPosition: 0x82, 0x01, "filter_data.llh_position";
 }
 
 record! {
@@ -409,7 +409,7 @@ record! {
 }
 
 field! {
-    NedVelocity: 0x82, 0x02, "filter_data.ned_velocity"
+    NedVelocity: 0x82, 0x02, "filter_data.ned_velocity";
 }
 
 record! {
@@ -436,7 +436,7 @@ record! {
 }
 
 field! {
-    AttitudeQuaternion: 0x82, 0x03, "filter_data.attitude_quaternion"
+    AttitudeQuaternion: 0x82, 0x03, "filter_data.attitude_quaternion";
 }
 
 record! {
@@ -463,7 +463,7 @@ record! {
 }
 
 field! {
-    AttitudeDcm: 0x82, 0x04, "filter_data.attitude_dcm"
+    AttitudeDcm: 0x82, 0x04, "filter_data.attitude_dcm";
 }
 
 record! {
@@ -497,7 +497,7 @@ record! {
 }
 
 field! {
-    EulerAngles: 0x82, 0x05, "filter_data.euler_angles"
+    EulerAngles: 0x82, 0x05, "filter_data.euler_angles";
 }
 
 record! {
@@ -521,7 +521,7 @@ record! {
 }
 
 field! {
-    GyroBias: 0x82, 0x06, "filter_data.gyro_bias"
+    GyroBias: 0x82, 0x06, "filter_data.gyro_bias";
 }
 
 record! {
@@ -545,7 +545,7 @@ record! {
 }
 
 field! {
-    AccelBias: 0x82, 0x07, "filter_data.accel_bias"
+    AccelBias: 0x82, 0x07, "filter_data.accel_bias";
 }
 
 record! {
@@ -576,7 +576,7 @@ record! {
 }
 
 field! {
-    LlhPositionUncertainty: 0x82, 0x08, "filter_data.llh_position_uncertainty"
+    LlhPositionUncertainty: 0x82, 0x08, "filter_data.llh_position_uncertainty";
 }
 
 record! {
@@ -607,7 +607,7 @@ record! {
 }
 
 field! {
-    NedVelocityUncertainty: 0x82, 0x09, "filter_data.ned_velocity_uncertainty"
+    NedVelocityUncertainty: 0x82, 0x09, "filter_data.ned_velocity_uncertainty";
 }
 
 record! {
@@ -642,7 +642,7 @@ record! {
 }
 
 field! {
-    EulerAnglesUncertainty: 0x82, 0x0A, "filter_data.euler_angles_uncertainty"
+    EulerAnglesUncertainty: 0x82, 0x0A, "filter_data.euler_angles_uncertainty";
 }
 
 record! {
@@ -667,7 +667,7 @@ record! {
 }
 
 field! {
-    GyroBiasUncertainty: 0x82, 0x0B, "filter_data.gyro_bias_uncertainty"
+    GyroBiasUncertainty: 0x82, 0x0B, "filter_data.gyro_bias_uncertainty";
 }
 
 record! {
@@ -691,7 +691,7 @@ record! {
 }
 
 field! {
-    AccelBiasUncertainty: 0x82, 0x0C, "filter_data.accel_bias_uncertainty"
+    AccelBiasUncertainty: 0x82, 0x0C, "filter_data.accel_bias_uncertainty";
 }
 
 record! {
@@ -716,7 +716,7 @@ record! {
 }
 
 field! {
-    LinearAccel: 0x82, 0x0D, "filter_data.linear_accel"
+    LinearAccel: 0x82, 0x0D, "filter_data.linear_accel";
 }
 
 record! {
@@ -741,7 +741,7 @@ record! {
 }
 
 field! {
-    CompAngularRate: 0x82, 0x0E, "filter_data.comp_angular_rate"
+    CompAngularRate: 0x82, 0x0E, "filter_data.comp_angular_rate";
 }
 
 record! {
@@ -766,7 +766,7 @@ record! {
 }
 
 field! {
-    Wgs84GravityMagnitude: 0x82, 0x0F, "filter_data.wgs84_gravity_magnitude"
+    Wgs84GravityMagnitude: 0x82, 0x0F, "filter_data.wgs84_gravity_magnitude";
 }
 
 record! {
@@ -854,7 +854,7 @@ impl Status {
 }
 
 field! {
-    Status: 0x82, 0x10, "filter_data.status"
+    Status: 0x82, 0x10, "filter_data.status";
 }
 
 record! {
@@ -888,7 +888,7 @@ record! {
 }
 
 field! {
-    Timestamp: 0x82, 0x11, "filter_data.timestamp"
+    Timestamp: 0x82, 0x11, "filter_data.timestamp";
 }
 
 record! {
@@ -912,7 +912,7 @@ record! {
 }
 
 field! {
-    QuaternionAttitudeUncertainty: 0x82, 0x12, "filter_data.quaternion_attitude_uncertainty"
+    QuaternionAttitudeUncertainty: 0x82, 0x12, "filter_data.quaternion_attitude_uncertainty";
 }
 
 record! {
@@ -937,7 +937,7 @@ record! {
 }
 
 field! {
-    GravityVector: 0x82, 0x13, "filter_data.gravity_vector"
+    GravityVector: 0x82, 0x13, "filter_data.gravity_vector";
 }
 
 record! {
@@ -968,7 +968,7 @@ record! {
 }
 
 field! {
-    HeadingUpdateState: 0x82, 0x14, "filter_data.heading_update_state"
+    HeadingUpdateState: 0x82, 0x14, "filter_data.heading_update_state";
 }
 
 record! {
@@ -1009,7 +1009,7 @@ record! {
 }
 
 field! {
-    MagneticModel: 0x82, 0x15, "filter_data.magnetic_model"
+    MagneticModel: 0x82, 0x15, "filter_data.magnetic_model";
 }
 
 record! {
@@ -1033,7 +1033,7 @@ record! {
 }
 
 field! {
-    GyroScaleFactor: 0x82, 0x16, "filter_data.gyro_scale_factor"
+    GyroScaleFactor: 0x82, 0x16, "filter_data.gyro_scale_factor";
 }
 
 record! {
@@ -1057,7 +1057,7 @@ record! {
 }
 
 field! {
-    AccelScaleFactor: 0x82, 0x17, "filter_data.accel_scale_factor"
+    AccelScaleFactor: 0x82, 0x17, "filter_data.accel_scale_factor";
 }
 
 record! {
@@ -1081,7 +1081,7 @@ record! {
 }
 
 field! {
-    GyroScaleFactorUncertainty: 0x82, 0x18, "filter_data.gyro_scale_factor_uncertainty"
+    GyroScaleFactorUncertainty: 0x82, 0x18, "filter_data.gyro_scale_factor_uncertainty";
 }
 
 record! {
@@ -1105,7 +1105,7 @@ record! {
 }
 
 field! {
-    AccelScaleFactorUncertainty: 0x82, 0x19, "filter_data.accel_scale_factor_uncertainty"
+    AccelScaleFactorUncertainty: 0x82, 0x19, "filter_data.accel_scale_factor_uncertainty";
 }
 
 record! {
@@ -1129,7 +1129,7 @@ record! {
 }
 
 field! {
-    MagBias: 0x82, 0x1A, "filter_data.mag_bias"
+    MagBias: 0x82, 0x1A, "filter_data.mag_bias";
 }
 
 record! {
@@ -1153,7 +1153,7 @@ record! {
 }
 
 field! {
-    MagBiasUncertainty: 0x82, 0x1B, "filter_data.mag_bias_uncertainty"
+    MagBiasUncertainty: 0x82, 0x1B, "filter_data.mag_bias_uncertainty";
 }
 
 record! {
@@ -1178,7 +1178,7 @@ record! {
 }
 
 field! {
-    CompAccel: 0x82, 0x1C, "filter_data.comp_accel"
+    CompAccel: 0x82, 0x1C, "filter_data.comp_accel";
 }
 
 record! {
@@ -1219,7 +1219,7 @@ record! {
 }
 
 field! {
-    StandardAtmosphere: 0x82, 0x20, "filter_data.standard_atmosphere"
+    StandardAtmosphere: 0x82, 0x20, "filter_data.standard_atmosphere";
 }
 
 record! {
@@ -1246,7 +1246,7 @@ record! {
 }
 
 field! {
-    PressureAltitude: 0x82, 0x21, "filter_data.pressure_altitude"
+    PressureAltitude: 0x82, 0x21, "filter_data.pressure_altitude";
 }
 
 record! {
@@ -1270,7 +1270,7 @@ record! {
 }
 
 field! {
-    DensityAltitude: 0x82, 0x22, "filter_data.density_altitude"
+    DensityAltitude: 0x82, 0x22, "filter_data.density_altitude";
 }
 
 record! {
@@ -1298,7 +1298,7 @@ record! {
 }
 
 field! {
-    MagOffset: 0x82, 0x25, "filter_data.mag_offset"
+    MagOffset: 0x82, 0x25, "filter_data.mag_offset";
 }
 
 record! {
@@ -1326,7 +1326,7 @@ record! {
 }
 
 field! {
-    MagMatrix: 0x82, 0x26, "filter_data.mag_matrix"
+    MagMatrix: 0x82, 0x26, "filter_data.mag_matrix";
 }
 
 record! {
@@ -1351,7 +1351,7 @@ record! {
 }
 
 field! {
-    MagOffsetUncertainty: 0x82, 0x28, "filter_data.mag_offset_uncertainty"
+    MagOffsetUncertainty: 0x82, 0x28, "filter_data.mag_offset_uncertainty";
 }
 
 record! {
@@ -1376,7 +1376,7 @@ record! {
 }
 
 field! {
-    MagMatrixUncertainty: 0x82, 0x29, "filter_data.mag_matrix_uncertainty"
+    MagMatrixUncertainty: 0x82, 0x29, "filter_data.mag_matrix_uncertainty";
 }
 
 record! {
@@ -1402,7 +1402,7 @@ record! {
 }
 
 field! {
-    MagCovarianceMatrix: 0x82, 0x2A, "filter_data.mag_covariance_matrix"
+    MagCovarianceMatrix: 0x82, 0x2A, "filter_data.mag_covariance_matrix";
 }
 
 record! {
@@ -1427,7 +1427,7 @@ record! {
 }
 
 field! {
-    MagResidualVector: 0x82, 0x2C, "filter_data.mag_residual_vector"
+    MagResidualVector: 0x82, 0x2C, "filter_data.mag_residual_vector";
 }
 
 record! {
@@ -1454,7 +1454,7 @@ record! {
 }
 
 field! {
-    AntennaOffsetCorrection: 0x82, 0x30, "filter_data.antenna_offset_correction"
+    AntennaOffsetCorrection: 0x82, 0x30, "filter_data.antenna_offset_correction";
 }
 
 record! {
@@ -1478,7 +1478,7 @@ record! {
 }
 
 field! {
-    AntennaOffsetCorrectionUncertainty: 0x82, 0x31, "filter_data.antenna_offset_correction_uncertainty"
+    AntennaOffsetCorrectionUncertainty: 0x82, 0x31, "filter_data.antenna_offset_correction_uncertainty";
 }
 
 record! {
@@ -1509,7 +1509,7 @@ record! {
 }
 
 field! {
-    ClockCorrection: 0x82, 0x32, "filter_data.clock_correction"
+    ClockCorrection: 0x82, 0x32, "filter_data.clock_correction";
 }
 
 record! {
@@ -1540,7 +1540,7 @@ record! {
 }
 
 field! {
-    ClockCorrectionUncertainty: 0x82, 0x33, "filter_data.clock_correction_uncertainty"
+    ClockCorrectionUncertainty: 0x82, 0x33, "filter_data.clock_correction_uncertainty";
 }
 
 record! {
@@ -1568,7 +1568,7 @@ record! {
 }
 
 field! {
-    MultiAntennaOffsetCorrection: 0x82, 0x34, "filter_data.multi_antenna_offset_correction"
+    MultiAntennaOffsetCorrection: 0x82, 0x34, "filter_data.multi_antenna_offset_correction";
 }
 
 record! {
@@ -1594,7 +1594,7 @@ record! {
 }
 
 field! {
-    MultiAntennaOffsetCorrectionUncertainty: 0x82, 0x35, "filter_data.multi_antenna_offset_correction_uncertainty"
+    MultiAntennaOffsetCorrectionUncertainty: 0x82, 0x35, "filter_data.multi_antenna_offset_correction_uncertainty";
 }
 
 record! {
@@ -1618,7 +1618,7 @@ record! {
 }
 
 field! {
-    EcefPositionUncertainty: 0x82, 0x36, "filter_data.ecef_position_uncertainty"
+    EcefPositionUncertainty: 0x82, 0x36, "filter_data.ecef_position_uncertainty";
 }
 
 record! {
@@ -1642,7 +1642,7 @@ record! {
 }
 
 field! {
-    EcefVelocityUncertainty: 0x82, 0x37, "filter_data.ecef_velocity_uncertainty"
+    EcefVelocityUncertainty: 0x82, 0x37, "filter_data.ecef_velocity_uncertainty";
 }
 
 record! {
@@ -1666,7 +1666,7 @@ record! {
 }
 
 field! {
-    EcefPosition: 0x82, 0x40, "filter_data.ecef_position"
+    EcefPosition: 0x82, 0x40, "filter_data.ecef_position";
 }
 
 record! {
@@ -1690,7 +1690,7 @@ record! {
 }
 
 field! {
-    EcefVelocity: 0x82, 0x41, "filter_data.ecef_velocity"
+    EcefVelocity: 0x82, 0x41, "filter_data.ecef_velocity";
 }
 
 record! {
@@ -1715,7 +1715,7 @@ record! {
 }
 
 field! {
-    NedRelativePosition: 0x82, 0x42, "filter_data.ned_relative_position"
+    NedRelativePosition: 0x82, 0x42, "filter_data.ned_relative_position";
 }
 
 record! {
@@ -1744,7 +1744,7 @@ record! {
 }
 
 field! {
-    GnssPositionAidingStatus: 0x82, 0x43, "filter_data.gnss_position_aiding_status"
+    GnssPositionAidingStatus: 0x82, 0x43, "filter_data.gnss_position_aiding_status";
 }
 
 record! {
@@ -1774,7 +1774,7 @@ record! {
 }
 
 field! {
-    GnssAttitudeAidingStatus: 0x82, 0x44, "filter_data.gnss_attitude_aiding_status"
+    GnssAttitudeAidingStatus: 0x82, 0x44, "filter_data.gnss_attitude_aiding_status";
 }
 
 record! {
@@ -1809,7 +1809,7 @@ record! {
 }
 
 field! {
-    HeadingAidingStatus: 0x82, 0x45, "filter_data.heading_aiding_status"
+    HeadingAidingStatus: 0x82, 0x45, "filter_data.heading_aiding_status";
 }
 
 record! {
@@ -1844,7 +1844,7 @@ record! {
 }
 
 field! {
-    AidingMeasurementSummary: 0x82, 0x46, "filter_data.aiding_measurement_summary"
+    AidingMeasurementSummary: 0x82, 0x46, "filter_data.aiding_measurement_summary";
 }
 
 record! {
@@ -1869,7 +1869,7 @@ record! {
 }
 
 field! {
-    OdometerScaleFactorError: 0x82, 0x47, "filter_data.odometer_scale_factor_error"
+    OdometerScaleFactorError: 0x82, 0x47, "filter_data.odometer_scale_factor_error";
 }
 
 record! {
@@ -1892,7 +1892,7 @@ record! {
 }
 
 field! {
-    OdometerScaleFactorErrorUncertainty: 0x82, 0x48, "filter_data.odometer_scale_factor_error_uncertainty"
+    OdometerScaleFactorErrorUncertainty: 0x82, 0x48, "filter_data.odometer_scale_factor_error_uncertainty";
 }
 
 record! {
@@ -1929,7 +1929,7 @@ record! {
 }
 
 field! {
-    GnssDualAntennaStatus: 0x82, 0x49, "filter_data.gnss_dual_antenna_status"
+    GnssDualAntennaStatus: 0x82, 0x49, "filter_data.gnss_dual_antenna_status";
 }
 
 record! {
@@ -1957,7 +1957,7 @@ record! {
 }
 
 field! {
-    AidingFrameConfigError: 0x82, 0x50, "filter_data.aiding_frame_config_error"
+    AidingFrameConfigError: 0x82, 0x50, "filter_data.aiding_frame_config_error";
 }
 
 record! {
@@ -1985,5 +1985,5 @@ record! {
 }
 
 field! {
-    AidingFrameConfigErrorUncertainty: 0x82, 0x51, "filter_data.aiding_frame_config_error_uncertainty"
+    AidingFrameConfigErrorUncertainty: 0x82, 0x51, "filter_data.aiding_frame_config_error_uncertainty";
 }

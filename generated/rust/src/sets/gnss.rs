@@ -127,7 +127,7 @@ constructors! {
 }
 
 field! {
-    ReceiverInfo: 0x0E, 0x01, "gnss.receiver_info"
+    ReceiverInfo: 0x0E, 0x01, "gnss.receiver_info";
 }
 
 command! {
@@ -182,7 +182,7 @@ record! {
 }
 
 constructors! {
-    SignalConfig { function, gps_enable, glonass_enable, galileo_enable, beidou_enable, reserved }
+    SignalConfig
 
     /// Apply the new setting.
     fn write(
@@ -206,7 +206,7 @@ constructors! {
 }
 
 field! {
-    SignalConfig: 0x0E, 0x02, "gnss.signal_config"
+    SignalConfig: 0x0E, 0x02, "gnss.signal_config";
 }
 
 command! {
@@ -242,7 +242,7 @@ record! {
 }
 
 constructors! {
-    RtkDongleConfig { function, enable, reserved }
+    RtkDongleConfig
 
     /// Apply the new setting.
     fn write(enable: u8) = WRITE, reserved: [0; 3];
@@ -261,7 +261,7 @@ constructors! {
 }
 
 field! {
-    RtkDongleConfig: 0x0E, 0x10, "gnss.rtk_dongle_config"
+    RtkDongleConfig: 0x0E, 0x10, "gnss.rtk_dongle_config";
 }
 
 command! {
@@ -337,7 +337,7 @@ record! {
 }
 
 constructors! {
-    SpartnConfig { function, enable, type_, current_key_tow, current_key_week, current_key, next_key_tow, next_key_week, next_key }
+    SpartnConfig
 
     /// Apply the new setting.
     fn write(
@@ -365,7 +365,7 @@ constructors! {
 }
 
 field! {
-    SpartnConfig: 0x0E, 0x20, "gnss.spartn_config"
+    SpartnConfig: 0x0E, 0x20, "gnss.spartn_config";
 }
 
 command! {
@@ -394,7 +394,8 @@ record! {
 }
 
 field! {
-    ReceiverInfoResponse: 0x0E, 0x81, "gnss.receiver_info_response", answers ReceiverInfo
+    ReceiverInfoResponse: 0x0E, 0x81, "gnss.receiver_info_response";
+    answers ReceiverInfo;
 }
 
 record! {
@@ -420,7 +421,8 @@ record! {
 }
 
 field! {
-    SignalConfigResponse: 0x0E, 0x82, "gnss.signal_config_response", answers SignalConfig
+    SignalConfigResponse: 0x0E, 0x82, "gnss.signal_config_response";
+    answers SignalConfig;
 }
 
 record! {
@@ -442,7 +444,8 @@ record! {
 }
 
 field! {
-    RtkDongleConfigResponse: 0x0E, 0x90, "gnss.rtk_dongle_config_response", answers RtkDongleConfig
+    RtkDongleConfigResponse: 0x0E, 0x90, "gnss.rtk_dongle_config_response";
+    answers RtkDongleConfig;
 }
 
 record! {
@@ -495,5 +498,6 @@ record! {
 }
 
 field! {
-    SpartnConfigResponse: 0x0E, 0xA0, "gnss.spartn_config_response", answers SpartnConfig
+    SpartnConfigResponse: 0x0E, 0xA0, "gnss.spartn_config_response";
+    answers SpartnConfig;
 }

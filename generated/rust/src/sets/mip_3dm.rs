@@ -359,7 +359,7 @@ constructors! {
 }
 
 field! {
-    PollImuData: 0x0C, 0x01, "3dm.poll_imu_data"
+    PollImuData: 0x0C, 0x01, "3dm.poll_imu_data";
 }
 
 command! {
@@ -409,7 +409,7 @@ constructors! {
 }
 
 field! {
-    PollGnssData: 0x0C, 0x02, "3dm.poll_gnss_data"
+    PollGnssData: 0x0C, 0x02, "3dm.poll_gnss_data";
 }
 
 command! {
@@ -455,7 +455,7 @@ constructors! {
 }
 
 field! {
-    PollFilterData: 0x0C, 0x03, "3dm.poll_filter_data"
+    PollFilterData: 0x0C, 0x03, "3dm.poll_filter_data";
 }
 
 command! {
@@ -502,7 +502,7 @@ constructors! {
 }
 
 field! {
-    PollNmeaData: 0x0C, 0x04, "3dm.poll_nmea_data"
+    PollNmeaData: 0x0C, 0x04, "3dm.poll_nmea_data";
 }
 
 command! {
@@ -531,7 +531,7 @@ constructors! {
 }
 
 field! {
-    GetImuBaseRate: 0x0C, 0x06, "3dm.get_imu_base_rate"
+    GetImuBaseRate: 0x0C, 0x06, "3dm.get_imu_base_rate";
 }
 
 command! {
@@ -560,7 +560,7 @@ constructors! {
 }
 
 field! {
-    GetGnssBaseRate: 0x0C, 0x07, "3dm.get_gnss_base_rate"
+    GetGnssBaseRate: 0x0C, 0x07, "3dm.get_gnss_base_rate";
 }
 
 command! {
@@ -596,7 +596,6 @@ record! {
     wire 251 {
         [function selects]
         [(descriptors) for WRITE {
-
             [num_descriptors: u8 counts descriptors]
             [descriptors by num_descriptors]
         }]
@@ -604,7 +603,7 @@ record! {
 }
 
 constructors! {
-    ImuMessageFormat { function, descriptors }
+    ImuMessageFormat
 
     /// Apply the new setting.
     fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
@@ -623,7 +622,7 @@ constructors! {
 }
 
 field! {
-    ImuMessageFormat: 0x0C, 0x08, "3dm.imu_message_format"
+    ImuMessageFormat: 0x0C, 0x08, "3dm.imu_message_format";
 }
 
 command! {
@@ -658,7 +657,6 @@ record! {
     wire 251 {
         [function selects]
         [(descriptors) for WRITE {
-
             [num_descriptors: u8 counts descriptors]
             [descriptors by num_descriptors]
         }]
@@ -666,7 +664,7 @@ record! {
 }
 
 constructors! {
-    GnssMessageFormat { function, descriptors }
+    GnssMessageFormat
 
     /// Apply the new setting.
     fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
@@ -685,7 +683,7 @@ constructors! {
 }
 
 field! {
-    GnssMessageFormat: 0x0C, 0x09, "3dm.gnss_message_format"
+    GnssMessageFormat: 0x0C, 0x09, "3dm.gnss_message_format";
 }
 
 command! {
@@ -721,7 +719,6 @@ record! {
     wire 251 {
         [function selects]
         [(descriptors) for WRITE {
-
             [num_descriptors: u8 counts descriptors]
             [descriptors by num_descriptors]
         }]
@@ -729,7 +726,7 @@ record! {
 }
 
 constructors! {
-    FilterMessageFormat { function, descriptors }
+    FilterMessageFormat
 
     /// Apply the new setting.
     fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
@@ -748,7 +745,7 @@ constructors! {
 }
 
 field! {
-    FilterMessageFormat: 0x0C, 0x0A, "3dm.filter_message_format"
+    FilterMessageFormat: 0x0C, 0x0A, "3dm.filter_message_format";
 }
 
 command! {
@@ -777,7 +774,7 @@ constructors! {
 }
 
 field! {
-    GetFilterBaseRate: 0x0C, 0x0B, "3dm.get_filter_base_rate"
+    GetFilterBaseRate: 0x0C, 0x0B, "3dm.get_filter_base_rate";
 }
 
 command! {
@@ -811,7 +808,6 @@ record! {
     wire 252 {
         [function selects]
         [(format_entries) for WRITE {
-
             [count: u8 counts format_entries]
             [format_entries by count]
         }]
@@ -819,7 +815,7 @@ record! {
 }
 
 constructors! {
-    NmeaMessageFormat { function, format_entries }
+    NmeaMessageFormat
 
     /// Apply the new setting.
     fn write(format_entries: impl Into<crate::List<types::NmeaMessage, 50>>) = WRITE;
@@ -838,7 +834,7 @@ constructors! {
 }
 
 field! {
-    NmeaMessageFormat: 0x0C, 0x0C, "3dm.nmea_message_format"
+    NmeaMessageFormat: 0x0C, 0x0C, "3dm.nmea_message_format";
 }
 
 command! {
@@ -893,7 +889,7 @@ constructors! {
 }
 
 field! {
-    PollData: 0x0C, 0x0D, "3dm.poll_data"
+    PollData: 0x0C, 0x0D, "3dm.poll_data";
 }
 
 command! {
@@ -926,7 +922,7 @@ constructors! {
 }
 
 field! {
-    GetBaseRate: 0x0C, 0x0E, "3dm.get_base_rate"
+    GetBaseRate: 0x0C, 0x0E, "3dm.get_base_rate";
 }
 
 command! {
@@ -965,7 +961,6 @@ record! {
         [function selects]
         [descriptor_set for WRITE READ SAVE LOAD DEFAULT]
         [(descriptors) for WRITE {
-
             [num_descriptors: u8 counts descriptors]
             [descriptors by num_descriptors]
         }]
@@ -973,7 +968,7 @@ record! {
 }
 
 constructors! {
-    MessageFormat { function, descriptor_set, descriptors }
+    MessageFormat
 
     /// Apply the new setting.
     fn write(descriptor_set: u8, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
@@ -992,7 +987,7 @@ constructors! {
 }
 
 field! {
-    MessageFormat: 0x0C, 0x0F, "3dm.message_format"
+    MessageFormat: 0x0C, 0x0F, "3dm.message_format";
 }
 
 command! {
@@ -1025,7 +1020,7 @@ constructors! {
 }
 
 field! {
-    FactoryStreaming: 0x0C, 0x10, "3dm.factory_streaming"
+    FactoryStreaming: 0x0C, 0x10, "3dm.factory_streaming";
 }
 
 command! {
@@ -1065,7 +1060,7 @@ record! {
 }
 
 constructors! {
-    DataStreamControl { function, descriptor_set, enable }
+    DataStreamControl
 
     /// Apply the new setting.
     fn write(descriptor_set: u8, enable: bool) = WRITE;
@@ -1095,7 +1090,7 @@ impl DataStreamControl {
 }
 
 field! {
-    DataStreamControl: 0x0C, 0x11, "3dm.data_stream_control"
+    DataStreamControl: 0x0C, 0x11, "3dm.data_stream_control";
 }
 
 command! {
@@ -1143,7 +1138,6 @@ record! {
         [function selects]
         [max_channels for WRITE]
         [(settings) for WRITE {
-
             [config_count: u8 counts settings]
             [settings by config_count]
         }]
@@ -1151,7 +1145,7 @@ record! {
 }
 
 constructors! {
-    ConstellationSettings { function, max_channels, settings }
+    ConstellationSettings
 
     /// Apply the new setting.
     fn write(max_channels: u16, settings: impl Into<crate::List<ConstellationSettingsEntry, 41>>) = WRITE;
@@ -1170,7 +1164,7 @@ constructors! {
 }
 
 field! {
-    ConstellationSettings: 0x0C, 0x21, "3dm.constellation_settings"
+    ConstellationSettings: 0x0C, 0x21, "3dm.constellation_settings";
 }
 
 command! {
@@ -1211,7 +1205,6 @@ record! {
         [enable_sbas for WRITE]
         [sbas_options for WRITE]
         [(included_prns) for WRITE {
-
             [num_included_prns: u8 counts included_prns]
             [included_prns by num_included_prns]
         }]
@@ -1219,7 +1212,7 @@ record! {
 }
 
 constructors! {
-    GnssSbasSettings { function, enable_sbas, sbas_options, included_prns }
+    GnssSbasSettings
 
     /// Apply the new setting.
     fn write(
@@ -1242,7 +1235,7 @@ constructors! {
 }
 
 field! {
-    GnssSbasSettings: 0x0C, 0x22, "3dm.gnss_sbas_settings"
+    GnssSbasSettings: 0x0C, 0x22, "3dm.gnss_sbas_settings";
 }
 
 command! {
@@ -1284,7 +1277,7 @@ record! {
 }
 
 constructors! {
-    GnssAssistedFix { function, option, flags }
+    GnssAssistedFix
 
     /// Apply the new setting.
     fn write(option: AssistedFixOption) = WRITE, flags: 255;
@@ -1303,7 +1296,7 @@ constructors! {
 }
 
 field! {
-    GnssAssistedFix: 0x0C, 0x23, "3dm.gnss_assisted_fix"
+    GnssAssistedFix: 0x0C, 0x23, "3dm.gnss_assisted_fix";
 }
 
 command! {
@@ -1347,7 +1340,7 @@ record! {
 }
 
 constructors! {
-    GnssTimeAssistance { function, tow, week_number, accuracy }
+    GnssTimeAssistance
 
     /// Apply the new setting.
     fn write(
@@ -1361,7 +1354,7 @@ constructors! {
 }
 
 field! {
-    GnssTimeAssistance: 0x0C, 0x24, "3dm.gnss_time_assistance"
+    GnssTimeAssistance: 0x0C, 0x24, "3dm.gnss_time_assistance";
 }
 
 command! {
@@ -1396,7 +1389,7 @@ record! {
 }
 
 constructors! {
-    PpsSourceControl { function, source }
+    PpsSourceControl
 
     /// Apply the new setting.
     fn write(source: PpsSource) = WRITE;
@@ -1415,7 +1408,7 @@ constructors! {
 }
 
 field! {
-    PpsSourceControl: 0x0C, 0x28, "3dm.pps_source_control"
+    PpsSourceControl: 0x0C, 0x28, "3dm.pps_source_control";
 }
 
 command! {
@@ -1446,7 +1439,7 @@ constructors! {
 }
 
 field! {
-    GetEventSupport: 0x0C, 0x2A, "3dm.get_event_support"
+    GetEventSupport: 0x0C, 0x2A, "3dm.get_event_support";
 }
 
 command! {
@@ -1484,7 +1477,7 @@ record! {
 }
 
 constructors! {
-    EventControl { function, instance, mode }
+    EventControl
 
     /// Apply the new setting.
     fn write(instance: u8, mode: types::EventTriggerMode) = WRITE;
@@ -1503,7 +1496,7 @@ constructors! {
 }
 
 field! {
-    EventControl: 0x0C, 0x2B, "3dm.event_control"
+    EventControl: 0x0C, 0x2B, "3dm.event_control";
 }
 
 command! {
@@ -1541,7 +1534,7 @@ constructors! {
 }
 
 field! {
-    GetEventTriggerStatus: 0x0C, 0x2C, "3dm.get_event_trigger_status"
+    GetEventTriggerStatus: 0x0C, 0x2C, "3dm.get_event_trigger_status";
 }
 
 command! {
@@ -1579,7 +1572,7 @@ constructors! {
 }
 
 field! {
-    GetEventActionStatus: 0x0C, 0x2D, "3dm.get_event_action_status"
+    GetEventActionStatus: 0x0C, 0x2D, "3dm.get_event_action_status";
 }
 
 command! {
@@ -1645,7 +1638,7 @@ union! {
 }
 
 constructors! {
-    EventTriggerConfig { function, instance, type_, parameters }
+    EventTriggerConfig
 
     /// Apply the new setting.
     fn write(instance: u8, parameters: EventTriggerConfigParameters) = WRITE, type_: parameters.tag();
@@ -1664,7 +1657,7 @@ constructors! {
 }
 
 field! {
-    EventTriggerConfig: 0x0C, 0x2E, "3dm.event_trigger_config"
+    EventTriggerConfig: 0x0C, 0x2E, "3dm.event_trigger_config";
 }
 
 command! {
@@ -1732,7 +1725,7 @@ union! {
 }
 
 constructors! {
-    EventActionConfig { function, instance, trigger, type_, parameters }
+    EventActionConfig
 
     /// Apply the new setting.
     fn write(
@@ -1755,7 +1748,7 @@ constructors! {
 }
 
 field! {
-    EventActionConfig: 0x0C, 0x2F, "3dm.event_action_config"
+    EventActionConfig: 0x0C, 0x2F, "3dm.event_action_config";
 }
 
 command! {
@@ -1779,10 +1772,13 @@ record! {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
     }
+    wire 1 {
+        [function selects]
+    }
 }
 
 constructors! {
-    DeviceSettings { function }
+    DeviceSettings
 
     /// Save the current setting to non-volatile memory.
     fn save() = SAVE;
@@ -1795,7 +1791,7 @@ constructors! {
 }
 
 field! {
-    DeviceSettings: 0x0C, 0x30, "3dm.device_settings"
+    DeviceSettings: 0x0C, 0x30, "3dm.device_settings";
 }
 
 command! {
@@ -1848,7 +1844,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleTransformEuler { function, roll, pitch, yaw }
+    SensorToVehicleTransformEuler
 
     /// Apply the new setting.
     fn write(
@@ -1871,7 +1867,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleTransformEuler: 0x0C, 0x31, "3dm.sensor_to_vehicle_transform_euler"
+    SensorToVehicleTransformEuler: 0x0C, 0x31, "3dm.sensor_to_vehicle_transform_euler";
 }
 
 command! {
@@ -1912,7 +1908,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleTransformQuaternion { function, q }
+    SensorToVehicleTransformQuaternion
 
     /// Apply the new setting.
     fn write(q: impl Into<types::Quatf>) = WRITE;
@@ -1931,7 +1927,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleTransformQuaternion: 0x0C, 0x32, "3dm.sensor_to_vehicle_transform_quaternion"
+    SensorToVehicleTransformQuaternion: 0x0C, 0x32, "3dm.sensor_to_vehicle_transform_quaternion";
 }
 
 command! {
@@ -1970,7 +1966,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleTransformDcm { function, dcm }
+    SensorToVehicleTransformDcm
 
     /// Apply the new setting.
     fn write(dcm: impl Into<types::Matrix3f>) = WRITE;
@@ -1989,7 +1985,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleTransformDcm: 0x0C, 0x33, "3dm.sensor_to_vehicle_transform_dcm"
+    SensorToVehicleTransformDcm: 0x0C, 0x33, "3dm.sensor_to_vehicle_transform_dcm";
 }
 
 command! {
@@ -2023,7 +2019,7 @@ record! {
 }
 
 constructors! {
-    AccelBias { function, bias }
+    AccelBias
 
     /// Apply the new setting.
     fn write(bias: impl Into<types::Vector3f>) = WRITE;
@@ -2045,7 +2041,7 @@ constructors! {
 }
 
 field! {
-    AccelBias: 0x0C, 0x37, "3dm.accel_bias"
+    AccelBias: 0x0C, 0x37, "3dm.accel_bias";
 }
 
 command! {
@@ -2080,7 +2076,7 @@ record! {
 }
 
 constructors! {
-    GyroBias { function, bias }
+    GyroBias
 
     /// Apply the new setting.
     fn write(bias: impl Into<types::Vector3f>) = WRITE;
@@ -2102,7 +2098,7 @@ constructors! {
 }
 
 field! {
-    GyroBias: 0x0C, 0x38, "3dm.gyro_bias"
+    GyroBias: 0x0C, 0x38, "3dm.gyro_bias";
 }
 
 command! {
@@ -2143,7 +2139,7 @@ constructors! {
 }
 
 field! {
-    CaptureGyroBias: 0x0C, 0x39, "3dm.capture_gyro_bias"
+    CaptureGyroBias: 0x0C, 0x39, "3dm.capture_gyro_bias";
 }
 
 command! {
@@ -2178,7 +2174,7 @@ record! {
 }
 
 constructors! {
-    MagHardIronOffset { function, offset }
+    MagHardIronOffset
 
     /// Apply the new setting.
     fn write(offset: impl Into<types::Vector3f>) = WRITE;
@@ -2197,7 +2193,7 @@ constructors! {
 }
 
 field! {
-    MagHardIronOffset: 0x0C, 0x3A, "3dm.mag_hard_iron_offset"
+    MagHardIronOffset: 0x0C, 0x3A, "3dm.mag_hard_iron_offset";
 }
 
 command! {
@@ -2232,7 +2228,7 @@ record! {
 }
 
 constructors! {
-    MagSoftIronMatrix { function, matrix }
+    MagSoftIronMatrix
 
     /// Apply the new setting.
     fn write(matrix: impl Into<types::Matrix3f>) = WRITE;
@@ -2251,7 +2247,7 @@ constructors! {
 }
 
 field! {
-    MagSoftIronMatrix: 0x0C, 0x3B, "3dm.mag_soft_iron_matrix"
+    MagSoftIronMatrix: 0x0C, 0x3B, "3dm.mag_soft_iron_matrix";
 }
 
 command! {
@@ -2283,7 +2279,7 @@ record! {
 }
 
 constructors! {
-    ConingScullingEnable { function, enable }
+    ConingScullingEnable
 
     /// Apply the new setting.
     fn write(enable: bool) = WRITE;
@@ -2302,7 +2298,7 @@ constructors! {
 }
 
 field! {
-    ConingScullingEnable: 0x0C, 0x3E, "3dm.coning_sculling_enable"
+    ConingScullingEnable: 0x0C, 0x3E, "3dm.coning_sculling_enable";
 }
 
 command! {
@@ -2341,7 +2337,7 @@ record! {
 }
 
 constructors! {
-    UartBaudRate { function, baud }
+    UartBaudRate
 
     /// Apply the new setting.
     fn write(baud: u32) = WRITE;
@@ -2360,7 +2356,7 @@ constructors! {
 }
 
 field! {
-    UartBaudRate: 0x0C, 0x40, "3dm.uart_baud_rate"
+    UartBaudRate: 0x0C, 0x40, "3dm.uart_baud_rate";
 }
 
 command! {
@@ -2419,7 +2415,7 @@ record! {
 }
 
 constructors! {
-    GpioConfig { function, pin, feature, behavior, pin_mode }
+    GpioConfig
 
     /// Apply the new setting.
     fn write(
@@ -2501,7 +2497,7 @@ impl GpioConfig {
 }
 
 field! {
-    GpioConfig: 0x0C, 0x41, "3dm.gpio_config"
+    GpioConfig: 0x0C, 0x41, "3dm.gpio_config";
 }
 
 command! {
@@ -2544,7 +2540,7 @@ record! {
 }
 
 constructors! {
-    GpioState { function, pin, state }
+    GpioState
 
     /// Apply the new setting.
     fn write(pin: u8, state: bool) = WRITE;
@@ -2554,7 +2550,7 @@ constructors! {
 }
 
 field! {
-    GpioState: 0x0C, 0x42, "3dm.gpio_state"
+    GpioState: 0x0C, 0x42, "3dm.gpio_state";
 }
 
 command! {
@@ -2598,7 +2594,7 @@ record! {
 }
 
 constructors! {
-    OdometerConfig { function, mode, scaling, uncertainty }
+    OdometerConfig
 
     /// Apply the new setting.
     fn write(
@@ -2621,7 +2617,7 @@ constructors! {
 }
 
 field! {
-    OdometerConfig: 0x0C, 0x43, "3dm.odometer_config"
+    OdometerConfig: 0x0C, 0x43, "3dm.odometer_config";
 }
 
 command! {
@@ -2680,7 +2676,7 @@ record! {
 }
 
 constructors! {
-    ImuLowPassFilter { function, target_descriptor, enable, manual, frequency, reserved }
+    ImuLowPassFilter
 
     /// Apply the new setting.
     fn write(
@@ -2704,7 +2700,7 @@ constructors! {
 }
 
 field! {
-    ImuLowPassFilter: 0x0C, 0x50, "3dm.imu_low_pass_filter"
+    ImuLowPassFilter: 0x0C, 0x50, "3dm.imu_low_pass_filter";
 }
 
 command! {
@@ -2759,7 +2755,7 @@ record! {
 }
 
 constructors! {
-    ComplementaryFilter { function, pitch_roll_enable, heading_enable, pitch_roll_time_constant, heading_time_constant }
+    ComplementaryFilter
 
     /// Apply the new setting.
     fn write(
@@ -2783,7 +2779,7 @@ constructors! {
 }
 
 field! {
-    ComplementaryFilter: 0x0C, 0x51, "3dm.complementary_filter"
+    ComplementaryFilter: 0x0C, 0x51, "3dm.complementary_filter";
 }
 
 command! {
@@ -2821,7 +2817,7 @@ record! {
 }
 
 constructors! {
-    SensorRange { function, sensor, setting }
+    SensorRange
 
     /// Apply the new setting.
     fn write(sensor: SensorRangeType, setting: u8) = WRITE;
@@ -2840,7 +2836,7 @@ constructors! {
 }
 
 field! {
-    SensorRange: 0x0C, 0x52, "3dm.sensor_range"
+    SensorRange: 0x0C, 0x52, "3dm.sensor_range";
 }
 
 command! {
@@ -2872,7 +2868,7 @@ constructors! {
 }
 
 field! {
-    GetCalibratedSensorRanges: 0x0C, 0x53, "3dm.get_calibrated_sensor_ranges"
+    GetCalibratedSensorRanges: 0x0C, 0x53, "3dm.get_calibrated_sensor_ranges";
 }
 
 command! {
@@ -2923,7 +2919,7 @@ record! {
 }
 
 constructors! {
-    LowPassFilter { function, descriptor_set, field_descriptor, enable, manual, frequency }
+    LowPassFilter
 
     /// Apply the new setting.
     fn write(
@@ -2948,7 +2944,7 @@ constructors! {
 }
 
 field! {
-    LowPassFilter: 0x0C, 0x54, "3dm.low_pass_filter"
+    LowPassFilter: 0x0C, 0x54, "3dm.low_pass_filter";
 }
 
 command! {
@@ -2989,7 +2985,8 @@ constructors! {
 }
 
 field! {
-    DeviceStatus: 0x0C, 0x64, "3dm.device_status", constants [0: 24 110]
+    DeviceStatus: 0x0C, 0x64, "3dm.device_status";
+    constants [0: 24 110];
 }
 
 command! {
@@ -3029,7 +3026,8 @@ record! {
 }
 
 field! {
-    ImuMessageFormatResponse: 0x0C, 0x80, "3dm.imu_message_format_response", answers ImuMessageFormat
+    ImuMessageFormatResponse: 0x0C, 0x80, "3dm.imu_message_format_response";
+    answers ImuMessageFormat;
 }
 
 record! {
@@ -3054,7 +3052,8 @@ record! {
 }
 
 field! {
-    GnssMessageFormatResponse: 0x0C, 0x81, "3dm.gnss_message_format_response", answers GnssMessageFormat
+    GnssMessageFormatResponse: 0x0C, 0x81, "3dm.gnss_message_format_response";
+    answers GnssMessageFormat;
 }
 
 record! {
@@ -3078,7 +3077,8 @@ record! {
 }
 
 field! {
-    FilterMessageFormatResponse: 0x0C, 0x82, "3dm.filter_message_format_response", answers FilterMessageFormat
+    FilterMessageFormatResponse: 0x0C, 0x82, "3dm.filter_message_format_response";
+    answers FilterMessageFormat;
 }
 
 record! {
@@ -3098,7 +3098,8 @@ record! {
 }
 
 field! {
-    GetImuBaseRateResponse: 0x0C, 0x83, "3dm.get_imu_base_rate_response", answers GetImuBaseRate
+    GetImuBaseRateResponse: 0x0C, 0x83, "3dm.get_imu_base_rate_response";
+    answers GetImuBaseRate;
 }
 
 record! {
@@ -3118,7 +3119,8 @@ record! {
 }
 
 field! {
-    GetGnssBaseRateResponse: 0x0C, 0x84, "3dm.get_gnss_base_rate_response", answers GetGnssBaseRate
+    GetGnssBaseRateResponse: 0x0C, 0x84, "3dm.get_gnss_base_rate_response";
+    answers GetGnssBaseRate;
 }
 
 record! {
@@ -3152,7 +3154,8 @@ impl DataStreamControlResponse {
 }
 
 field! {
-    DataStreamControlResponse: 0x0C, 0x85, "3dm.data_stream_control_response", answers DataStreamControl
+    DataStreamControlResponse: 0x0C, 0x85, "3dm.data_stream_control_response";
+    answers DataStreamControl;
 }
 
 record! {
@@ -3173,7 +3176,8 @@ record! {
 }
 
 field! {
-    UartBaudRateResponse: 0x0C, 0x87, "3dm.uart_baud_rate_response", answers UartBaudRate
+    UartBaudRateResponse: 0x0C, 0x87, "3dm.uart_baud_rate_response";
+    answers UartBaudRate;
 }
 
 record! {
@@ -3193,7 +3197,8 @@ record! {
 }
 
 field! {
-    GetFilterBaseRateResponse: 0x0C, 0x8A, "3dm.get_filter_base_rate_response", answers GetFilterBaseRate
+    GetFilterBaseRateResponse: 0x0C, 0x8A, "3dm.get_filter_base_rate_response";
+    answers GetFilterBaseRate;
 }
 
 record! {
@@ -3227,7 +3232,8 @@ record! {
 }
 
 field! {
-    ImuLowPassFilterResponse: 0x0C, 0x8B, "3dm.imu_low_pass_filter_response", answers ImuLowPassFilter
+    ImuLowPassFilterResponse: 0x0C, 0x8B, "3dm.imu_low_pass_filter_response";
+    answers ImuLowPassFilter;
 }
 
 record! {
@@ -3251,7 +3257,8 @@ record! {
 }
 
 field! {
-    NmeaMessageFormatResponse: 0x0C, 0x8C, "3dm.nmea_message_format_response", answers NmeaMessageFormat
+    NmeaMessageFormatResponse: 0x0C, 0x8C, "3dm.nmea_message_format_response";
+    answers NmeaMessageFormat;
 }
 
 record! {
@@ -3272,7 +3279,8 @@ record! {
 }
 
 field! {
-    GetBaseRateResponse: 0x0C, 0x8E, "3dm.get_base_rate_response", answers GetBaseRate
+    GetBaseRateResponse: 0x0C, 0x8E, "3dm.get_base_rate_response";
+    answers GetBaseRate;
 }
 
 record! {
@@ -3299,7 +3307,8 @@ record! {
 }
 
 field! {
-    MessageFormatResponse: 0x0C, 0x8F, "3dm.message_format_response", answers MessageFormat
+    MessageFormatResponse: 0x0C, 0x8F, "3dm.message_format_response";
+    answers MessageFormat;
 }
 
 record! {
@@ -3336,7 +3345,9 @@ record! {
 }
 
 field! {
-    DeviceStatusBasicResponse: 0x0C, 0x90, "3dm.device_status_basic_response", constants [0: 24 110] [2: 1], answers DeviceStatus
+    DeviceStatusBasicResponse: 0x0C, 0x90, "3dm.device_status_basic_response";
+    constants [0: 24 110] [2: 1];
+    answers DeviceStatus;
 }
 
 record! {
@@ -3424,7 +3435,9 @@ record! {
 }
 
 field! {
-    DeviceStatusDiagnosticResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_response", constants [0: 24 110] [2: 2], answers DeviceStatus
+    DeviceStatusDiagnosticResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_response";
+    constants [0: 24 110] [2: 2];
+    answers DeviceStatus;
 }
 
 record! {
@@ -3452,7 +3465,8 @@ record! {
 }
 
 field! {
-    ComplementaryFilterResponse: 0x0C, 0x97, "3dm.complementary_filter_response", answers ComplementaryFilter
+    ComplementaryFilterResponse: 0x0C, 0x97, "3dm.complementary_filter_response";
+    answers ComplementaryFilter;
 }
 
 record! {
@@ -3472,7 +3486,8 @@ record! {
 }
 
 field! {
-    AccelBiasResponse: 0x0C, 0x9A, "3dm.accel_bias_response", answers AccelBias
+    AccelBiasResponse: 0x0C, 0x9A, "3dm.accel_bias_response";
+    answers AccelBias;
 }
 
 record! {
@@ -3495,7 +3510,8 @@ record! {
 }
 
 field! {
-    GyroBiasResponse: 0x0C, 0x9B, "3dm.gyro_bias_response", answers GyroBias CaptureGyroBias
+    GyroBiasResponse: 0x0C, 0x9B, "3dm.gyro_bias_response";
+    answers GyroBias CaptureGyroBias;
 }
 
 record! {
@@ -3514,7 +3530,8 @@ record! {
 }
 
 field! {
-    MagHardIronOffsetResponse: 0x0C, 0x9C, "3dm.mag_hard_iron_offset_response", answers MagHardIronOffset
+    MagHardIronOffsetResponse: 0x0C, 0x9C, "3dm.mag_hard_iron_offset_response";
+    answers MagHardIronOffset;
 }
 
 record! {
@@ -3533,7 +3550,8 @@ record! {
 }
 
 field! {
-    MagSoftIronMatrixResponse: 0x0C, 0x9D, "3dm.mag_soft_iron_matrix_response", answers MagSoftIronMatrix
+    MagSoftIronMatrixResponse: 0x0C, 0x9D, "3dm.mag_soft_iron_matrix_response";
+    answers MagSoftIronMatrix;
 }
 
 record! {
@@ -3552,7 +3570,8 @@ record! {
 }
 
 field! {
-    ConingScullingEnableResponse: 0x0C, 0x9E, "3dm.coning_sculling_enable_response", answers ConingScullingEnable
+    ConingScullingEnableResponse: 0x0C, 0x9E, "3dm.coning_sculling_enable_response";
+    answers ConingScullingEnable;
 }
 
 record! {
@@ -3589,7 +3608,8 @@ record! {
 }
 
 field! {
-    ConstellationSettingsResponse: 0x0C, 0xA0, "3dm.constellation_settings_response", answers ConstellationSettings
+    ConstellationSettingsResponse: 0x0C, 0xA0, "3dm.constellation_settings_response";
+    answers ConstellationSettings;
 }
 
 record! {
@@ -3621,7 +3641,8 @@ record! {
 }
 
 field! {
-    GnssSbasSettingsResponse: 0x0C, 0xA1, "3dm.gnss_sbas_settings_response", answers GnssSbasSettings
+    GnssSbasSettingsResponse: 0x0C, 0xA1, "3dm.gnss_sbas_settings_response";
+    answers GnssSbasSettings;
 }
 
 record! {
@@ -3651,7 +3672,8 @@ impl core::default::Default for GnssAssistedFixResponse {
 }
 
 field! {
-    GnssAssistedFixResponse: 0x0C, 0xA2, "3dm.gnss_assisted_fix_response", answers GnssAssistedFix
+    GnssAssistedFixResponse: 0x0C, 0xA2, "3dm.gnss_assisted_fix_response";
+    answers GnssAssistedFix;
 }
 
 record! {
@@ -3678,7 +3700,8 @@ record! {
 }
 
 field! {
-    GnssTimeAssistanceResponse: 0x0C, 0xA3, "3dm.gnss_time_assistance_response", answers GnssTimeAssistance
+    GnssTimeAssistanceResponse: 0x0C, 0xA3, "3dm.gnss_time_assistance_response";
+    answers GnssTimeAssistance;
 }
 
 record! {
@@ -3698,7 +3721,8 @@ record! {
 }
 
 field! {
-    PpsSourceControlResponse: 0x0C, 0xA8, "3dm.pps_source_control_response", answers PpsSourceControl
+    PpsSourceControlResponse: 0x0C, 0xA8, "3dm.pps_source_control_response";
+    answers PpsSourceControl;
 }
 
 record! {
@@ -3726,7 +3750,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleTransformEulerResponse: 0x0C, 0xB1, "3dm.sensor_to_vehicle_transform_euler_response", answers SensorToVehicleTransformEuler
+    SensorToVehicleTransformEulerResponse: 0x0C, 0xB1, "3dm.sensor_to_vehicle_transform_euler_response";
+    answers SensorToVehicleTransformEuler;
 }
 
 record! {
@@ -3746,7 +3771,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleTransformQuaternionResponse: 0x0C, 0xB2, "3dm.sensor_to_vehicle_transform_quaternion_response", answers SensorToVehicleTransformQuaternion
+    SensorToVehicleTransformQuaternionResponse: 0x0C, 0xB2, "3dm.sensor_to_vehicle_transform_quaternion_response";
+    answers SensorToVehicleTransformQuaternion;
 }
 
 record! {
@@ -3767,7 +3793,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleTransformDcmResponse: 0x0C, 0xB3, "3dm.sensor_to_vehicle_transform_dcm_response", answers SensorToVehicleTransformDcm
+    SensorToVehicleTransformDcmResponse: 0x0C, 0xB3, "3dm.sensor_to_vehicle_transform_dcm_response";
+    answers SensorToVehicleTransformDcm;
 }
 
 record! {
@@ -3803,7 +3830,8 @@ record! {
 }
 
 field! {
-    GetEventSupportResponse: 0x0C, 0xB4, "3dm.get_event_support_response", answers GetEventSupport
+    GetEventSupportResponse: 0x0C, 0xB4, "3dm.get_event_support_response";
+    answers GetEventSupport;
 }
 
 record! {
@@ -3824,7 +3852,8 @@ record! {
 }
 
 field! {
-    EventControlResponse: 0x0C, 0xB5, "3dm.event_control_response", answers EventControl
+    EventControlResponse: 0x0C, 0xB5, "3dm.event_control_response";
+    answers EventControl;
 }
 
 record! {
@@ -3847,7 +3876,8 @@ record! {
 }
 
 field! {
-    GetEventTriggerStatusResponse: 0x0C, 0xB6, "3dm.get_event_trigger_status_response", answers GetEventTriggerStatus
+    GetEventTriggerStatusResponse: 0x0C, 0xB6, "3dm.get_event_trigger_status_response";
+    answers GetEventTriggerStatus;
 }
 
 record! {
@@ -3870,7 +3900,8 @@ record! {
 }
 
 field! {
-    GetEventActionStatusResponse: 0x0C, 0xB7, "3dm.get_event_action_status_response", answers GetEventActionStatus
+    GetEventActionStatusResponse: 0x0C, 0xB7, "3dm.get_event_action_status_response";
+    answers GetEventActionStatus;
 }
 
 record! {
@@ -3901,7 +3932,8 @@ record! {
 }
 
 field! {
-    EventTriggerConfigResponse: 0x0C, 0xB8, "3dm.event_trigger_config_response", answers EventTriggerConfig
+    EventTriggerConfigResponse: 0x0C, 0xB8, "3dm.event_trigger_config_response";
+    answers EventTriggerConfig;
 }
 
 record! {
@@ -3935,7 +3967,8 @@ record! {
 }
 
 field! {
-    EventActionConfigResponse: 0x0C, 0xB9, "3dm.event_action_config_response", answers EventActionConfig
+    EventActionConfigResponse: 0x0C, 0xB9, "3dm.event_action_config_response";
+    answers EventActionConfig;
 }
 
 record! {
@@ -3975,7 +4008,7 @@ impl GpioConfigResponse {
     #[must_use]
     pub fn behavior_as_gpio_unused_behavior(&self) -> Option<types::GpioUnusedBehavior> {
         let named = matches!(self.feature, types::GpioFeature::UNUSED);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 
     /// Reads `behavior` as [`types::GpioBehavior`].
@@ -3984,7 +4017,7 @@ impl GpioConfigResponse {
     #[must_use]
     pub fn behavior_as_gpio_behavior(&self) -> Option<types::GpioBehavior> {
         let named = matches!(self.feature, types::GpioFeature::GPIO);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 
     /// Reads `behavior` as [`types::GpioPpsBehavior`].
@@ -3993,7 +4026,7 @@ impl GpioConfigResponse {
     #[must_use]
     pub fn behavior_as_gpio_pps_behavior(&self) -> Option<types::GpioPpsBehavior> {
         let named = matches!(self.feature, types::GpioFeature::PPS);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 
     /// Reads `behavior` as [`types::GpioEncoderBehavior`].
@@ -4002,7 +4035,7 @@ impl GpioConfigResponse {
     #[must_use]
     pub fn behavior_as_gpio_encoder_behavior(&self) -> Option<types::GpioEncoderBehavior> {
         let named = matches!(self.feature, types::GpioFeature::ENCODER);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 
     /// Reads `behavior` as [`types::GpioTimestampBehavior`].
@@ -4012,7 +4045,7 @@ impl GpioConfigResponse {
     #[must_use]
     pub fn behavior_as_gpio_timestamp_behavior(&self) -> Option<types::GpioTimestampBehavior> {
         let named = matches!(self.feature, types::GpioFeature::TIMESTAMP);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 
     /// Reads `behavior` as [`types::GpioUartBehavior`].
@@ -4021,12 +4054,13 @@ impl GpioConfigResponse {
     #[must_use]
     pub fn behavior_as_gpio_uart_behavior(&self) -> Option<types::GpioUartBehavior> {
         let named = matches!(self.feature, types::GpioFeature::UART);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 }
 
 field! {
-    GpioConfigResponse: 0x0C, 0xC1, "3dm.gpio_config_response", answers GpioConfig
+    GpioConfigResponse: 0x0C, 0xC1, "3dm.gpio_config_response";
+    answers GpioConfig;
 }
 
 record! {
@@ -4047,7 +4081,8 @@ record! {
 }
 
 field! {
-    GpioStateResponse: 0x0C, 0xC2, "3dm.gpio_state_response", answers GpioState
+    GpioStateResponse: 0x0C, 0xC2, "3dm.gpio_state_response";
+    answers GpioState;
 }
 
 record! {
@@ -4074,7 +4109,8 @@ record! {
 }
 
 field! {
-    OdometerConfigResponse: 0x0C, 0xC3, "3dm.odometer_config_response", answers OdometerConfig
+    OdometerConfigResponse: 0x0C, 0xC3, "3dm.odometer_config_response";
+    answers OdometerConfig;
 }
 
 record! {
@@ -4093,7 +4129,8 @@ record! {
 }
 
 field! {
-    SensorRangeResponse: 0x0C, 0xD2, "3dm.sensor_range_response", answers SensorRange
+    SensorRangeResponse: 0x0C, 0xD2, "3dm.sensor_range_response";
+    answers SensorRange;
 }
 
 record! {
@@ -4126,7 +4163,8 @@ record! {
 }
 
 field! {
-    GetCalibratedSensorRangesResponse: 0x0C, 0xD3, "3dm.get_calibrated_sensor_ranges_response", answers GetCalibratedSensorRanges
+    GetCalibratedSensorRangesResponse: 0x0C, 0xD3, "3dm.get_calibrated_sensor_ranges_response";
+    answers GetCalibratedSensorRanges;
 }
 
 record! {
@@ -4154,5 +4192,6 @@ record! {
 }
 
 field! {
-    LowPassFilterResponse: 0x0C, 0xD4, "3dm.low_pass_filter_response", answers LowPassFilter
+    LowPassFilterResponse: 0x0C, 0xD4, "3dm.low_pass_filter_response";
+    answers LowPassFilter;
 }

@@ -87,7 +87,7 @@ constructors! {
 }
 
 field! {
-    GetStatusFlags: 0x0F, 0x01, "rtk.get_status_flags"
+    GetStatusFlags: 0x0F, 0x01, "rtk.get_status_flags";
 }
 
 command! {
@@ -116,7 +116,7 @@ constructors! {
 }
 
 field! {
-    GetImei: 0x0F, 0x02, "rtk.get_imei"
+    GetImei: 0x0F, 0x02, "rtk.get_imei";
 }
 
 command! {
@@ -145,7 +145,7 @@ constructors! {
 }
 
 field! {
-    GetImsi: 0x0F, 0x03, "rtk.get_imsi"
+    GetImsi: 0x0F, 0x03, "rtk.get_imsi";
 }
 
 command! {
@@ -174,7 +174,7 @@ constructors! {
 }
 
 field! {
-    GetIccid: 0x0F, 0x04, "rtk.get_iccid"
+    GetIccid: 0x0F, 0x04, "rtk.get_iccid";
 }
 
 command! {
@@ -203,7 +203,7 @@ constructors! {
 }
 
 field! {
-    GetRssi: 0x0F, 0x05, "rtk.get_rssi"
+    GetRssi: 0x0F, 0x05, "rtk.get_rssi";
 }
 
 command! {
@@ -235,7 +235,7 @@ record! {
 }
 
 constructors! {
-    ConnectedDeviceType { function, device_type }
+    ConnectedDeviceType
 
     /// Apply the new setting.
     fn write(device_type: ConnectedDevice) = WRITE;
@@ -254,7 +254,7 @@ constructors! {
 }
 
 field! {
-    ConnectedDeviceType: 0x0F, 0x06, "rtk.connected_device_type"
+    ConnectedDeviceType: 0x0F, 0x06, "rtk.connected_device_type";
 }
 
 command! {
@@ -283,7 +283,7 @@ constructors! {
 }
 
 field! {
-    GetActivationCode: 0x0F, 0x07, "rtk.get_activation_code"
+    GetActivationCode: 0x0F, 0x07, "rtk.get_activation_code";
 }
 
 command! {
@@ -312,7 +312,7 @@ constructors! {
 }
 
 field! {
-    GetModemFirmwareVersion: 0x0F, 0x08, "rtk.get_modem_firmware_version"
+    GetModemFirmwareVersion: 0x0F, 0x08, "rtk.get_modem_firmware_version";
 }
 
 command! {
@@ -348,7 +348,7 @@ constructors! {
 }
 
 field! {
-    ServiceStatus: 0x0F, 0x0A, "rtk.service_status"
+    ServiceStatus: 0x0F, 0x0A, "rtk.service_status";
 }
 
 command! {
@@ -383,7 +383,7 @@ constructors! {
 }
 
 field! {
-    EraseStorage: 0x0F, 0x20, "rtk.erase_storage"
+    EraseStorage: 0x0F, 0x20, "rtk.erase_storage";
 }
 
 command! {
@@ -432,7 +432,7 @@ constructors! {
 }
 
 field! {
-    LedControl: 0x0F, 0x21, "rtk.led_control"
+    LedControl: 0x0F, 0x21, "rtk.led_control";
 }
 
 command! {
@@ -462,7 +462,7 @@ constructors! {
 }
 
 field! {
-    ModemHardReset: 0x0F, 0x22, "rtk.modem_hard_reset"
+    ModemHardReset: 0x0F, 0x22, "rtk.modem_hard_reset";
 }
 
 command! {
@@ -483,7 +483,8 @@ record! {
 }
 
 field! {
-    GetStatusFlagsResponse: 0x0F, 0x81, "rtk.get_status_flags_response", answers GetStatusFlags
+    GetStatusFlagsResponse: 0x0F, 0x81, "rtk.get_status_flags_response";
+    answers GetStatusFlags;
 }
 
 record! {
@@ -500,7 +501,8 @@ record! {
 }
 
 field! {
-    GetImeiResponse: 0x0F, 0x82, "rtk.get_imei_response", answers GetImei
+    GetImeiResponse: 0x0F, 0x82, "rtk.get_imei_response";
+    answers GetImei;
 }
 
 record! {
@@ -517,7 +519,8 @@ record! {
 }
 
 field! {
-    GetImsiResponse: 0x0F, 0x83, "rtk.get_imsi_response", answers GetImsi
+    GetImsiResponse: 0x0F, 0x83, "rtk.get_imsi_response";
+    answers GetImsi;
 }
 
 record! {
@@ -534,7 +537,8 @@ record! {
 }
 
 field! {
-    GetIccidResponse: 0x0F, 0x84, "rtk.get_iccid_response", answers GetIccid
+    GetIccidResponse: 0x0F, 0x84, "rtk.get_iccid_response";
+    answers GetIccid;
 }
 
 record! {
@@ -560,7 +564,8 @@ record! {
 }
 
 field! {
-    GetRssiResponse: 0x0F, 0x85, "rtk.get_rssi_response", answers GetRssi
+    GetRssiResponse: 0x0F, 0x85, "rtk.get_rssi_response";
+    answers GetRssi;
 }
 
 record! {
@@ -577,7 +582,8 @@ record! {
 }
 
 field! {
-    ConnectedDeviceTypeResponse: 0x0F, 0x86, "rtk.connected_device_type_response", answers ConnectedDeviceType
+    ConnectedDeviceTypeResponse: 0x0F, 0x86, "rtk.connected_device_type_response";
+    answers ConnectedDeviceType;
 }
 
 record! {
@@ -595,7 +601,8 @@ record! {
 }
 
 field! {
-    GetActivationCodeResponse: 0x0F, 0x87, "rtk.get_activation_code_response", answers GetActivationCode
+    GetActivationCodeResponse: 0x0F, 0x87, "rtk.get_activation_code_response";
+    answers GetActivationCode;
 }
 
 record! {
@@ -612,7 +619,8 @@ record! {
 }
 
 field! {
-    GetModemFirmwareVersionResponse: 0x0F, 0x88, "rtk.get_modem_firmware_version_response", answers GetModemFirmwareVersion
+    GetModemFirmwareVersionResponse: 0x0F, 0x88, "rtk.get_modem_firmware_version_response";
+    answers GetModemFirmwareVersion;
 }
 
 record! {
@@ -644,5 +652,6 @@ record! {
 }
 
 field! {
-    ServiceStatusResponse: 0x0F, 0x8A, "rtk.service_status_response", answers ServiceStatus
+    ServiceStatusResponse: 0x0F, 0x8A, "rtk.service_status_response";
+    answers ServiceStatus;
 }

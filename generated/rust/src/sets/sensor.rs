@@ -72,7 +72,7 @@ record! {
 }
 
 field! {
-    RawAccel: 0x80, 0x01, "sensor.raw_accel"
+    RawAccel: 0x80, 0x01, "sensor.raw_accel";
 }
 
 record! {
@@ -93,7 +93,7 @@ record! {
 }
 
 field! {
-    RawGyro: 0x80, 0x02, "sensor.raw_gyro"
+    RawGyro: 0x80, 0x02, "sensor.raw_gyro";
 }
 
 record! {
@@ -115,7 +115,7 @@ record! {
 }
 
 field! {
-    RawMag: 0x80, 0x03, "sensor.raw_mag"
+    RawMag: 0x80, 0x03, "sensor.raw_mag";
 }
 
 record! {
@@ -137,7 +137,7 @@ record! {
 }
 
 field! {
-    ScaledAccel: 0x80, 0x04, "sensor.scaled_accel"
+    ScaledAccel: 0x80, 0x04, "sensor.scaled_accel";
 }
 
 record! {
@@ -159,7 +159,7 @@ record! {
 }
 
 field! {
-    ScaledGyro: 0x80, 0x05, "sensor.scaled_gyro"
+    ScaledGyro: 0x80, 0x05, "sensor.scaled_gyro";
 }
 
 record! {
@@ -180,7 +180,7 @@ record! {
 }
 
 field! {
-    ScaledMag: 0x80, 0x06, "sensor.scaled_mag"
+    ScaledMag: 0x80, 0x06, "sensor.scaled_mag";
 }
 
 record! {
@@ -202,7 +202,7 @@ record! {
 }
 
 field! {
-    DeltaTheta: 0x80, 0x07, "sensor.delta_theta"
+    DeltaTheta: 0x80, 0x07, "sensor.delta_theta";
 }
 
 record! {
@@ -226,7 +226,7 @@ record! {
 }
 
 field! {
-    DeltaVelocity: 0x80, 0x08, "sensor.delta_velocity"
+    DeltaVelocity: 0x80, 0x08, "sensor.delta_velocity";
 }
 
 record! {
@@ -253,7 +253,7 @@ record! {
 }
 
 field! {
-    CompOrientationMatrix: 0x80, 0x09, "sensor.comp_orientation_matrix"
+    CompOrientationMatrix: 0x80, 0x09, "sensor.comp_orientation_matrix";
 }
 
 record! {
@@ -278,7 +278,7 @@ record! {
 }
 
 field! {
-    CompQuaternion: 0x80, 0x0A, "sensor.comp_quaternion"
+    CompQuaternion: 0x80, 0x0A, "sensor.comp_quaternion";
 }
 
 record! {
@@ -302,7 +302,7 @@ record! {
 }
 
 field! {
-    CompOrientationUpdateMatrix: 0x80, 0x0B, "sensor.comp_orientation_update_matrix"
+    CompOrientationUpdateMatrix: 0x80, 0x0B, "sensor.comp_orientation_update_matrix";
 }
 
 record! {
@@ -334,7 +334,7 @@ record! {
 }
 
 field! {
-    CompEulerAngles: 0x80, 0x0C, "sensor.comp_euler_angles"
+    CompEulerAngles: 0x80, 0x0C, "sensor.comp_euler_angles";
 }
 
 record! {
@@ -357,7 +357,7 @@ record! {
 }
 
 field! {
-    OrientationRawTemperature: 0x80, 0x0D, "sensor.orientation_raw_temperature"
+    OrientationRawTemperature: 0x80, 0x0D, "sensor.orientation_raw_temperature";
 }
 
 record! {
@@ -380,7 +380,7 @@ record! {
 }
 
 field! {
-    InternalTimestamp: 0x80, 0x0E, "sensor.internal_timestamp"
+    InternalTimestamp: 0x80, 0x0E, "sensor.internal_timestamp";
 }
 
 record! {
@@ -407,7 +407,7 @@ record! {
 }
 
 field! {
-    PpsTimestamp: 0x80, 0x0F, "sensor.pps_timestamp"
+    PpsTimestamp: 0x80, 0x0F, "sensor.pps_timestamp";
 }
 
 record! {
@@ -431,7 +431,7 @@ record! {
 }
 
 field! {
-    NorthVector: 0x80, 0x10, "sensor.north_vector"
+    NorthVector: 0x80, 0x10, "sensor.north_vector";
 }
 
 record! {
@@ -454,7 +454,7 @@ record! {
 }
 
 field! {
-    UpVector: 0x80, 0x11, "sensor.up_vector"
+    UpVector: 0x80, 0x11, "sensor.up_vector";
 }
 
 record! {
@@ -504,7 +504,7 @@ impl GpsTimestamp {
 }
 
 field! {
-    GpsTimestamp: 0x80, 0x12, "sensor.gps_timestamp"
+    GpsTimestamp: 0x80, 0x12, "sensor.gps_timestamp";
 }
 
 record! {
@@ -535,7 +535,7 @@ record! {
 }
 
 field! {
-    TemperatureStatistics: 0x80, 0x14, "sensor.temperature_statistics"
+    TemperatureStatistics: 0x80, 0x14, "sensor.temperature_statistics";
 }
 
 record! {
@@ -556,7 +556,7 @@ record! {
 }
 
 field! {
-    RawPressure: 0x80, 0x16, "sensor.raw_pressure"
+    RawPressure: 0x80, 0x16, "sensor.raw_pressure";
 }
 
 record! {
@@ -578,7 +578,7 @@ record! {
 }
 
 field! {
-    ScaledPressure: 0x80, 0x17, "sensor.scaled_pressure"
+    ScaledPressure: 0x80, 0x17, "sensor.scaled_pressure";
 }
 
 record! {
@@ -597,7 +597,7 @@ record! {
 }
 
 field! {
-    OverrangeStatus: 0x80, 0x18, "sensor.overrange_status"
+    OverrangeStatus: 0x80, 0x18, "sensor.overrange_status";
 }
 
 record! {
@@ -624,5 +624,5 @@ record! {
 }
 
 field! {
-    Odometer: 0x80, 0x40, "sensor.odometer"
+    Odometer: 0x80, 0x40, "sensor.odometer";
 }

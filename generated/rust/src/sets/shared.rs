@@ -61,7 +61,8 @@ record! {
 }
 
 field! {
-    EventSource: 0xFF, 0xD0, "shared.event_source", in 0x80..=0xFF
+    EventSource: 0xFF, 0xD0, "shared.event_source";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -86,7 +87,8 @@ record! {
 }
 
 field! {
-    Ticks: 0xFF, 0xD1, "shared.ticks", in 0x80..=0xFF
+    Ticks: 0xFF, 0xD1, "shared.ticks";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -110,7 +112,8 @@ record! {
 }
 
 field! {
-    DeltaTicks: 0xFF, 0xD2, "shared.delta_ticks", in 0x80..=0xFF
+    DeltaTicks: 0xFF, 0xD2, "shared.delta_ticks";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -148,7 +151,8 @@ record! {
 }
 
 field! {
-    GpsTimestamp: 0xFF, 0xD3, "shared.gps_timestamp", in 0x80..=0xFF
+    GpsTimestamp: 0xFF, 0xD3, "shared.gps_timestamp";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -172,7 +176,8 @@ record! {
 }
 
 field! {
-    DeltaTime: 0xFF, 0xD4, "shared.delta_time", in 0x80..=0xFF
+    DeltaTime: 0xFF, 0xD4, "shared.delta_time";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -197,7 +202,8 @@ record! {
 }
 
 field! {
-    ReferenceTimestamp: 0xFF, 0xD5, "shared.reference_timestamp", in 0x80..=0xFF
+    ReferenceTimestamp: 0xFF, 0xD5, "shared.reference_timestamp";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -220,7 +226,8 @@ record! {
 }
 
 field! {
-    ReferenceTimeDelta: 0xFF, 0xD6, "shared.reference_time_delta", in 0x80..=0xFF
+    ReferenceTimeDelta: 0xFF, 0xD6, "shared.reference_time_delta";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -248,7 +255,8 @@ record! {
 }
 
 field! {
-    ExternalTimestamp: 0xFF, 0xD7, "shared.external_timestamp", in 0x80..=0xFF
+    ExternalTimestamp: 0xFF, 0xD7, "shared.external_timestamp";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -274,5 +282,6 @@ record! {
 }
 
 field! {
-    ExternalTimeDelta: 0xFF, 0xD8, "shared.external_time_delta", in 0x80..=0xFF
+    ExternalTimeDelta: 0xFF, 0xD8, "shared.external_time_delta";
+    in [0x80..=0xFF];
 }

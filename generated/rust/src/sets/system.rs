@@ -104,7 +104,7 @@ record! {
 }
 
 constructors! {
-    InterfaceControl { function, port, protocols_incoming, protocols_outgoing }
+    InterfaceControl
 
     /// Apply the new setting.
     fn write(
@@ -127,7 +127,7 @@ constructors! {
 }
 
 field! {
-    InterfaceControl: 0x7F, 0x02, "system.interface_control"
+    InterfaceControl: 0x7F, 0x02, "system.interface_control";
 }
 
 command! {
@@ -163,7 +163,7 @@ record! {
 }
 
 constructors! {
-    CommMode { function, mode }
+    CommMode
 
     /// Apply the new setting.
     fn write(mode: ProtocolMode) = WRITE;
@@ -182,7 +182,7 @@ constructors! {
 }
 
 field! {
-    CommMode: 0x7F, 0x10, "system.comm_mode"
+    CommMode: 0x7F, 0x10, "system.comm_mode";
 }
 
 command! {
@@ -210,7 +210,8 @@ record! {
 }
 
 field! {
-    InterfaceControlResponse: 0x7F, 0x82, "system.interface_control_response", answers InterfaceControl
+    InterfaceControlResponse: 0x7F, 0x82, "system.interface_control_response";
+    answers InterfaceControl;
 }
 
 record! {
@@ -229,5 +230,6 @@ record! {
 }
 
 field! {
-    CommModeResponse: 0x7F, 0x90, "system.comm_mode_response", answers CommMode
+    CommModeResponse: 0x7F, 0x90, "system.comm_mode_response";
+    answers CommMode;
 }

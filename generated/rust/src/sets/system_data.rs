@@ -63,7 +63,7 @@ impl BuiltInTest {
 }
 
 field! {
-    BuiltInTest: 0xA0, 0x01, "system_data.built_in_test"
+    BuiltInTest: 0xA0, 0x01, "system_data.built_in_test";
 }
 
 record! {
@@ -86,7 +86,7 @@ record! {
 }
 
 field! {
-    TimeSyncStatus: 0xA0, 0x02, "system_data.time_sync_status"
+    TimeSyncStatus: 0xA0, 0x02, "system_data.time_sync_status";
 }
 
 record! {
@@ -111,7 +111,7 @@ record! {
 }
 
 field! {
-    GpioState: 0xA0, 0x03, "system_data.gpio_state"
+    GpioState: 0xA0, 0x03, "system_data.gpio_state";
 }
 
 record! {
@@ -138,5 +138,5 @@ record! {
 }
 
 field! {
-    GpioAnalogValue: 0xA0, 0x04, "system_data.gpio_analog_value"
+    GpioAnalogValue: 0xA0, 0x04, "system_data.gpio_analog_value";
 }

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from ... import describe
 from ... import model as m
-from .names import Record, constant, home, member, method, path, type_name
+from .names import Record, constant, home, member, method, module, path, type_name
 from .records import Conversion, Reading, Union
 
 WIDTH = 100
@@ -25,8 +25,9 @@ class Docs:
     # ------------------------------------------------------------------ sets, fields and parameters
 
     def set(self, s: m.Set) -> list[Block]:
-        unsure, _ = self._facts(describe.uncertain(s, self.model), "")
-        return [f"{prose(s.title)} (0x{s.number:02X}): {self._prose(s.description, '')}", unsure, sources(s)]
+        description = self._prose(s.description, module(s.name))
+        unsure, _ = self._facts(describe.uncertain(s, self.model), module(s.name))
+        return [f"{prose(s.title)} (0x{s.number:02X}): {description}", unsure, sources(s)]
 
     def field(self, f: m.Field) -> list[Block]:
         said, notes = self._facts(describe.field(f, self.model), home(f))
@@ -49,10 +50,10 @@ class Docs:
     # ------------------------------------------------------------------ types and their parts
 
     def type(self, t: m.Type) -> list[Block]:
-        said = self._prose(t.description, home(t)) or words(t.name)
+        description = self._prose(t.description, home(t)) or words(t.name)
         more, _ = self._facts(describe.type(t, self.model), home(t))
         unheld = self._unheld(t) if isinstance(t, m.Struct) else []
-        return [said, more, *unheld, "" if isinstance(t, m.Vector) else sources(t)]
+        return [description, more, *unheld, "" if isinstance(t, m.Vector) else sources(t)]
 
     def value(self, v: m.EnumValue, of: m.Enum) -> list[Block]:
         said, _ = self._facts(describe.value(v, self.model), home(of))
@@ -71,10 +72,9 @@ class Docs:
         facts += describe.parameter(c.parameter, u.record, self.model) if c.parameter else []
         said, notes = self._facts(facts, home(u.record))
         description = c.parameter.description if c.parameter else ""
-        text = self._prose(description or c.tag.description, home(u.record))
-        return [text or words(c.tag.name), said, notes]
+        return [self._prose(description or c.tag.description, home(u.record)) or words(c.tag.name), said, notes]
 
-    # ------------------------------------------------------------------ functions
+    # ------------------------------------------------------------------ methods
 
     def reading(self, r: Reading, record: Record) -> list[Block]:
         return [f"Reads `{r.member.name}` as [`{r.type}`].", self._variants(r, record, home(record))]
@@ -90,11 +90,11 @@ class Docs:
     # ------------------------------------------------------------------ devices
 
     def device(self, d: m.Device) -> list[Block]:
-        found: list[Block] = [prose(d.title), self._prose(d.description, "")]
+        found: list[Block] = [prose(d.title), self._prose(d.description, "devices")]
         for n in d.notes:
             rows = [tuple(map(prose, row)) for row in n.rows]
             rule = [("---",) * len(rows[0])] if rows else []
-            found += [f"# {prose(n.title)}", self._prose(n.description, ""), rows[:1] + rule + rows[1:]]
+            found += [f"# {prose(n.title)}", self._prose(n.description, "devices"), rows[:1] + rule + rows[1:]]
         return found
 
     def difference(self, v: m.DeviceVariant) -> str:

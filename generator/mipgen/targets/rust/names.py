@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from ... import model as m
 from ...naming import Escape, pascal, upper
 from ...render import language
@@ -42,6 +44,11 @@ def constant(words: str) -> str:
     ('RECEIVER_1', 'VALUES_', '_5_HZ')
     """
     return _constant(upper(words))
+
+
+def constants(functions: Iterable[m.Function]) -> str:
+    """Function selectors, as the macros of the crate list them."""
+    return " ".join(constant(f.name) for f in functions)
 
 
 def constructor(function: m.Function) -> str:

@@ -5,7 +5,10 @@ use crate::protocol::AckCode;
 
 /// All devices.
 #[rustfmt::skip]
-pub static ALL: &[&Device] = &[&MODEL_A, &MODEL_B];
+pub static ALL: &[&Device] = &[
+    &MODEL_A,
+    &MODEL_B,
+];
 
 /// Model A
 ///

@@ -30,7 +30,8 @@ record! {
 }
 
 field! {
-    Accel: 0x80, 0x01, "measurements.accel", in 0x80 | 0x81 | 0x92
+    Accel: 0x80, 0x01, "measurements.accel";
+    in [0x80 | 0x81 | 0x92];
 }
 
 record! {
@@ -75,7 +76,8 @@ record! {
 }
 
 field! {
-    Numbers: 0x80, 0x02, "measurements.numbers", in 0x80 | 0x92
+    Numbers: 0x80, 0x02, "measurements.numbers";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -106,7 +108,8 @@ record! {
 }
 
 field! {
-    Strings: 0x80, 0x03, "measurements.strings", in 0x80 | 0x81 | 0x92
+    Strings: 0x80, 0x03, "measurements.strings";
+    in [0x80 | 0x81 | 0x92];
 }
 
 record! {
@@ -128,7 +131,8 @@ record! {
 }
 
 field! {
-    Health: 0x80, 0x04, "measurements.health", in 0x80 | 0x92
+    Health: 0x80, 0x04, "measurements.health";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -161,7 +165,8 @@ record! {
 }
 
 field! {
-    Arrays: 0x80, 0x05, "measurements.arrays", in 0x80 | 0x92
+    Arrays: 0x80, 0x05, "measurements.arrays";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -193,7 +198,8 @@ record! {
 }
 
 field! {
-    Growing: 0x80, 0x06, "measurements.growing", in 0x80 | 0x92
+    Growing: 0x80, 0x06, "measurements.growing";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -228,7 +234,8 @@ record! {
 }
 
 field! {
-    Radio: 0x80, 0x07, "measurements.radio", in 0x80 | 0x92
+    Radio: 0x80, 0x07, "measurements.radio";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -257,7 +264,8 @@ record! {
 }
 
 field! {
-    Cloud: 0x80, 0x08, "measurements.cloud", in 0x80 | 0x92
+    Cloud: 0x80, 0x08, "measurements.cloud";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -304,7 +312,8 @@ record! {
 }
 
 field! {
-    Gust: 0x80, 0x09, "measurements.gust", in 0x80 | 0x92
+    Gust: 0x80, 0x09, "measurements.gust";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -332,5 +341,6 @@ record! {
 }
 
 field! {
-    Breeze: 0x80, 0x0A, "measurements.breeze", in 0x80 | 0x92
+    Breeze: 0x80, 0x0A, "measurements.breeze";
+    in [0x80 | 0x92];
 }

@@ -43,5 +43,5 @@ record! {
 }
 
 field! {
-    Own: 0x81, 0x07, "more.own"
+    Own: 0x81, 0x07, "more.own";
 }

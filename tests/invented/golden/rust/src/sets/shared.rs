@@ -26,5 +26,6 @@ record! {
 }
 
 field! {
-    Timestamp: 0xFF, 0xD3, "shared.timestamp", in 0x80..=0xFF
+    Timestamp: 0xFF, 0xD3, "shared.timestamp";
+    in [0x80..=0xFF];
 }

@@ -228,7 +228,7 @@ constructors! {
 }
 
 field! {
-    Ping: 0x01, 0x01, "tools.ping"
+    Ping: 0x01, 0x01, "tools.ping";
 }
 
 command! {
@@ -278,7 +278,7 @@ record! {
 }
 
 constructors! {
-    Settings { function, port, mode, baud, limit, reserved }
+    Settings
 
     /// Apply the new setting.
     fn write(
@@ -308,14 +308,13 @@ constructors! {
 }
 
 setters! {
-    Settings {
-        fn with_limit(limit: u16);
-        fn with_reserved(reserved: u8);
-    }
+    Settings
+    fn with_limit(limit: u16);
+    fn with_reserved(reserved: u8);
 }
 
 field! {
-    Settings: 0x01, 0x02, "tools.settings"
+    Settings: 0x01, 0x02, "tools.settings";
 }
 
 command! {
@@ -353,7 +352,7 @@ record! {
 }
 
 constructors! {
-    SetTime { function, part, value }
+    SetTime
 
     /// Apply the new setting.
     fn write(part: types::Mode, value: u32) = WRITE;
@@ -366,7 +365,7 @@ constructors! {
 }
 
 field! {
-    SetTime: 0x01, 0x03, "tools.set_time"
+    SetTime: 0x01, 0x03, "tools.set_time";
 }
 
 command! {
@@ -418,7 +417,8 @@ constructors! {
 }
 
 field! {
-    Status: 0x01, 0x04, "tools.status", constants [0: 18 103]
+    Status: 0x01, 0x04, "tools.status";
+    constants [0: 18 103];
 }
 
 command! {
@@ -462,7 +462,7 @@ record! {
 }
 
 constructors! {
-    Bias { function, bias }
+    Bias
 
     /// Apply the new setting.
     fn write(bias: impl Into<types::Vector3f>) = WRITE;
@@ -481,7 +481,7 @@ constructors! {
 }
 
 field! {
-    Bias: 0x01, 0x05, "tools.bias"
+    Bias: 0x01, 0x05, "tools.bias";
 }
 
 command! {
@@ -514,7 +514,7 @@ constructors! {
 }
 
 field! {
-    CaptureBias: 0x01, 0x06, "tools.capture_bias"
+    CaptureBias: 0x01, 0x06, "tools.capture_bias";
 }
 
 command! {
@@ -562,7 +562,7 @@ constructors! {
 }
 
 field! {
-    Formats: 0x01, 0x07, "tools.formats"
+    Formats: 0x01, 0x07, "tools.formats";
 }
 
 command! {
@@ -628,7 +628,7 @@ union! {
 }
 
 constructors! {
-    Choice { function, instance, shape, parameters }
+    Choice
 
     /// Apply the new setting.
     fn write(instance: u8, parameters: ChoiceParameters) = WRITE, shape: parameters.tag();
@@ -638,7 +638,7 @@ constructors! {
 }
 
 field! {
-    Choice: 0x01, 0x08, "tools.choice"
+    Choice: 0x01, 0x08, "tools.choice";
 }
 
 command! {
@@ -668,7 +668,6 @@ record! {
     wire 252 {
         [function selects]
         [(items) for WRITE {
-
             [count: u8 counts items]
             [items by count]
         }]
@@ -676,7 +675,7 @@ record! {
 }
 
 constructors! {
-    List { function, items }
+    List
 
     /// Apply the new setting.
     fn write(items: impl Into<crate::List<u16, 125>>) = WRITE;
@@ -689,7 +688,7 @@ constructors! {
 }
 
 field! {
-    List: 0x01, 0x09, "tools.list"
+    List: 0x01, 0x09, "tools.list";
 }
 
 command! {
@@ -717,7 +716,7 @@ constructors! {
 }
 
 field! {
-    Inventory: 0x01, 0x0A, "tools.inventory"
+    Inventory: 0x01, 0x0A, "tools.inventory";
 }
 
 command! {
@@ -752,7 +751,7 @@ record! {
 }
 
 constructors! {
-    Pin { function, drive, use_ }
+    Pin
 
     /// Apply the new setting.
     fn write(drive: Drive, use_: u8) = WRITE;
@@ -783,7 +782,7 @@ impl Pin {
 }
 
 field! {
-    Pin: 0x01, 0x0B, "tools.pin"
+    Pin: 0x01, 0x0B, "tools.pin";
 }
 
 command! {
@@ -830,13 +829,12 @@ constructors! {
 }
 
 setters! {
-    Hello {
-        fn with_later(later: [f64; 2]);
-    }
+    Hello
+    fn with_later(later: [f64; 2]);
 }
 
 field! {
-    Hello: 0x01, 0x0C, "tools.hello"
+    Hello: 0x01, 0x0C, "tools.hello";
 }
 
 command! {
@@ -867,7 +865,7 @@ constructors! {
 }
 
 field! {
-    Readings: 0x01, 0x0D, "tools.readings"
+    Readings: 0x01, 0x0D, "tools.readings";
 }
 
 command! {
@@ -918,7 +916,8 @@ impl core::default::Default for SettingsResponse {
 }
 
 field! {
-    SettingsResponse: 0x01, 0x82, "tools.settings_response", answers Settings
+    SettingsResponse: 0x01, 0x82, "tools.settings_response";
+    answers Settings;
 }
 
 record! {
@@ -937,7 +936,8 @@ record! {
 }
 
 field! {
-    SetTimeFastResponse: 0x01, 0x83, "tools.set_time_fast_response", answers SetTime
+    SetTimeFastResponse: 0x01, 0x83, "tools.set_time_fast_response";
+    answers SetTime;
 }
 
 record! {
@@ -956,7 +956,8 @@ record! {
 }
 
 field! {
-    SetTimeSlowResponse: 0x01, 0x84, "tools.set_time_slow_response", answers SetTime
+    SetTimeSlowResponse: 0x01, 0x84, "tools.set_time_slow_response";
+    answers SetTime;
 }
 
 record! {
@@ -984,7 +985,8 @@ record! {
 }
 
 field! {
-    ChoiceResponse: 0x01, 0x88, "tools.choice_response", answers Choice
+    ChoiceResponse: 0x01, 0x88, "tools.choice_response";
+    answers Choice;
 }
 
 record! {
@@ -1007,7 +1009,8 @@ record! {
 }
 
 field! {
-    ListResponse: 0x01, 0x89, "tools.list_response", answers List
+    ListResponse: 0x01, 0x89, "tools.list_response";
+    answers List;
 }
 
 record! {
@@ -1024,7 +1027,8 @@ record! {
 }
 
 field! {
-    InventoryResponse: 0x01, 0x8A, "tools.inventory_response", answers Inventory
+    InventoryResponse: 0x01, 0x8A, "tools.inventory_response";
+    answers Inventory;
 }
 
 record! {
@@ -1057,7 +1061,7 @@ impl PinResponse {
     #[must_use]
     pub fn use_as_pulse_use(&self) -> Option<PulseUse> {
         let named = matches!(self.drive, Drive::PULSE);
-        Some(self.use_).filter(|_| named).map(Into::into)
+        named.then(|| self.use_.into())
     }
 
     /// Reads `use_` as [`SerialUse`].
@@ -1066,12 +1070,13 @@ impl PinResponse {
     #[must_use]
     pub fn use_as_serial_use(&self) -> Option<SerialUse> {
         let named = matches!(self.drive, Drive::SERIAL);
-        Some(self.use_).filter(|_| named).map(Into::into)
+        named.then(|| self.use_.into())
     }
 }
 
 field! {
-    PinResponse: 0x01, 0x8B, "tools.pin_response", answers Pin
+    PinResponse: 0x01, 0x8B, "tools.pin_response";
+    answers Pin;
 }
 
 record! {
@@ -1091,7 +1096,8 @@ record! {
 }
 
 field! {
-    HelloResponse: 0x01, 0x8C, "tools.hello_response", answers Hello
+    HelloResponse: 0x01, 0x8C, "tools.hello_response";
+    answers Hello;
 }
 
 record! {
@@ -1126,7 +1132,8 @@ record! {
 }
 
 field! {
-    ReadingsResponse: 0x01, 0x8D, "tools.readings_response", answers Readings
+    ReadingsResponse: 0x01, 0x8D, "tools.readings_response";
+    answers Readings;
 }
 
 record! {
@@ -1173,7 +1180,9 @@ impl StatusShort {
 }
 
 field! {
-    StatusShort: 0x01, 0x90, "tools.status_short", constants [0: 18 103] [2: 1], answers Status
+    StatusShort: 0x01, 0x90, "tools.status_short";
+    constants [0: 18 103] [2: 1];
+    answers Status;
 }
 
 record! {
@@ -1225,7 +1234,9 @@ impl StatusLong {
 }
 
 field! {
-    StatusLong: 0x01, 0x90, "tools.status_long", constants [0: 18 103] [2: 2], answers Status
+    StatusLong: 0x01, 0x90, "tools.status_long";
+    constants [0: 18 103] [2: 2];
+    answers Status;
 }
 
 record! {
@@ -1244,5 +1255,6 @@ record! {
 }
 
 field! {
-    BiasVector: 0x01, 0x9B, "tools.bias_vector", answers Bias CaptureBias
+    BiasVector: 0x01, 0x9B, "tools.bias_vector";
+    answers Bias CaptureBias;
 }
