@@ -294,4 +294,5 @@ def test_command_line(spec: Path, tmp_path: Path, capsys: pytest.CaptureFixture[
 def test_a_magnitude_bounds_the_elements() -> None:
     vectors = "[{name: a, type: vector3f, magnitude: [~, 5]}, {name: b, type: vector3f, magnitude: [0.9, 1.1]}]"
     a, b = field(vectors).parameters
-    assert (audit_sdk._range(a), audit_sdk._range(b)) == (">= -5 <= 5", "")
+    assert [audit_sdk._range(a, given) for given in ("", ">= -5 <= 5", ">= -6 <= 6")] == ["", ">= -5 <= 5", ""]
+    assert audit_sdk._range(b, "") == ""
