@@ -494,10 +494,11 @@ def test_devices(spec: str) -> None:
     assert sorted(package.devices.DEVICES) == [d.id for d in of.devices]
     for d in of.devices:
         device = package.devices.DEVICES[d.id]
-        keys = {s: (s.field.set, s.field.descriptor) for s in d.supports}
-        assert device.fields == set(keys.values())
-        assert all(device.supports(*key) for key in keys.values())
-        assert device.functions == {key: m.letters(s.functions) for s, key in keys.items() if s.differs}
+        keys = [(s.field.set, s.field.descriptor) for s in d.supports]
+        letters = [m.letters(s.functions) if s.differs else None for s in d.supports]
+        assert device.fields == set(keys)
+        assert all(device.supports(*key) for key in keys)
+        assert device.functions == {key: own for key, own in zip(keys, letters, strict=True) if own is not None}
         assert device.base_rates == {rate.set.number: rate.hertz for rate in d.base_rates}
         assert [(p.name, p.id, p.baud_rates, p.protocols) for p in device.ports] == [
             (p.name, p.id, p.baud_rates, p.protocols) for p in d.ports
