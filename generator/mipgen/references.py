@@ -72,7 +72,7 @@ class _Names:
         claims = [c["reference"].value for c in erratum.get("claims") or () if "reference" in c]
         for found in DESCRIPTOR.finditer(node.value):
             subject = f"0x{found['set'].upper()},0x{found['descriptor'].upper()}"
-            if subject not in claims and not self.fields(found) and not self.named(found):
+            if subject not in claims and not self.fields(found):
                 self.problem(node.position, f'no field has {found[0]}; claim it: claims: [reference: "{subject}"]')
 
     def name(self, name: str, place: m.Position) -> None:
@@ -89,10 +89,6 @@ class _Names:
 
     def fields(self, found: re.Match[str]) -> tuple[m.Field, ...]:
         return self.model.candidates(int(found["set"], 16), int(found["descriptor"], 16))
-
-    def named(self, found: re.Match[str]) -> bool:
-        s = self.model.set(int(found["set"], 16))
-        return s is not None and any(x.descriptor == int(found["descriptor"], 16) for x in s.named)
 
     def known(self, name: str) -> bool:
         """Is it the name of a field or a type, or of a descriptor without a layout?"""

@@ -186,6 +186,12 @@ def test_the_text_of_a_set() -> None:
     assert Comments(of).set(s) == ["@file", "Tools (0x01). As mip_tools_ping. Uncertain: How mip_mode is."]
 
 
+def test_the_text_of_a_device() -> None:
+    of = model("invented")
+    d = replace(of.devices[0], description="Has `tools.ping`.")
+    assert Comments(of).device(d) == ["Model A: Has mip_tools_ping."]
+
+
 def test_a_repeated_field_says_what_differs() -> None:
     of = model("invented")
     f = of.field("more.accel")

@@ -78,6 +78,9 @@ class Comments:
         what = " ".join([f"{s.title} ({hexadecimal(s.number)}).", *self._prose(s.description)])
         return ["@file", " ".join([what, *said(describe.uncertain(s, self.model))])]
 
+    def device(self, d: m.Device) -> list[str]:
+        return [f"{d.title}: {' '.join(self._prose(d.description))}"]
+
     def field(self, f: m.Field) -> list[str]:
         place = f"({hexadecimal(f.set)},{hexadecimal(f.descriptor)})" if f.set else hexadecimal(f.descriptor)
         facts = describe.field(f, self.model)
