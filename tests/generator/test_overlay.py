@@ -43,6 +43,25 @@ def test_the_names_of_an_overlay_are_free(tmp_path: Path) -> None:
     assert load_model(BASE, tmp_path / "mine").field("tools.gyroscope") is not None
 
 
+def test_an_overlay_adds_parts_and_includes_those_that_are_there(tmp_path: Path) -> None:
+    text = """\
+extend: aiding
+parts:
+  tail: [{name: valid_flags, type: axis_flags, description: Which axes are valid.}]
+fields:
+  - command: 0x7A
+    name: wind
+    title: Wind
+    description: A measured wind, as `aiding.body_frame_velocity` has it.
+    parameters: [{include: head}, {name: wind, type: vector3f, unit: m/s, description: Wind.}, {include: tail}]
+"""
+    (tmp_path / "mine/sets").mkdir(parents=True)
+    (tmp_path / "mine/sets/a.yaml").write_text(text, "utf-8")
+    wind = load_model(SPECS["real"][0], tmp_path / "mine").field("aiding.wind")
+    assert wind is not None
+    assert [p.name for p in wind.parameters] == ["time", "frame_id", "wind", "valid_flags"]
+
+
 A = "sets/a.yaml"
 DEVICE = "devices/a.yaml"
 PONG = "extend: tools\nfields:\n  - {command: 0x01, name: pong, title: Pong, description: Pongs.}\n"
