@@ -35,7 +35,7 @@ class Parser:
         return self._scan(final=False)
 
     def flush(self) -> list[Packet]:
-        """Gives up an incomplete packet, as after a time-out, and searches the bytes after its sync."""
+        """Gives up an incomplete packet, as after a time-out, and searches the bytes in it."""
         return self._scan(final=True)
 
     def give_up(self) -> list[Packet]:

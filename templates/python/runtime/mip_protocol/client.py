@@ -118,7 +118,7 @@ class Client:
         return self._events(self._parser.feed(data)) + self.poll(now)
 
     def flush(self, now: float) -> list[Event]:
-        """Gives up an incomplete packet, as at the end of a file, and searches the bytes after its sync."""
+        """Gives up an incomplete packet, as at the end of a file, and searches the bytes in it."""
         return self._events(self._parser.flush()) + self.poll(now)
 
     @property
@@ -165,7 +165,7 @@ class Client:
         return [*answers, Received(packet, frozenset(taken))]
 
     def _answer(self, raw: RawField, behind: RawField | None) -> Answer | None:
-        """The answer by an acknowledge field and the field after it, to the oldest command of its kind.
+        """The answer by an acknowledge field and the field after it, to the oldest such command.
 
         A response never answers a command that does not ask for it, because it may be the late
         answer to another one; an acknowledge without a response first answers commands that ask
