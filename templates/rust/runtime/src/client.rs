@@ -13,14 +13,15 @@ use crate::registry::AnyField;
 
 /// Tracks at most `N` commands that a device has not answered yet.
 ///
-/// The caller moves the bytes and supplies the time: any count of milliseconds that never decreases.
+/// The caller moves the bytes and supplies the time: any count of milliseconds that never
+/// decreases.
 ///
 /// 1. [`Client::request`] begins a packet, [`Request::add`] adds commands to it, and
 ///    [`Request::send`] returns the bytes to send.
 /// 2. Pass every received packet to [`Client::receive`], which yields an [`Event`] for each command
 ///    that it answers, and gives access to the other fields of the packet.
-/// 3. Call [`Client::poll`] from time to time with the current time; commands that time out get their
-///    events.
+/// 3. Call [`Client::poll`] from time to time with the current time; commands that time out get
+///    their events.
 ///
 /// Events that are not taken are kept: the next call returns them, or [`Client::events`] or
 /// [`Client::take`] do. For that, each of the `N` slots has room for the longest response.
@@ -294,9 +295,9 @@ impl<const N: usize> Client<N> {
     /// Updates the time. Call it until it returns `None`; the overdue commands then have their
     /// events.
     ///
-    /// Noise that looks like the start of a packet holds back what follows. The parser gives up such
-    /// a candidate before a command times out, and this returns the packets behind it, to be handled
-    /// like any other.
+    /// Noise that looks like the start of a packet holds back what follows. The parser gives up
+    /// such a candidate before a command times out, and this returns the packets behind it, to be
+    /// handled like any other.
     pub fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u64) -> Option<Packet<'p>> {
         let late = self.pending.iter().any(|p| p.deadline <= now_ms);
         // Give up only candidates that may hide an answer.
@@ -333,8 +334,8 @@ impl<const N: usize> Client<N> {
     /// Finds the command that an acknowledge and the field after it answer: the oldest one of its
     /// kind. Returns its result, and whether the field is its response.
     ///
-    /// A response never answers a command that does not ask for it, because it may be the late answer
-    /// to another one; an acknowledge without a response first answers commands that ask for none.
+    /// A response never answers a command that does not ask for it, because it may be the late
+    /// answer to another one; an acknowledge without a response first answers commands that ask for none.
     fn find(
         &self,
         set: u8,
@@ -440,7 +441,7 @@ pub struct Events<'c, 'p, const N: usize> {
 }
 
 impl<'p, const N: usize> Events<'_, 'p, N> {
-    /// The fields of the packet that answer no command: data, and replies that no command waits for.
+    /// The fields of the packet that answer no command: data, and unexpected replies.
     pub fn others(&self) -> impl Iterator<Item = Result<RawField<'p>, FieldLengthError>> + Clone {
         let taken = self.taken;
         let fields = self.packet.into_iter().flat_map(|packet| packet.fields()).enumerate();

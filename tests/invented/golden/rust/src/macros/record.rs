@@ -10,7 +10,7 @@
 /// - `[list by count]`: that list;
 /// - `[union as tag]`: the alternative that a tag selects, perhaps `for` functions or `optional`;
 /// - `[name: u16 = 7]`: a constant;
-/// - `[(a, b) for WRITE { [a] [b] }]`: members that are present or absent together, and their steps.
+/// - `[(a, b) for WRITE { [a] [b] }]`: members that are present or absent together.
 ///
 /// A name that differs from that of the specification is followed by the latter: `[type_ "type"]`.
 /// A record without steps has its members on the wire in order.
