@@ -340,7 +340,7 @@ def _bits(t: m.Scalar | m.Type | None) -> Spans:
 
 
 def _given_bits(node: Node) -> Spans:
-    """Without reserved bits, which a specification does not list."""
+    """Without reserved bits, which specifications do not list."""
     bits = node["bits"].items() if "bits" in node else ()
     return frozenset(_span(entry) for name, entry in bits if name != "reserved")
 

@@ -74,7 +74,7 @@ def check(options: Namespace) -> int:
             print(f"{place}: error: {difference.what}; run 'mipgen generate'", file=sys.stderr)
             found += 1
     if not found:
-        print(f"{options.out} is what the specification gives")
+        print(f"{options.out} is up to date")
     return 1 if found else 0
 
 

@@ -88,7 +88,7 @@ def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
 
 
 def _is_integer(_: Any, value: Any) -> bool:
-    """Rejects 1.0 as an integer, which JSON Schema accepts; an author who writes 1.0 means a float."""
+    """JSON Schema accepts 1.0 as an integer; an author who writes 1.0 means a float."""
     return isinstance(value, int) and not isinstance(value, bool)
 
 
