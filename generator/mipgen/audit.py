@@ -1,8 +1,8 @@
 """Reads the text of a manual and lists what the specification does not account for.
 
-The manuals are not part of the project; whoever has them can check the specification against them.
-Three kinds of things are looked for: headings of descriptors, printed packets, and references to
-descriptors such as (0x0C,0x28). The other way round, each section that may be cited must be in the manual.
+The manuals are not part of the project; anybody who has them can check the specification against them.
+It looks for headings of descriptors, printed packets, and references to descriptors such as (0x0C,0x28).
+Conversely, each section that may be cited must be in the manual.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def audit(model: m.Model, manual: str, path: Path) -> list[Finding]:
 
 
 def _sections(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[int, str]]:
-    """Each section of the list is a line of the manual; "Page > Heading" is a line and, below it, another."""
+    """Each section of the list is a line of the manual; "Page > Heading" is two lines, one below the other."""
     places: dict[str, list[int]] = {}
     for number, line in enumerate(lines, 1):
         places.setdefault(_plain(line), []).append(number)
@@ -78,7 +78,7 @@ def _headings(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[i
 
 
 def _plain(heading: str) -> str:
-    """A heading without numbering, marks and spaces: converters and authors differ in these."""
+    """A heading without numbering, marks and spaces, in which converters and authors differ."""
     return re.sub(r"^[\W_]*(\d+(\.\d+)*\.? )?|[\W_]", "", heading).lower()
 
 

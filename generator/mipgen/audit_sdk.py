@@ -1,10 +1,10 @@
-"""Compares the specification with what another source knows of the layouts, field by field.
+"""Compares the specification, field by field, with the layouts of another source.
 
 The facts are not part of the project. They are two files in one folder: `layouts.yaml`, which gives layouts
-by set and descriptor, and `names.yaml`, which gives the names that the other source has for fields. Names
-of parameters, values and bits are free; all that decides what bytes mean is compared: types, order, counts,
-functions, values, bits, units, frames, ranges, defaults, what says that a value is valid, and the responses.
-What the facts call uncertain must be so in the specification too.
+by set and descriptor, and `names.yaml`, which gives the other source's names of fields. Names of parameters,
+values and bits may differ; everything that determines what bytes mean is compared: types, order, counts,
+functions, values, bits, units, frames, ranges, defaults, valid flags, and responses. What the facts call
+uncertain must be uncertain in the specification too.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from .problems import Problems
 
 LAYOUTS, NAMES = "layouts.yaml", "names.yaml"
 
-#: What a parameter is on the wire: the name of a scalar, and how many. A vector is so many scalars.
+#: A parameter on the wire: the name of a scalar, and how many. A vector is its number of scalars.
 Wire = tuple[str, int | str | None]
 
 #: Bits of a bitfield: the first and the last of each entry.
@@ -53,7 +53,7 @@ def _fields(model: m.Model, number: int, descriptor: int, role: str) -> list[m.F
 
 
 def _family(layouts: Node) -> dict[int, list[int]]:
-    """The sets that each set of the facts is told for: itself, and those that repeat it."""
+    """The sets that each set of the facts applies to: itself, and those that repeat it."""
     found: dict[int, list[int]] = {}
     for node in layouts.get("vendor_sets") or ():
         origin = node.scalar("repeats", node["set"].value)
@@ -157,7 +157,7 @@ class _Layouts:
         return next((c.descriptor for c in self.model.fields if c.set == f.set and c.name == f.command), 0)
 
     def uncertain(self, f: m.Field) -> bool:
-        """Is anything of a field uncertain, of its responses, or of its types?"""
+        """Is anything about a field, its responses or its types uncertain?"""
         of = self.model.set(f.set)
         answers = [r for r in of.fields if r.name in f.responses] if of else []
         return any(_doubts(p) for x in (f, *answers) for p in x.parameters) or any(x.uncertain for x in (f, *answers))
@@ -186,12 +186,12 @@ class _Layouts:
                     yield f"{name}: {what} {_shown(own)}, not {_shown(other)}"
             if "alternative" in node and not self.has_bits(_given_bits(node["alternative"])):
                 yield f"{name}: no type has the bits of {node['alternative']['bitfield'].value}"
-            # a type of the specification that the facts say fits is right as it is
+            # the facts may name a fitting type of the specification
             if isinstance(p.element, m.Struct) and node.scalar("spec_type") != p.element.name:
                 yield from self.record(p.element.parameters, self.members(node), name)
 
     def members(self, node: Node) -> list[Node]:
-        """Those of a structure, from where it comes first: further ones may tell less."""
+        """Those of a structure, from its first occurrence: later ones may have fewer facts."""
         name = node["struct"].value
         everywhere = (p for s in self.root["sets"] for x in s["layouts"] for p in _listed(x))
         return next(list(p["members"]) for p in everywhere if p.scalar("struct") == name)
@@ -346,7 +346,7 @@ def _bits(t: m.Scalar | m.Type | None) -> Spans:
 
 
 def _given_bits(node: Node) -> Spans:
-    """Reserved bits are no bits of a specification."""
+    """Without reserved bits, which specifications do not list."""
     bits = node["bits"].items() if "bits" in node else ()
     return frozenset(_span(entry) for name, entry in bits if name != "reserved")
 

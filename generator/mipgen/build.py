@@ -13,7 +13,7 @@ from .problems import Problem, Problems, SpecError
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """What one target makes of a model, or the names that keep it from that."""
+    """The files that one target makes of a model, or the name collisions that prevent it."""
 
     name: str
     title: str
@@ -22,13 +22,13 @@ class Output:
 
 
 def check_names(model: Model, sources: Sequence[Source]) -> None:
-    """Raises SpecError if two things of the model become one name in one of the languages."""
+    """Raises SpecError if two things of the model get the same name in one of the languages."""
     found = parallel.each(lambda source: _collisions(model, source), sources)
     _raise([problem for problems in found for problem in problems])
 
 
 def make(model: Model, sources: Sequence[Source]) -> list[Output]:
-    """The output of each target, each made in a process of its own."""
+    """The output of each target, each made in its own process."""
 
     def one(source: Source) -> Output:
         problems = _collisions(model, source)

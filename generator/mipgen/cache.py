@@ -1,7 +1,7 @@
-"""A folder of the user's that keeps what is costly to make and follows from its input alone.
+"""A cache in the user's folder for results that are slow to compute and depend only on their input.
 
-Nothing depends on it: an entry that is missing, damaged or cannot be written costs time only.
-`MIPGEN_CACHE` names another folder; empty, it turns the cache off.
+Nothing depends on it: an entry that is missing, damaged or cannot be written costs only time.
+`MIPGEN_CACHE` names another folder; if it is empty, there is no cache.
 """
 
 from __future__ import annotations
@@ -11,14 +11,14 @@ import os
 import tempfile
 from pathlib import Path
 
-LIMIT = 64 * 1024 * 1024  # bytes of one kind of entries; the oldest ones go first
+LIMIT = 64 * 1024 * 1024  # bytes of one kind of entries; the oldest are removed first
 
 _OVERHEAD = 4096  # of a file, about
 _DIGEST = 32  # each entry begins with the SHA-256 of the rest
 
 
 def folder() -> Path | None:
-    """Where the cache is, if there is to be one."""
+    """The folder of the cache, if it is enabled."""
     chosen = os.environ.get("MIPGEN_CACHE")
     if chosen is not None:
         return Path(chosen) if chosen else None
@@ -27,12 +27,12 @@ def folder() -> Path | None:
         return Path(base, "mipgen")
     try:
         return Path.home() / ".cache" / "mipgen"
-    except RuntimeError:  # a user without a home
+    except RuntimeError:  # the user has no home folder
         return None
 
 
 def key(*parts: bytes | str) -> str:
-    """A name for what follows from these parts, and from nothing else."""
+    """A name for the result of these inputs."""
     digest = hashlib.sha256()
     for part in parts:
         data = part.encode("utf-8") if isinstance(part, str) else part
@@ -49,14 +49,14 @@ def get(kind: str, name: str) -> bytes | None:
         data = path.read_bytes()
         if hashlib.sha256(data[_DIGEST:]).digest() != data[:_DIGEST]:
             return None
-        os.utime(path)  # what is in use is not the oldest
+        os.utime(path)  # so that entries in use are not the oldest
     except OSError:
         return None
     return data[_DIGEST:]
 
 
 def put(kind: str, entries: dict[str, bytes]) -> None:
-    """Keeps entries by name; none is ever seen half-written."""
+    """Stores entries by name, each atomically."""
     for name, data in entries.items():
         path = _path(kind, name)
         if path is None:

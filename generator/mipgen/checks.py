@@ -1,4 +1,4 @@
-"""Checks a resolved model. Each check is one function, which reports all that it finds."""
+"""Checks a resolved model. Each check is one function, which reports everything it finds."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def named(model: m.Model, problems: Problems) -> None:
 
 
 def names(model: m.Model, problems: Problems) -> None:
-    """A type and a field of a set do not share a name; nor do two fields, by whatever name they go."""
+    """A type and a field of a set have different names, and so have two fields, other names included."""
     for s in model.sets:
         fields = [(f.name, f.position) for f in s.fields]
         others = [(x.name, x.position) for x in s.named] + [(name, f.position) for f in s.fields for name in f.also]
@@ -104,7 +104,7 @@ def names(model: m.Model, problems: Problems) -> None:
 
 
 def words(model: m.Model, problems: Problems) -> None:
-    """Names say the same thing by the same word, that of the vocabulary; those of an overlay are free."""
+    """Names use the words of the vocabulary; those of an overlay are free."""
     vocabulary = model.protocol.vocabulary
     usual = {other: usage.word for usage in vocabulary for other in usage.instead_of}
     folders = {PurePath(usage.position.file).parent for usage in vocabulary if usage.position}
@@ -224,7 +224,7 @@ def descriptions(model: m.Model, problems: Problems) -> None:
 
 
 def units(model: m.Model, problems: Problems) -> None:
-    """A float needs a unit, even if it is "1": a forgotten one would look like none."""
+    """A float needs a unit, even if it is "1"; otherwise a forgotten unit would go unnoticed."""
     for parameter in _parameters(model):
         for p in (parameter, *(case.parameter for case in parameter.cases if case.parameter)):
             scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element

@@ -1,4 +1,4 @@
-"""The command line. What a command does is in `commands`; what it needs is loaded when it runs."""
+"""The command line. The commands are in `commands`, which imports what they need when they run."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ examples:
   mipgen generate --target c --target rust  these two only
   mipgen generate --device 3dm-gx5-15       what one device supports
   mipgen generate --spec spec --spec mine   with fields of your own laid over it
-  mipgen check                              is ./generated what ./spec gives?
+  mipgen check                              is ./generated up to date?
 
-'mipgen COMMAND --help' says more about a command. What is costly to make is kept in ~/.cache/mipgen;
-MIPGEN_CACHE names another folder, and turns that off if it is empty.
+'mipgen COMMAND --help' says more about a command. Results that are slow to compute are cached in
+~/.cache/mipgen; MIPGEN_CACHE names another folder, or turns the cache off if it is empty.
 """
 DIFF = """\
 verdicts:
   same        nothing that a program could notice                             exit status 0
-  compatible  added, or another description, range or default                 3
+  compatible  something added, or another description, range or default       3
   source      renamed or removed: programs must be changed to build again     4
   wire        the same bytes mean something else, or other bytes are sent     5
 """
@@ -54,7 +54,7 @@ def main(arguments: list[str] | None = None) -> int:
         if count:
             print(f"mipgen: {count} problem{'s' if count > 1 else ''}; nothing was written", file=sys.stderr)
         return 1
-    except BrokenPipeError:  # who reads has enough, as `head` does
+    except BrokenPipeError:  # the reader has stopped, as `head` does
         sys.stderr.close()
         return 1
 
@@ -93,7 +93,7 @@ def parser() -> argparse.ArgumentParser:
         return added
 
     new = command("new", "new", "write a small specification to start from")
-    new.add_argument("folder", type=Path, metavar="FOLDER", help="new, or empty")
+    new.add_argument("folder", type=Path, metavar="FOLDER", help="a new or empty folder")
 
     validate = command("validate", "validate", "check a specification and write nothing")
     _spec(validate)
@@ -105,7 +105,7 @@ def parser() -> argparse.ArgumentParser:
     _out(generate)
     _targets(generate)
 
-    diff = command("diff", "diff", "say what changed between two specifications, and whom it breaks", DIFF)
+    diff = command("diff", "diff", "list what changed between two specifications, and what it breaks", DIFF)
     diff.add_argument("old", metavar="OLD", nargs="?", help="a folder, or a revision of the repository")
     diff.add_argument("new", metavar="NEW", nargs="?", help="the same (default: the folder of --spec)")
     diff.add_argument("--json", action="store_true", help="print the report as JSON")
@@ -116,7 +116,7 @@ def parser() -> argparse.ArgumentParser:
     )
     _spec(diff)
 
-    check = command("check", "check", "fail if generated files differ from what the specification gives")
+    check = command("check", "check", "fail if generated files differ from the specification")
     _spec(check)
     _part(check)
     _out(check)
@@ -132,7 +132,7 @@ def parser() -> argparse.ArgumentParser:
     )
 
     targets = command("targets", "targets", "list the targets")
-    targets.add_argument("--names", action="store_true", help="print nothing but their names")
+    targets.add_argument("--names", action="store_true", help="print only their names")
     _target_path(targets)
 
     completion = command("completion", "completion", "print a script that completes commands in a shell", COMPLETION)
@@ -146,12 +146,12 @@ def _spec(command: argparse.ArgumentParser) -> None:
         type=Path,
         action="append",
         metavar="FOLDER",
-        help="of the specification (default: ./spec); those that follow are laid over the first",
+        help="folder of the specification (default: ./spec); further ones are laid over the first",
     )
 
 
 def _part(command: argparse.ArgumentParser) -> None:
-    group = command.add_argument_group("a part of the specification, with all that it needs")
+    group = command.add_argument_group("a part of the specification, with everything that it needs")
     for name, metavar, text in (
         ("device", "ID", "what this device supports"),
         ("set", "NAME", "this descriptor set, such as sensor"),
@@ -162,7 +162,11 @@ def _part(command: argparse.ArgumentParser) -> None:
 
 def _out(command: argparse.ArgumentParser) -> None:
     command.add_argument(
-        "--out", type=Path, default=Path("generated"), metavar="FOLDER", help="of the output (default: ./generated)"
+        "--out",
+        type=Path,
+        default=Path("generated"),
+        metavar="FOLDER",
+        help="folder of the output (default: ./generated)",
     )
 
 
@@ -173,7 +177,7 @@ def _targets(command: argparse.ArgumentParser) -> None:
         action="append",
         dest="targets",
         metavar="NAME",
-        help="this one only; may be repeated ('mipgen targets' lists them)",
+        help="only this target; may be repeated ('mipgen targets' lists them)",
     )
     _target_path(group)
 
@@ -185,5 +189,5 @@ def _target_path(group: Any) -> None:
         type=Path,
         default=[],
         metavar="FOLDER",
-        help="of targets of your own, or of templates that replace ours; may be repeated",
+        help="folder of your own targets, or of templates that replace built-in ones; may be repeated",
     )

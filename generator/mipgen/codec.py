@@ -1,7 +1,7 @@
 """Encodes and decodes packets by interpreting the model's operations.
 
-Slow and plain: the reference that examples and generated code are held against. Values have the
-form of the conformance protocol: numbers, lists, objects, floats as the hexadecimal of their bits.
+Slow and simple: the reference for examples and generated code. Values have the form of the
+conformance protocol: numbers, lists, objects, floats as the hexadecimal of their bits.
 """
 
 from __future__ import annotations
@@ -125,7 +125,7 @@ def _read_group(op: m.GroupOp, required: int, reader: _Reader, values: Values) -
             raise
         reader.at = mark
         return False
-    if op.last > required and reader.at == mark:  # an empty union: as good as absent
+    if op.last > required and reader.at == mark:  # an empty union: same as absent
         return False
     values.update(found)
     return True

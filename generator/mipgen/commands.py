@@ -1,4 +1,4 @@
-"""What the commands do. Each loads what it needs when it needs it, so that a short one is quick."""
+"""The commands. Each imports modules only when it needs them, so that short commands are fast."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .errors import Failure
 #: The options that select a part of a specification.
 PARTS = ("devices", "sets", "fields")
 
-#: What `mipgen diff` ends with; 1 and 2 are for errors.
+#: Exit statuses of `mipgen diff`; 1 and 2 are for errors.
 EXIT_STATUS = {"same": 0, "compatible": 3, "source": 4, "wire": 5}
 
 if TYPE_CHECKING:
@@ -74,16 +74,16 @@ def check(options: Namespace) -> int:
             print(f"{place}: error: {difference.what}; run 'mipgen generate'", file=sys.stderr)
             found += 1
     if not found:
-        print(f"{options.out} is what the specification gives")
+        print(f"{options.out} is up to date")
     return 1 if found else 0
 
 
 def _asked(options: Namespace) -> tuple[list[Source], str | None]:
-    """The targets that are asked for, and a key of all that their output follows from."""
+    """The selected targets, and a key of everything that their output depends on."""
     specs = _specs(options)
     sources = discovery.chosen(options.targets, options.target_path)
     if any(source.module for source in sources):
-        return sources, None  # what the module of a user looks at is unknown
+        return sources, None  # the inputs of a user's module are unknown
     part = repr([getattr(options, name, ()) for name in PARTS])
     names = (source.name for source in sources)
     return sources, stamp.key([*specs, *options.target_path], options.run, part, str(len(specs)), *names)
@@ -102,7 +102,7 @@ def _specs(options: Namespace) -> list[Path]:
 
 
 def _load(options: Namespace) -> tuple[Model, str]:
-    """The specification, or the part of it that is asked for, and what to say of it."""
+    """The specification, or the selected part of it, and a summary."""
     from . import subset
     from .resolve import load_model
 
@@ -125,12 +125,12 @@ def _summary(model: Model) -> str:
 
 
 def _remember(options: Namespace, key: str | None, summary: str, outputs: list[Output]) -> None:
-    if key == _asked(options)[1]:  # nothing was changed meanwhile
+    if key == _asked(options)[1]:  # the input has not changed meanwhile
         stamp.remember(key, summary, {output.name: (output.title, output.files) for output in outputs})
 
 
 def diff(options: Namespace) -> int:
-    """Prints what changed; the exit status tells the verdict."""
+    """Prints what changed; the exit status is the verdict."""
     import json
 
     from . import compare, revisions
@@ -173,7 +173,7 @@ def _since_release(spec: Path, overlays: list[Path]) -> int:
 
 
 def _of_another_time(name: str, *folders: Path) -> Model:
-    """A specification that may be older than what this program reads."""
+    """A specification that may be too old for this program."""
     from .problems import SpecError
     from .resolve import load_model
 
@@ -209,11 +209,11 @@ def audit(options: Namespace) -> int:
     return 1 if findings else 0
 
 
-# --------------------------------------------------------------------------- around them
+# --------------------------------------------------------------------------- others
 
 
 def new(options: Namespace) -> int:
-    """Writes a specification that validates; into a folder that holds nothing yet."""
+    """Writes a specification that validates; into an empty or new folder."""
     folder: Path = options.folder
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
         raise Failure("there is something here already; name a folder that is new, or empty", str(folder))

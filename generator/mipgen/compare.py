@@ -1,4 +1,4 @@
-"""Compares two specifications: can those who use the old one go on with the new one?
+"""Compares two specifications: does the new one break programs written for the old one?
 
 A verdict for each field, type value and device, and one for all:
 
@@ -59,13 +59,13 @@ def compare(old: m.Model, new: m.Model) -> Report:
 
 
 def unreadable(version: str, new: m.Model) -> Report:
-    """About an old specification that is written in a language that is read no more: anything may have changed."""
+    """For an old specification in a format that is no longer supported: anything may have changed."""
     change = Change("wire", "the specification", "the old one is in a language that this mipgen cannot read")
     return Report(version, new.protocol.version, change.verdict, (change,))
 
 
 def enough(report: Report) -> bool:
-    """Does the new version number admit what changed? Before 1.0.0 the second number counts as the first does later.
+    """Was the version number raised enough for the changes? Before 1.0.0 the second number is the major one.
 
     >>> enough(Report("0.1.3", "0.1.4", "compatible", ())), enough(Report("1.1.3", "1.1.4", "compatible", ()))
     (True, False)
@@ -83,7 +83,7 @@ def enough(report: Report) -> bool:
 
 
 def _fields(old: m.Model, new: m.Model) -> Iterator[Change]:
-    """Fields are the same thing if set, descriptor, role and constants are."""
+    """Two fields are the same if set, descriptor, role and constants are."""
     theirs, ours = ({_identity(f): f for f in model.fields} for model in (old, new))
     for key, f in theirs.items():
         if key not in ours:
@@ -110,7 +110,7 @@ def _field(old: m.Field, new: m.Field) -> Iterator[Change]:
         yield Change("source", name, f"was called {old.full_name}")
     if _wire(old) != _wire(new):
         yield Change("wire", name, _first_difference(old, new))
-        return  # parameters cannot be told by their place any more
+        return  # parameters can no longer be matched by position
     yield from _parameters(name, old.parameters, new.parameters)
     a, b = m.letters(old.functions), m.letters(new.functions)
     if a != b:
@@ -246,7 +246,7 @@ def _type(name: str, old: m.Type, new: m.Type) -> Iterator[Change]:
                 name, {(b.first, b.last): b.name for b in old.bits}, {(b.first, b.last): b.name for b in new.bits}
             )
         case m.Struct(), m.Struct():
-            if _wire(old) == _wire(new):  # else the fields say it
+            if _wire(old) == _wire(new):  # otherwise the fields report it
                 yield from _parameters(name, old.parameters, new.parameters)
         case m.Vector(), m.Vector():
             if old.elements != new.elements:
@@ -258,7 +258,7 @@ def _type(name: str, old: m.Type, new: m.Type) -> Iterator[Change]:
 
 
 def _named(of: str, old: dict[Any, str], new: dict[Any, str]) -> Iterator[Change]:
-    """Names of numbers or bits: those that moved to another number are the dangerous ones."""
+    """Names of numbers or bits; a name that moved to another number is the dangerous change."""
     for number, name in old.items():
         if new.get(number) == name:
             continue

@@ -1,7 +1,7 @@
-"""What readers are told of fields, parameters and types: composed here, once, for every target.
+"""Facts that documentation states about fields, parameters and types, composed once for all targets.
 
 A fact has a topic, a value ("m/s") and a sentence ("Unit: m/s."). Both are texts: words and
-references. A target only says what a reference and a word look like in its language: see `say`.
+references. A target only decides what words and references look like in its language; see `say`.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ Thing = (
 
 @dataclass(frozen=True, slots=True)
 class Ref:
-    """Something of the model that a text names."""
+    """A reference to a part of the model."""
 
     thing: Thing
     words: str  # its name in the specification
@@ -46,7 +46,7 @@ Text = tuple["str | Ref", ...]
 
 @dataclass(frozen=True, slots=True)
 class Fact:
-    """One thing that is known of a field, a parameter, a value or a bit."""
+    """One fact about a field, a parameter, a value or a bit."""
 
     topic: str
     value: Text
@@ -71,7 +71,7 @@ def topics(facts: Iterable[Fact], *wanted: str) -> list[Fact]:
 
 
 def field(f: m.Field, model: m.Model) -> list[Fact]:
-    """What there is to say of a field besides its description."""
+    """The facts about a field besides its description."""
     found: list[Fact] = []
     if f.deprecated:
         found.append(_fact("deprecated", prose(f.deprecated.rstrip("."), model), "Deprecated: {}."))
@@ -119,13 +119,13 @@ def _evidence(f: m.Field, model: m.Model) -> Iterator[Fact]:
 
 
 def _remarks(of: m.Field | m.Parameter, model: m.Model) -> Iterator[Fact]:
-    """What has no form of its own: notes, and what is not sure."""
+    """Facts in the author's words: notes, and what is uncertain."""
     yield from (_fact("note", prose(note, model), "{}") for note in of.notes)
     yield from uncertain(of, model)
 
 
 def uncertain(of: m.Field | m.Set | m.Parameter | m.Type | m.EnumValue | m.Bits, model: m.Model) -> list[Fact]:
-    """What is not sure, each with what is known and what is inferred."""
+    """The uncertain facts, each with what is known and what is inferred."""
     return [_fact("uncertain", prose(text.rstrip("."), model), "Uncertain: {}.") for text in of.uncertain]
 
 
@@ -147,7 +147,7 @@ def condition(c: m.Condition, command: m.Field) -> Text:
 
 
 def _setting(c: m.Condition, model: m.Model) -> Text:
-    """The setting of another command; that may be missing in a part of a specification."""
+    """The setting of another command, which a part of a specification may lack."""
     command = model.field(c.command or "")
     if command is None:
         return (f"{c.parameter} of {c.command} is {c.label}",)
@@ -159,7 +159,7 @@ def _setting(c: m.Condition, model: m.Model) -> Text:
 
 
 def parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
-    """What there is to say of a parameter, or of the parameter of a union's case, besides its description."""
+    """The facts about a parameter, or the parameter of a union's case, besides its description."""
     beside = {q.name: q for q in record.parameters}
     found: list[Fact] = []
     if p.deprecated:
@@ -267,7 +267,7 @@ def case(c: m.Case, union: m.Parameter, record: Record) -> Fact:
 
 
 def variant(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Fact:
-    """What is different on a device, or beside a value; it may be a member of a structure."""
+    """How a parameter, or a member of its structure, differs on a device or with a value of a sibling."""
     within = p.element if v.member and isinstance(p.element, m.Struct) else None
     if within is not None:
         p = next(q for q in within.parameters if q.name == v.member)
@@ -285,7 +285,7 @@ def variant(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Fac
 
 
 def variant_condition(v: m.Variant, record: Record, model: m.Model) -> Text:
-    """Where a variant holds: "On the 3DM-GX5-15", "If mode is fast"."""
+    """When a variant applies: "On the 3DM-GX5-15", "If mode is fast"."""
     if v.by_device:
         found = model.device(v.key)
         return ("On the ", _device(found) if found else v.key)
@@ -308,7 +308,7 @@ def bits_place(b: m.Bits) -> str:
 
 
 def type(t: m.Type, model: m.Model) -> list[Fact]:
-    """What there is to say of a type besides its description."""
+    """The facts about a type besides its description."""
     return uncertain(t, model)
 
 
@@ -342,7 +342,7 @@ def _has_union(f: m.Field) -> bool:
 
 
 def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct) -> list[str]:
-    """Where manuals say it: "3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)"."""
+    """The places in manuals: "3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)"."""
     return [f"{s.manual}: {s.section}" for s in thing.sources]
 
 

@@ -1,9 +1,8 @@
-"""Which targets there are, and where the templates of each are.
+"""Finds targets and their templates.
 
-Ours are the modules of `mipgen.targets` and the folders of `templates/`. A folder of the user's
-(`--target-path`) holds a folder `<name>/` for each of its targets, with templates and a `target.py`.
-If it has the name of one of ours, what it holds goes before ours: templates, files of `runtime/`, or
-the whole module.
+Built-in targets are the modules of `mipgen.targets` and the folders of `templates/`. A user's folder
+(`--target-path`) contains a folder `<name>/` for each target, with templates and a `target.py`. If it
+has the name of a built-in target, its templates, files of `runtime/` and module take precedence.
 """
 
 from __future__ import annotations
@@ -30,11 +29,11 @@ CONTENTS = ("TITLE", "files", "identifiers", "filters")  # what a module of a ta
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """Where a target comes from."""
+    """The files of a target."""
 
     name: str
     folders: tuple[Traversable, ...]  # the first that has a file wins
-    module: Path | None = None  # a target.py of the user's
+    module: Path | None = None  # the user's target.py
 
     @property
     def ours(self) -> bool:
@@ -45,7 +44,7 @@ class Source:
         if self.module is None:
             return importlib.import_module(f"{ours.__name__}.{self.name}")
         name = f"mipgen_target_{self.name}"
-        beside = [str(self.module.parent)]  # so that it may have modules of its own: `from . import names`
+        beside = [str(self.module.parent)]  # allows modules of its own: `from . import names`
         spec = importlib.util.spec_from_file_location(name, self.module, submodule_search_locations=beside)
         assert spec is not None and spec.loader is not None
         module = importlib.util.module_from_spec(spec)
@@ -58,12 +57,12 @@ class Source:
 
 
 def names() -> list[str]:
-    """Our targets, in order."""
+    """The built-in targets, in order."""
     return sorted(module.name for module in pkgutil.iter_modules(ours.__path__))
 
 
 def sources(paths: Sequence[Path] = ()) -> dict[str, Source]:
-    """All targets by name, in order; of two folders of the user's the first goes before."""
+    """All targets by name, in order; earlier folders take precedence."""
     found = {name: Source(name, (resources.root() / "templates" / name,)) for name in names()}
     for path in reversed(paths):
         for folder in _folders(path):
@@ -81,7 +80,7 @@ def sources(paths: Sequence[Path] = ()) -> dict[str, Source]:
 
 
 def chosen(wanted: Sequence[str] | None, paths: Sequence[Path] = ()) -> list[Source]:
-    """The targets that are asked for, or all."""
+    """The selected targets, or all."""
     known = sources(paths)
     for name in wanted or ():
         if name not in known:
@@ -99,6 +98,6 @@ def _folders(path: Path) -> Iterator[Path]:
 
 
 def _nearest(name: str, known: Iterable[str]) -> str:
-    from .problems import nearest  # loads the model, which a run with nothing to do does not need
+    from .problems import nearest  # imports the model, which a run with nothing to do does not need
 
     return nearest(name, known)

@@ -1,10 +1,10 @@
-"""What ends the program with a message."""
+"""The error that ends the program with a message."""
 
 from __future__ import annotations
 
 
 class Failure(Exception):
-    """Something to tell the person at the command line: what is wrong, and what would be right."""
+    """A message for the user: what is wrong, and the remedy."""
 
     def __init__(self, message: str, place: str = "mipgen") -> None:
         super().__init__(message, place)

@@ -10,10 +10,10 @@ from . import model as m
 from .nodes import Node
 from .problems import Problems, nearest
 
-#: Bytes as printed; None for one that the print leaves open.
+#: Bytes as printed; None for a byte that the manual leaves open.
 Octets = tuple[int | None, ...]
 
-#: What role a packet has by the role of its fields.
+#: The role of a packet by the role of its fields.
 ROLES = {m.COMMAND: "command", m.RESPONSE: "reply", m.DATA: "data"}
 
 
@@ -74,7 +74,7 @@ class _Example:
         )
 
     def device(self, manual: str) -> m.Device | None:
-        """The device that it names, else the only one of its manual."""
+        """The device that the example names, else the only one of its manual."""
         named = self.node.get("device")
         if named is None:
             found = [d for d in self.model.devices if d.manual == manual]
@@ -186,7 +186,7 @@ class _Example:
         """The stated values in the form of the conformance protocol."""
         values = node.plain()
         if isinstance(values, dict):
-            # Constants may be stated, which reads well; they are not values.
+            # Constants may be stated for readability; they are not values.
             for p in field.parameters:
                 if p.constant is not None and values.pop(p.name, p.constant) != p.constant:
                     raise _Wrong(node.value_at([p.name]), f"{field.full_name}.{p.name} is always {p.constant}")

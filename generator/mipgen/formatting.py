@@ -1,7 +1,7 @@
-"""Formatters of languages, run over what a target made: templates say what, not where lines break.
+"""Runs formatters on the output of a target, so that templates need not care where lines break.
 
-A target that wants one says `FORMATTER = formatting.CLANG_FORMAT`. The style is a file of the output
-itself, so that whoever runs the same tool in the output changes nothing.
+A target selects one with `FORMATTER = formatting.CLANG_FORMAT`. The style is a file of the output,
+so that running the same tool there changes nothing.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from .errors import Failure
 class Formatter:
     package: str  # the Python package that brings the program, on PyPI
     program: Callable[[], str]  # where that package has the program
-    suffixes: tuple[str, ...]  # of the files to format
-    style: str  # the file of the output that says how, at its top
+    suffixes: tuple[str, ...]  # of files to format
+    style: str  # the style file, at the top of the output
     steps: tuple[tuple[str, ...], ...]  # arguments of each run; the files follow
 
     def version(self) -> str:
-        from importlib.metadata import PackageNotFoundError, version  # takes long to load
+        from importlib.metadata import PackageNotFoundError, version  # slow to import
 
         try:
             return version(self.package)
@@ -85,7 +85,7 @@ def formatted(formatter: Formatter, made: Mapping[str, bytes]) -> dict[str, byte
 
 
 def _run(formatter: Formatter, made: Mapping[str, bytes], wanted: list[str]) -> dict[str, bytes]:
-    """Formats in a folder of its own, which holds all files of the language: imports are sorted by what is there."""
+    """Formats in a temporary folder with all files of the language, because import sorting looks for modules."""
     with tempfile.TemporaryDirectory(prefix="mipgen-") as name:
         folder = Path(name)
         for path, data in made.items():

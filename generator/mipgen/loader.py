@@ -16,7 +16,7 @@ from .nodes import Node, read
 from .problems import Problems, close, nearest
 from .spelling import strange
 
-#: What other readers of YAML take for true and false.
+#: Words that other YAML parsers read as true and false.
 BOOLEANS = {**dict.fromkeys(("true", "yes", "on", "y"), "true"), **dict.fromkeys(("false", "no", "off", "n"), "false")}
 
 #: Which files a specification has: kind of schema -> pattern below its folder.
@@ -50,7 +50,7 @@ def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Docum
 
 
 def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Problems) -> list[Document]:
-    """The files of one folder, be it an overlay. What was judged before, and found good, is not judged again."""
+    """The files of one folder, perhaps an overlay. Files that were found valid before are not checked again."""
     documents, judged = [], {}
     for kind, pattern in layout.items():
         for path in sorted(folder.glob(pattern)):
@@ -80,7 +80,7 @@ def shown(path: Path) -> str:
 
 
 def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
-    """A file in the wrong place would be ignored in silence."""
+    """Reports files in the wrong place, which would be ignored silently."""
     known = {path for pattern in layout.values() for path in spec.glob(pattern)}
     read_ones = ", ".join(layout.values())
     for path in sorted({*spec.rglob("*.yaml"), *spec.rglob("*.yml")} - known):
@@ -88,13 +88,13 @@ def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
 
 
 def _is_integer(_: Any, value: Any) -> bool:
-    """JSON Schema takes 1.0 for an integer; an author who writes 1.0 means a float."""
+    """JSON Schema accepts 1.0 as an integer; an author who writes 1.0 means a float."""
     return isinstance(value, int) and not isinstance(value, bool)
 
 
 @functools.cache
 def _validators(over: bool) -> dict[str, Any]:
-    """The judge of each kind of file. Its library takes long to load, and is not needed for what was judged before.
+    """The validator of each kind of file. Its library is slow to import, and not needed if all files are known.
 
     An overlay needs no sources.
     """

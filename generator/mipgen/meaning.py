@@ -1,4 +1,4 @@
-"""What a value means, apart from its layout: unit, frame, range, default."""
+"""The meaning of values: unit, frame, range, default, valid flag."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Number = int | float
 
 
 def unknown(what: str, word: str, known: Iterable[str], home: str, guess: bool = True) -> str:
-    """About a word that is not in one of the vocabularies, which grow in the file `home`.
+    """The message for a word that is missing in a vocabulary, which is in the file `home`.
 
     >>> unknown("unit", "sec", ["m", "s"], "protocol.yaml"), unknown("unit", "km/h", ["m", "s"], "protocol.yaml")
     ("unknown unit 'sec', did you mean 's'?", "unknown unit 'km/h'; known: m, s; add a new one to protocol.yaml")
@@ -25,7 +25,7 @@ def unknown(what: str, word: str, known: Iterable[str], home: str, guess: bool =
 
 
 def unknown_unit(word: str, known: Iterable[str]) -> str:
-    return unknown("unit", word, known, "protocol.yaml", guess=False)  # units are told apart by one letter
+    return unknown("unit", word, known, "protocol.yaml", guess=False)  # units may differ by one letter
 
 
 def unknown_manual(word: str, known: Iterable[str]) -> str:

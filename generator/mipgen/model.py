@@ -1,11 +1,11 @@
 """The resolved model: what MIP is, with every reference followed and every size computed.
 
-Frozen dataclasses that know the protocol and nothing of any language. `resolve` builds them,
-`checks` judges them, targets and templates read them. Names are words in lower case joined by
+Frozen dataclasses that describe the protocol, independent of any language. `resolve` builds them,
+`checks` checks them, targets and templates read them. Names are words in lower case joined by
 underscores, as the specification gives them; `naming` turns them into each language's case.
 
-Layouts reach the templates as *operations*: the ordered steps of one codec. A template has one
-branch per `Operation.kind` and computes nothing.
+Templates get layouts as *operations*, the ordered steps of one codec. A template has one branch
+per `Operation.kind` and computes nothing.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ Item = TypeVar("Item")
 #: The set whose fields are valid in every data set.
 SHARED_SET: Final = 0xFF
 
-#: What a variant depends on if not on a sibling.
+#: `Variant.by` of a variant that depends on the device.
 DEVICE: Final = "device"
 
 #: A field is at most 255 bytes long and spends two of them on its length and its descriptor.
@@ -47,7 +47,7 @@ class Position:
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """Where a manual says it, and the field length that it prints there."""
+    """The place in a manual that states a fact, and the field length printed there."""
 
     manual: str
     section: str
@@ -92,7 +92,7 @@ class EnumValue:
 
 @dataclass(frozen=True, slots=True)
 class Enum:
-    """An open enumeration: other values may come and must survive."""
+    """An open enumeration: unnamed values may be received and are preserved."""
 
     name: str
     scalar: Scalar
@@ -116,7 +116,7 @@ class Bits:
     first: int
     last: int
     description: str
-    alias: bool  # overlaps other bits on purpose
+    alias: bool  # intentionally overlaps other bits
     enum: Enum | None = None
     uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
@@ -222,7 +222,7 @@ class Case:
 
 @dataclass(frozen=True, slots=True)
 class Variant:
-    """What a value is on one device, or with one value of a sibling. What it does not give is unchanged."""
+    """How a parameter differs on one device, or with one value of a sibling. Attributes not given are unchanged."""
 
     by: str  # "device", or the name of a parameter of the same record
     key: str  # a device id, or a value name of that parameter's enumeration
@@ -272,7 +272,7 @@ class Parameter:
     counts: str | None = None  # the array that this parameter counts
     tag: str | None = None  # a union's tag
     cases: tuple[Case, ...] = ()
-    by_device: bool = False  # every device that supports it has a reading of its own
+    by_device: bool = False  # every device that supports it has its own type for it
     required_for: tuple[Function, ...] = ()  # the functions that require it; none where there is no selector
     optional: bool = False  # no function requires it
     selector: bool = False  # the function selector itself
@@ -297,7 +297,7 @@ class Parameter:
 
 @dataclass(frozen=True, slots=True)
 class ScalarOp:
-    """One number. `type` names its values or bits, if it has such."""
+    """One number. `type` names its values or bits, if it has any."""
 
     member: str
     scalar: Scalar
@@ -308,7 +308,7 @@ class ScalarOp:
 
 @dataclass(frozen=True, slots=True)
 class ConstantOp:
-    """A number that is always the same: written by encode, demanded by decode, kept nowhere."""
+    """A constant: written by encode, checked by decode, not stored."""
 
     member: str
     scalar: Scalar
@@ -453,14 +453,14 @@ class Field:
     when: tuple[Condition, ...] = ()  # of a response: what in the command selects it
     responses: tuple[str, ...] = ()  # of a command: names of its responses, in the same set
     silent_when: tuple[Condition, ...] = ()  # of a command: it is not acknowledged then
-    sent_by: Literal["host", "device"] = "host"  # of a command: who asks
-    silenced_by: tuple[Condition, ...] = ()  # nor then: settings of other commands
+    sent_by: Literal["host", "device"] = "host"  # of a command: who sends it
+    silenced_by: tuple[Condition, ...] = ()  # likewise: settings of other commands
     definition: str | None = None  # "gnss_1.dop": the field of another set that this one repeats
     max_rate: float | None = None
     timeout: float | None = None
     advanced: bool = False
     deprecated: str | None = None
-    also: tuple[str, ...] = ()  # what others call it
+    also: tuple[str, ...] = ()  # other names
     notes: tuple[str, ...] = ()
     uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
@@ -525,7 +525,7 @@ class Reply:
 
 @dataclass(frozen=True, slots=True)
 class Named:
-    """A descriptor that a source names without a layout: nothing can be made of its data."""
+    """A descriptor that a source names without a layout; its data cannot be decoded."""
 
     descriptor: int
     role: Role
@@ -576,7 +576,7 @@ class Limit:
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """A table or a fact of a device that is neither a rate, a port nor a limit."""
+    """A note about a device that is not a rate, a port or a limit, perhaps with a table."""
 
     name: str
     title: str
@@ -607,12 +607,12 @@ class Rate:
     """How often a device samples the fields of a data set."""
 
     set: Set
-    hertz: float | int  # 0: sent as it comes
+    hertz: float | int  # 0: sent as the data arise
 
 
 @dataclass(frozen=True, slots=True)
 class DeviceVariant:
-    """A parameter that means something else on a device."""
+    """A parameter with another meaning on a device."""
 
     field: Field
     parameter: Parameter
@@ -651,7 +651,7 @@ class ExampleField:
     data: bytes
     values: dict[str, object] | None
     trailing: int
-    stated: dict[str, object] | None  # what the manual says besides the bytes
+    stated: dict[str, object] | None  # values that the manual states
 
 
 @dataclass(frozen=True, slots=True)
@@ -661,9 +661,9 @@ class Example:
     section: str
     title: str
     role: Literal["command", "reply", "data", "field"]
-    string: str | None  # as printed to copy and paste, misprints and all
+    string: str | None  # as printed to copy and paste, with its misprints
     table: tuple[int | None, ...] | None  # as printed in a table; None for a byte that is left open
-    packet: bytes  # right, always
+    packet: bytes  # always the right bytes
     fields: tuple[ExampleField, ...]
     note: str
     device: Device | None = None  # what sends or takes it; None if its manual is for several and it names none
@@ -677,7 +677,7 @@ class Example:
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """What an erratum says that the manual prints and that `mipgen` can see to be wrong."""
+    """A mistake in a manual that `mipgen` can verify."""
 
     kind: Literal["length", "example", "reference"]
     subject: str
@@ -753,7 +753,7 @@ class Protocol:
 
 @dataclass(frozen=True)
 class Model:
-    """Everything that a specification says. What refers to what is looked up here, and indexed once."""
+    """A whole specification, with lookups of references, which are indexed once."""
 
     protocol: Protocol
     types: tuple[Type, ...]  # of spec/types, in dependency order
@@ -769,7 +769,7 @@ class Model:
 
     @cached_property
     def fields(self) -> tuple[Field, ...]:
-        """Every field of every set, repeated ones included; the acknowledge field is not among them."""
+        """Every field of every set, including repeated ones, without the acknowledge field."""
         return tuple(f for s in self.sets for f in s.fields)
 
     @cached_property

@@ -1,4 +1,4 @@
-"""YAML as nodes that know their place. Knows files and lines, and nothing of MIP.
+"""YAML as nodes with their places: files, lines and columns, nothing about MIP.
 
 YAML is read by the rules of version 1.2, but numbers are written as in JSON; duplicate keys, anchors, aliases and
 tags are refused.
@@ -60,7 +60,7 @@ class Node:
         yield from self.value
 
     def plain(self) -> Any:
-        """The value without places, as JSON has it."""
+        """The value without places, as in JSON."""
         if isinstance(self.value, dict):
             return {k: v.plain() for k, v in self.value.items()}
         if isinstance(self.value, list):
@@ -238,7 +238,7 @@ def _scalar(text: str) -> Any:
 
 
 def _rewritten(text: str) -> str | None:
-    """How to write what programs read as different numbers, or not as one; None if there is no doubt.
+    """How to write a number that programs read in different ways, or not as a number; None if it is clear.
 
     >>> [_rewritten(t) for t in ("0211", "0o17", "1_000", ".5", "1.", "+7", "-007.50", "0X1F", "0b11")]
     ['211 or 0x211', '15', '1000', '0.5', '1', '7', '-7.50', '0x1F', '3']

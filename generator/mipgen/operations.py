@@ -1,4 +1,4 @@
-"""The steps of a codec: made from types, and measured."""
+"""The steps of a codec, made from types, and their sizes."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def with_capacity(op: m.Operation, capacities: dict[str, int]) -> m.Operation:
 
 
 def open_ended(op: m.Operation) -> bool:
-    """Does it reach to the end of the field, or could it, for all that a reader knows?"""
+    """Does it, or could it, reach to the end of the field?"""
     match op:
         case m.SwitchOp():
             return True

@@ -1,7 +1,7 @@
-"""Lays further folders over a specification: own sets, fields, types and devices, without touching its files.
+"""Overlays: folders that add sets, fields, types and devices to a specification without changing its files.
 
-An overlay has the folders of a specification. A set file or a device file that begins with `extend: NAME` adds
-to a set or a device that is there already; `overlay.yaml` adds units and frames.
+An overlay has the subfolders of a specification. A set file or a device file that begins with `extend: NAME` adds
+to an existing set or device; `overlay.yaml` adds units and frames.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def lay(documents: list[Document], over: list[Document], problems: Problems) -> 
             found = [_with_words(d, document.root, problems) if d.kind == "protocol" else d for d in found]
         elif document.kind not in EXTENSIONS:
             found.append(document)
-    for document in over:  # after all that is new: an overlay may extend its own
+    for document in over:  # after everything new: an overlay may extend its own sets
         if document.kind in EXTENSIONS:
             found = _extended(found, document, problems)
     return found

@@ -1,4 +1,4 @@
-"""Runs a function for each of several items at once, where that is cheap: in copies of this process."""
+"""Runs a function on several items in parallel, in forked processes where that is safe."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ Result = TypeVar("Result")
 
 
 def each(function: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
-    """The results in the order of the items; what the first one that fails raises, is raised here."""
+    """The results in the order of the items. Raises the exception of the first item that fails."""
     one = len(items) < 2 or _processors() < 2
     unsafe = not hasattr(os, "fork") or sys.platform == "darwin"
-    archive = not isinstance(resources.root(), Path)  # copies of a process cannot read one open file at once
+    archive = not isinstance(resources.root(), Path)  # forked processes share the offset of an open archive
     if one or unsafe or archive:
         return [function(item) for item in items]
     children = [_start(function, item) for item in items]
@@ -35,7 +35,7 @@ def each(function: Callable[[Item], Result], items: Sequence[Item]) -> list[Resu
 
 
 def _processors() -> int:
-    """Those that this process may use."""
+    """The processors that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 

@@ -1,4 +1,4 @@
-"""What is wrong with a specification, each problem with its place, and remedies for unknown words."""
+"""Problems of a specification, each with its place, and remedies for unknown words."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from . import spelling
 from .errors import Failure
 from .model import Position
 
-#: So many words are listed whole.
+#: At most this many words are listed.
 MANY = 60
 
 
@@ -26,7 +26,7 @@ class Problem:
 
 
 class Problems:
-    """Collects what is wrong, so that an author sees all of it in one run."""
+    """Collects problems, so that an author sees all of them in one run."""
 
     def __init__(self) -> None:
         self._found: set[Problem] = set()
@@ -63,7 +63,7 @@ class SpecError(Failure):
 def nearest(word: str, choices: Iterable[str], guess: bool = True) -> str:
     """The remedy for an unknown word: the one that was probably meant, else all that are known.
 
-    `guess`: take a similar word for the one that was meant.
+    `guess`: suggest a similar word.
 
     >>> nearest("discription", ["description", "title"])
     ", did you mean 'description'?"

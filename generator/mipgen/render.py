@@ -1,7 +1,7 @@
 """Renders a target: templates and runtime files in, a folder out.
 
-Everything is made in memory first; files are written only where they change, and files of an
-earlier run that are no longer made are removed, so a failing run leaves nothing half-written.
+Everything is made in memory first, so that a failing run leaves nothing half-written. Only changed
+files are written, and obsolete files of earlier runs are removed.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ RUNTIME = "runtime"
 
 @dataclass(frozen=True, slots=True)
 class File:
-    """One file to make: where, from which template, with what."""
+    """One file to make: its path, its template, and the template's variables."""
 
     path: str
     template: str
@@ -33,7 +33,7 @@ class File:
 
 
 class Target(Protocol):
-    """What the module of a target offers; FORMATTER, a `formatting.Formatter`, may be left out."""
+    """The interface of a target's module; FORMATTER, a `formatting.Formatter`, may be left out."""
 
     TITLE: str  # "C99", shown by `mipgen generate`
 
@@ -45,7 +45,7 @@ class Target(Protocol):
 
 
 def names() -> list[str]:
-    """All targets that come with the program, in order."""
+    """All built-in targets, in order."""
     return discovery.names()
 
 
@@ -55,7 +55,7 @@ def target(name: str) -> Target:
 
 
 def language(name: str) -> dict[str, Any]:
-    """The facts of a language that are data: templates/<name>/language.yaml."""
+    """The data of a language: templates/<name>/language.yaml."""
     text = (resources.root() / "templates" / name / "language.yaml").read_text("utf-8")
     found: dict[str, Any] = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
     return found
@@ -65,7 +65,7 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
     """All files of a target, by path."""
     if isinstance(source, str):
         source = discovery.sources()[source]
-    from .templating import Templates  # loads Jinja, which whoever only checks names does not need
+    from .templating import Templates  # imports Jinja, which checking names does not need
 
     module: Target = source.load()
     templates = Templates(source, module.filters(model), {"model": model, "version": model.protocol.version})
@@ -83,7 +83,7 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
 
 
 def _runtime(source: Source) -> dict[str, bytes]:
-    """The files that are copied as they are."""
+    """The files that are copied unchanged."""
     made: dict[str, bytes] = {}
     for folder in reversed(source.folders):
         runtime = folder / RUNTIME
@@ -133,7 +133,7 @@ def write(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
 
 
 def _present(folder: Path) -> set[str]:
-    """The files of a folder; what build tools leave behind does not count."""
+    """The files of a folder, without those of build tools."""
     ignored = {"__pycache__", "target", "build", "dist", ".mypy_cache", ".ruff_cache", ".pytest_cache"}
     return {
         p.relative_to(folder).as_posix()

@@ -16,9 +16,9 @@ from .vocabulary import Vocabulary, sources
 
 
 def load_model(spec: Path, *overlays: Path) -> m.Model:
-    """Loads, resolves and checks a specification with its overlays; raises SpecError with all that is wrong.
+    """Loads, resolves and checks a specification with its overlays; raises SpecError with all problems.
 
-    What the manuals print is judged only once the definitions are right: it would seem wrong otherwise.
+    What the manuals print is checked only once the definitions are right: it would seem wrong otherwise.
     """
     problems = Problems()
     documents = loader.load(spec, overlays, problems)
@@ -106,7 +106,7 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
     codes = [p.element for p in record.parameters if isinstance(p.element, m.Enum)]
     if len(codes) != 1:
         problems.add(node.keys["parameters"], "the acknowledge field needs exactly one enumeration: the code")
-        codes.append(types.vocabulary.selector)  # in its place, to go on and find what else is wrong
+        codes.append(types.vocabulary.selector)  # as a substitute, to find further problems
     acknowledge = m.Field(
         set=0, set_name="protocol", name=node["name"].value, descriptor=node["descriptor"].value, role=m.RESPONSE,
         title=node["title"].value, description=node["description"].value, parameters=record.parameters,

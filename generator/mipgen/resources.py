@@ -27,7 +27,7 @@ def package() -> Traversable:
 
 
 def files(folder: Traversable, under: str = "") -> Iterator[tuple[str, Traversable]]:
-    """All files below a folder with their paths, in order; none that Python or an editor's tools make by themselves."""
+    """All files below a folder with their paths, in order, without hidden files and Python's caches."""
     for entry in sorted(folder.iterdir(), key=lambda e: e.name):
         if entry.is_file():
             yield under + entry.name, entry

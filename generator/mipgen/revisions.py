@@ -1,4 +1,4 @@
-"""Specifications of other times: folders, and revisions of the Git repository that holds a specification."""
+"""Other versions of a specification: folders, and revisions of the Git repository that holds it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tempfile import TemporaryDirectory
 
 from .errors import Failure
 
-#: What a released version is tagged with.
+#: Tags of releases.
 RELEASES = "v[0-9]*"
 
 
@@ -44,7 +44,7 @@ def folder(name: str, spec: Path) -> Iterator[Path]:
 
 
 def last_release(spec: Path) -> str | None:
-    """The newest tag of a release that the present revision follows."""
+    """The newest release tag that is an ancestor of the current revision."""
     try:
         return _git(spec, "describe", "--tags", "--abbrev=0", f"--match={RELEASES}", fails="no release").strip()
     except Failure:

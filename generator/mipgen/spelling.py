@@ -1,11 +1,11 @@
-"""How else people write our words: type names of other languages, usual units, look-alike characters."""
+"""Other spellings of known words: type names of other languages, common units, look-alike characters."""
 
 from __future__ import annotations
 
 import unicodedata
 from collections.abc import Collection
 
-#: Our word -> what people write for it. Only what means the same: km/h is not a spelling of m/s.
+#: Known word -> other spellings with the same meaning: km/h is not a spelling of m/s.
 SYNONYMS = {
     # types
     "u8": ("uint8_t", "uint8", "unsigned char", "uchar", "byte", "ubyte", "octet"),
@@ -101,7 +101,7 @@ def straight(text: str) -> str:
 
 
 def strange(text: str, usual: str = "") -> str:
-    """Says which characters of a text do not belong in a name or a number, but for those of `usual`.
+    """Names the characters of a text that do not belong in a name or a number, except those of `usual`.
 
     >>> strange("4–6"), strange("4-6")
     ("; '–' is an en dash (U+2013), write '-'", '')

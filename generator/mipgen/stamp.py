@@ -1,7 +1,7 @@
-"""Remembers what came out of which input, so that a run with nothing to do is short.
+"""Remembers the output of each input, so that a run with nothing to do is fast.
 
-All of it goes by content: a key of everything that goes in, and the digests of what came out. If
-one byte of either is another one, everything is made as if nothing had been remembered.
+It compares contents: a key of the whole input, and digests of the output. If one byte of either
+differs, everything is made again.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from typing import Any
 
 from . import cache, resources
 
-TOO_MUCH = 100 * 1024 * 1024  # bytes of input; a folder that large holds other things than a specification
+TOO_MUCH = 100 * 1024 * 1024  # bytes of input; a larger folder is not just a specification
 
 
 @once
 def program() -> str:
-    """A key of all that is not input: this program, its templates and schemas, Python, the libraries."""
+    """A key of everything except the input: this program, its templates and schemas, Python, the libraries."""
     parts: list[bytes | str] = [sys.version, *_libraries()]
     root = resources.root()
     for folder in (resources.package(), root / "templates", root / "spec/schema"):
@@ -46,7 +46,7 @@ def key(folders: Sequence[Path], *options: str) -> str | None:
 
 
 def remember(name: str | None, summary: str, made: Mapping[str, tuple[str, Mapping[str, bytes]]]) -> None:
-    """Keeps what was made: target -> its title and its files."""
+    """Remembers the output: target -> its title and its files."""
     if name is not None:
         targets = {
             target: {"title": title, "files": {path: _digest(data) for path, data in files.items()}}
@@ -56,7 +56,7 @@ def remember(name: str | None, summary: str, made: Mapping[str, tuple[str, Mappi
 
 
 def remembered(name: str | None, out: Path | None) -> dict[str, Any] | None:
-    """What was made from this input, if all of it is there, and as it was."""
+    """The output of this input, if all files exist unchanged."""
     data = None if name is None else cache.get("made", name)
     if data is None:
         return None
@@ -76,7 +76,7 @@ def _digest(data: bytes) -> str:
 
 
 def _files(folder: Path) -> Iterator[tuple[str, bytes]]:
-    """All files below a folder, in order; none that is hidden."""
+    """All files below a folder, in order, without hidden ones."""
     for place, folders, files in os.walk(folder):
         folders[:] = sorted(f for f in folders if f[0] != ".")
         for file in sorted(f for f in files if f[0] != "."):
@@ -88,6 +88,6 @@ def _files(folder: Path) -> Iterator[tuple[str, bytes]]:
 
 
 def _libraries() -> list[str]:
-    """Names and versions of what is installed: the names of folders, as reading what is in them takes long."""
+    """Names and versions of installed packages: the names of folders, because reading their contents is slow."""
     places = [entry for entry in sys.path if os.path.isdir(entry)]
     return sorted(name for place in places for name in os.listdir(place) if name.endswith((".dist-info", ".egg-info")))

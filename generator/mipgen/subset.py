@@ -1,6 +1,6 @@
-"""A part of a specification: the fields that are asked for, and what these need.
+"""A part of a specification: the selected fields and what they need.
 
-Model in, model out: everything downstream generates a part as it generates the whole.
+The result is a model, so that a part is generated like the whole.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from .problems import nearest
 
 @dataclass(frozen=True, slots=True)
 class Selection:
-    """What is asked for. Sets and fields add to each other; devices narrow them."""
+    """A selection. Sets and fields add up; devices narrow them."""
 
     devices: tuple[str, ...] = ()
     sets: tuple[str, ...] = ()
@@ -34,7 +34,7 @@ def select(model: m.Model, selection: Selection) -> m.Model:
 
 
 def left_out(whole: m.Model, part: m.Model) -> str:
-    """One line that says what a part does not have."""
+    """One line that says what was left out."""
     counts = [
         (len(whole.fields) - len(part.fields), "fields"),
         (len(whole.sets) - len(part.sets), "sets"),
@@ -58,9 +58,9 @@ def _check(model: m.Model, selection: Selection) -> None:
 
 
 def _asked(model: m.Model, selection: Selection) -> list[m.Field]:
-    """The fields that are asked for by name, by set or by device; responses follow their commands.
+    """The fields selected by name, by set or by device; responses follow their commands.
 
-    Shared fields belong to every data set: they come with the first data field.
+    Shared fields belong to every data set, so any data field selects them.
     """
     every = not (selection.sets or selection.fields)
     supported = {s.field.full_name for d in model.devices if d.id in selection.devices for s in d.supports}
@@ -112,7 +112,7 @@ def _only(model: m.Model, names: set[str], devices: tuple[m.Device, ...]) -> m.M
         devices=tuple(_device(d, sets, kept) for d in devices),
         examples=examples,
         errata=tuple(e for e in model.errata if _concerns(e, kept, printed)),
-        tastes=(),  # they may show with any field
+        tastes=(),  # they may use any field
     )
 
 
@@ -134,7 +134,7 @@ def _without_variants(f: m.Field, devices: set[str]) -> m.Field:
 
 
 def _concerns(e: m.Erratum, fields: Container[str], examples: Container[str]) -> bool:
-    """Does an erratum claim nothing that is left out?"""
+    """Are all claims of an erratum about selected parts?"""
     known = {"length": fields, "example": examples}
     return all(c.subject in known[c.kind] for c in e.claims if c.kind in known)
 

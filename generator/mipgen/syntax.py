@@ -1,7 +1,7 @@
-"""Says why a text is not YAML, at the place where its author must change it.
+"""Explains why a text is not YAML, at the place that its author must change.
 
-The parser stops where it cannot go on, which may be far below the mistake: a quote that is not closed takes in all
-that follows, up to the next quote.
+The parser stops where it cannot continue, which may be far below the mistake: an unclosed quote extends to the next
+quote.
 """
 
 from __future__ import annotations
@@ -43,13 +43,13 @@ _UNCLOSED_QUOTE = "the quote that opens here is not closed on this line; close i
 _OPENING = (yaml.FlowSequenceStartToken, yaml.FlowMappingStartToken)
 _CLOSING = {yaml.FlowSequenceEndToken: _OPENING[0], yaml.FlowMappingEndToken: _OPENING[1]}
 
-#: What may follow a quoted text: the end of its line, a comment, or what goes on inside brackets.
+#: What may follow a quoted text: the end of its line, a comment, or the rest of a bracket.
 _BEHIND_QUOTE = re.compile(r"[ \t]*(?:$|[,\]}\r]|[ \t]#)", re.MULTILINE)
 _BEHIND_KEY = re.compile(r"[ \t]*:")
 
 _KEY = r" *(?:- +)*[\w.-]+"
 
-#: Characters in the place of a space, or of a quote at the beginning of a text.
+#: Characters used instead of a space, or of a quote at the beginning of a text.
 _MISLEADING = re.compile("[\u00a0\u2002-\u200b\u202f\u3000]|(?<=[ \\[{,])[\u201c\u201d\u201e\u2018\u2019\u201a]")
 
 
@@ -116,7 +116,7 @@ def _unbalanced(text: str, end: int, began: int) -> Fault | None:
                     place = f"'{sign}' in line {mark.line + 1}, column {mark.column + 1}"
                     return _unclosed(text, opened[-1], f" before the {place}")
                 opened.pop()
-    except yaml.YAMLError:  # it stops in the middle, where other brackets may well be open
+    except yaml.YAMLError:  # it stopped in the middle, where other brackets may be open
         opened = [bracket for bracket in opened if bracket.start_mark.index == began]
     return _unclosed(text, opened[-1]) if opened else None
 

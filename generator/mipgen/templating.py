@@ -1,4 +1,4 @@
-"""The templates of a target: where they are, what they may call, how they are kept compiled, where they fail."""
+"""The templates of a target: their files, filters, compiled forms and errors."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class Templates:
         return None
 
     def _place(self, error: BaseException) -> str:
-        """The line of a template where it happened."""
+        """The line of a template where an error occurred."""
         folders = tuple(map(str, self.source.folders))
         frames = reversed(traceback.extract_tb(error.__traceback__))
         lines = (f"{f.filename}:{f.lineno}" for f in frames if f.filename.startswith(folders))
@@ -64,7 +64,7 @@ class Templates:
 
 
 class _Compiled(jinja2.BytecodeCache):
-    """Keeps templates compiled. What they are compiled to depends on which filters there are, and on their kinds."""
+    """Caches compiled templates. The compiled code depends on which filters exist, and on their kinds."""
 
     def __init__(self, filters: Filters) -> None:
         kinds = sorted((name, str(getattr(function, "jinja_pass_arg", ""))) for name, function in filters.items())
@@ -80,7 +80,7 @@ class _Compiled(jinja2.BytecodeCache):
 
 
 def _at_run_time(function: Callable[..., Any]) -> Callable[..., Any]:
-    """The filter, never called while a template is compiled: Jinja would put its answer into what is kept."""
+    """The filter, protected from calls at compile time: Jinja would store the result in the cached code."""
     if hasattr(function, "jinja_pass_arg"):
         return function
 

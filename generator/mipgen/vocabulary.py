@@ -1,4 +1,4 @@
-"""What names of a specification may refer to, and what cites a manual."""
+"""The words that a specification may use, and citations of manuals."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-/* Packets, fields, and the reading and writing of values. */
+/* Packets, fields, and the codec of values. */
 #include "mip/core.h"
 
 #include <string.h>
@@ -79,7 +79,7 @@ mip_error mip_builder_start(struct mip_builder *builder, uint8_t *buffer, size_t
     return MIP_OK;
 }
 
-/** Bytes that the data of one more field may have; false if not even an empty field fits. */
+/** The maximum size of the data of one more field; false if not even an empty field fits. */
 static bool room_for_field(const struct mip_builder *builder, size_t *room) {
     const size_t taken = builder->length + 2 + MIP_CHECKSUM_SIZE;
     if (builder->capacity < taken) {
@@ -89,7 +89,7 @@ static bool room_for_field(const struct mip_builder *builder, size_t *room) {
     return true;
 }
 
-/** Makes a field of the bytes that stand behind its header already. */
+/** Completes a field whose data are already in place behind its header. */
 static void append(struct mip_builder *builder, uint8_t descriptor, size_t size) {
     builder->buffer[builder->length] = (uint8_t)(size + 2);
     builder->buffer[builder->length + 1] = descriptor;
@@ -137,7 +137,7 @@ mip_error mip_decode_field(const struct mip_field *field, mip_read_function read
         if (!r.cut) {
             break;
         }
-        end = r.mark; /* once more without the group that is not wholly there */
+        end = r.mark; /* again, without the incomplete group */
     }
     if (r.error != MIP_OK) {
         memset(value, 0, size);
@@ -162,7 +162,7 @@ static void fail_reading(struct mip_reader *r, mip_error error) {
     r->stopped = true;
 }
 
-/** The next bytes, or NULL if there are not as many or nothing is to be read any more. */
+/** The next bytes, or NULL if there are too few or reading has ended. */
 static const uint8_t *take(struct mip_reader *r, size_t size) {
     if (r->stopped) {
         return NULL;
@@ -268,15 +268,15 @@ void mip_read_group(struct mip_reader *r, uint8_t first, uint8_t last) {
 }
 
 uint8_t mip_read_present(const struct mip_reader *r) {
-    const bool empty = r->optional && r->at == r->mark; /* an empty union: as good as absent */
+    const bool empty = r->optional && r->at == r->mark; /* an empty union: same as absent */
     return r->stopped || empty ? r->present : r->last;
 }
 
 /* ------------------------------------------------------------------------------------- encoding */
 
 /**
- * Can a field stand in this packet? Commands and their responses only in their own set, the
- * acknowledge field in every command set, data in every data set: sets share them.
+ * May this packet hold the field? Commands and responses belong to their own set, the acknowledge
+ * field to every command set, data to every data set, because sets share them.
  */
 static bool belongs(const struct mip_builder *builder, uint8_t descriptor_set) {
     const uint8_t packet = builder->buffer[2];
@@ -319,7 +319,7 @@ static void fail_writing(struct mip_writer *w, mip_error error) {
     w->stopped = true;
 }
 
-/** Where the next bytes go, or NULL if they do not fit or nothing is to be written any more. */
+/** Where to write the next bytes, or NULL if they do not fit or writing has ended. */
 static uint8_t *give(struct mip_writer *w, size_t size) {
     if (w->stopped) {
         return NULL;

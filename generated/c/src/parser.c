@@ -9,7 +9,7 @@ void mip_parser_init(struct mip_parser *parser) {
     parser->done = 0;
 }
 
-/** Takes bytes off the front of the buffer. */
+/** Removes bytes from the front of the buffer. */
 static void drop(struct mip_parser *parser, size_t size) {
     if (size > 0) {
         parser->length = (uint16_t)(parser->length - size);
@@ -22,19 +22,20 @@ static void skip(struct mip_parser *parser, size_t size) {
     drop(parser, size);
 }
 
-/** Bytes before the first one that a packet may begin with. */
+/** The number of bytes before the first one that may start a packet. */
 static size_t garbage(const uint8_t *bytes, size_t size) {
     const uint8_t *sync = (const uint8_t *)memchr(bytes, MIP_SYNC_1, size);
     return sync == NULL ? size : (size_t)(sync - bytes);
 }
 
-/** Do the first bytes of the buffer rule out that a packet begins here? */
+/** Do the first bytes of the buffer rule out a packet? */
 static bool is_false_sync(const struct mip_parser *parser) {
     return (parser->length > 1 && parser->buffer[1] != MIP_SYNC_2) ||
            (parser->length > 2 && parser->buffer[2] == 0);
 }
 
-/** Bytes that the candidate in the buffer needs: first those that tell its length, then all. */
+/** Bytes that the candidate in the buffer needs: first the header, which gives its length, then
+ * all. */
 static size_t wanted(const struct mip_parser *parser) {
     return parser->length < MIP_HEADER_SIZE
                ? MIP_HEADER_SIZE
@@ -46,7 +47,7 @@ bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *si
     drop(parser, parser->done); /* the packet of the last call */
     parser->done = 0;
     for (;;) {
-        if (parser->length == 0 && *size > 0) { /* a shortcut: garbage need not be copied */
+        if (parser->length == 0 && *size > 0) { /* do not copy garbage */
             const size_t count = garbage(*data, *size);
             parser->skipped += (uint32_t)count;
             *data += count;

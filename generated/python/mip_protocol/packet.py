@@ -23,7 +23,7 @@ def checksum(data: bytes) -> bytes:
 
 
 class RawField(NamedTuple):
-    """A field as it stands in a packet: nothing is decoded yet."""
+    """An undecoded field of a packet."""
 
     set: int
     descriptor: int
@@ -31,7 +31,7 @@ class RawField(NamedTuple):
 
 
 class Packet:
-    """One whole packet with a right checksum.
+    """One complete packet with a correct checksum.
 
     >>> packet = Packet(bytes.fromhex("75650104 04f10100 d56a"))
     >>> packet.set, [(f.descriptor, f.data) for f in packet]
@@ -53,7 +53,7 @@ class Packet:
 
     @classmethod
     def _trusted(cls, data: bytes) -> Packet:
-        """For the parser, which has checked already."""
+        """For the parser, which has checked the data already."""
         packet = cls.__new__(cls)
         packet._data = data
         return packet
@@ -104,14 +104,14 @@ class PacketBuilder:
 
     def __init__(self, set: int) -> None:
         if not 1 <= set <= 255:
-            raise EncodeError("range", f"{set} is no descriptor set; those are 1 to 255")
+            raise EncodeError("range", f"{set} is not a descriptor set; use 1 to 255")
         self._set = set
         self._payload = bytearray()
 
     def add(self, descriptor: int, data: bytes = b"") -> PacketBuilder:
         """Adds a field. Raises EncodeError of kind `length`, and changes nothing, if it does not fit."""
         if not 0 <= descriptor <= 255:
-            raise EncodeError("range", f"{descriptor} is no descriptor")
+            raise EncodeError("range", f"{descriptor} is not a descriptor")
         size = len(data) + 2
         if size > 255 or len(self._payload) + size > MAX_PAYLOAD:
             raise EncodeError("length", f"{size} bytes more do not fit into a payload of 255")

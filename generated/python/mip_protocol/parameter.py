@@ -8,7 +8,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Parameter:
-    """One value on the wire, in wire order. `name` is that of the specification."""
+    """One value on the wire. `name` is that of the specification."""
 
     name: str
     attribute: str

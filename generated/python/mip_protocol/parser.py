@@ -6,10 +6,10 @@ from .packet import OVERHEAD, SYNC, Packet, checksum
 
 
 class Parser:
-    """Takes bytes in pieces of any size and gives the packets among them.
+    """Takes bytes in pieces of any size and returns the packets in them.
 
-    Whatever else is in the stream (NMEA sentences, noise, packets with a bad checksum) is passed
-    over and counted in `skipped`. The result does not depend on how the stream is cut.
+    Anything else in the stream (NMEA sentences, noise, packets with a bad checksum) is skipped and
+    counted in `skipped`. The result does not depend on how the stream is cut.
 
     >>> parser = Parser()
     >>> parser.feed(b"$GP*00" + bytes.fromhex("756501020201e0"))
@@ -26,7 +26,7 @@ class Parser:
 
     @property
     def pending(self) -> int:
-        """Bytes that may be the beginning of a packet."""
+        """The number of bytes that may be the start of a packet."""
         return len(self._buffer)
 
     def feed(self, data: bytes) -> list[Packet]:
@@ -35,11 +35,11 @@ class Parser:
         return self._scan(final=False)
 
     def flush(self) -> list[Packet]:
-        """Gives up the packet that is not complete, after a time-out say, and looks behind it."""
+        """Gives up an incomplete packet, as after a time-out, and searches the bytes in it."""
         return self._scan(final=True)
 
     def give_up(self) -> list[Packet]:
-        """Gives up the candidate that holds back what follows it, and nothing else."""
+        """Gives up only the candidate that holds back what follows it."""
         dropped = self._buffer[:1]
         del self._buffer[:1]
         self.skipped += len(dropped)

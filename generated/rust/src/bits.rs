@@ -10,22 +10,22 @@ pub struct Bits {
     pub name: &'static str,
     /// The lowest bit, counted from 0.
     pub first: u16,
-    /// The highest bit; a flag has just one.
+    /// The highest bit; for a flag, the same bit.
     pub last: u16,
 }
 
-/// What a bitfield keeps its bits in.
+/// The storage of a bitfield.
 pub(crate) trait Storage: Copy {
     fn and(self, other: Self) -> Self;
     fn and_not(self, other: Self) -> Self;
     fn or(self, other: Self) -> Self;
     /// The bits `first` to `last` as a number.
     fn get(self, first: u16, last: u16) -> u64;
-    /// Sets the bits `first` to `last` to a number; higher bits of it do not count.
+    /// Sets the bits `first` to `last` to a number; its excess bits are dropped.
     fn set(&mut self, first: u16, last: u16, value: u64);
 }
 
-/// What stands in bits: a flag, a number or an enumeration.
+/// A value in some bits: a flag, a number or an enumeration.
 pub(crate) trait Number: Copy {
     fn from_bits(bits: u64) -> Self;
     fn to_bits(self) -> u64;
@@ -58,7 +58,7 @@ macro_rules! mask {
     };
 }
 
-/// The highest of some bits: a flag has just one.
+/// The highest of some bits; a flag has only one.
 macro_rules! last {
     ($first:literal) => {
         $first

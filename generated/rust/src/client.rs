@@ -1,4 +1,4 @@
-//! Sends commands and recognizes their replies, without doing input or output itself.
+//! Sends commands and recognizes their replies, without input or output.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -11,23 +11,24 @@ use crate::parser::Parser;
 use crate::protocol::{AckCode, Acknowledge};
 use crate::registry::AnyField;
 
-/// Keeps track of the commands that a device has not answered yet, at most `N` of them.
+/// Tracks at most `N` commands that a device has not answered yet.
 ///
-/// The caller moves the bytes and has the clock: any count of milliseconds that does not go back.
+/// The caller moves the bytes and supplies the time: any count of milliseconds that never
+/// decreases.
 ///
-/// 1. [`Client::request`] begins a packet, [`Request::add`] puts commands into it, and
-///    [`Request::send`] gives the bytes to send.
-/// 2. Every packet that comes goes through [`Client::receive`], which yields an [`Event`] for each
-///    command that it answers, and tells what else is in the packet.
-/// 3. From time to time [`Client::poll`] is told the time, and commands that took too long have
+/// 1. [`Client::request`] begins a packet, [`Request::add`] adds commands to it, and
+///    [`Request::send`] returns the bytes to send.
+/// 2. Pass every received packet to [`Client::receive`], which yields an [`Event`] for each command
+///    that it answers, and gives access to the other fields of the packet.
+/// 3. Call [`Client::poll`] from time to time with the current time; commands that time out get
 ///    their events.
 ///
-/// Events that are not taken stay: they come with the next ones, or from [`Client::events`] or
-/// [`Client::take`]. For that, each of the `N` places has room for the longest response.
+/// Events that are not taken are kept: the next call returns them, or [`Client::events`] or
+/// [`Client::take`] do. For that, each of the `N` slots has room for the longest response.
 #[derive(Clone, Debug)]
 pub struct Client<const N: usize = 8> {
     pending: List<Pending, N>,
-    /// With those that are pending never more than `N`.
+    /// Together with the pending ones never more than `N`.
     events: List<Event, N>,
     next: u32,
     timeout_ms: u32,
@@ -38,7 +39,7 @@ struct Pending {
     id: u32,
     set: u8,
     descriptor: u8,
-    /// The descriptors of all responses that the command has, and the one that it asks for.
+    /// The descriptors of all responses of the command, and the check for the one that it asks for.
     responses: &'static [u8],
     wanted: Option<ResponseCheck>,
     timeout_ms: u32,
@@ -52,7 +53,7 @@ impl fmt::Debug for Pending {
     }
 }
 
-/// Stands for one command that was sent, and knows what answers it.
+/// Identifies one command that was sent, and the type of its answer.
 pub struct Ticket<C> {
     id: u32,
     silent: bool,
@@ -66,7 +67,7 @@ impl<C> Ticket<C> {
         self.id
     }
 
-    /// Will nothing ever answer it? Then there is no event either.
+    /// Does the device not answer it? Then there is no event.
     #[must_use]
     pub const fn is_silent(&self) -> bool {
         self.silent
@@ -91,15 +92,15 @@ impl<C> fmt::Debug for Ticket<C> {
     }
 }
 
-/// Why a command could not be put into a request.
+/// Why a command could not be added to a request.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum RequestError {
     /// The command does not encode, or the packet is full.
     Encode(EncodeError),
-    /// The client has no place left: commands are pending, or have events that were not taken.
+    /// The client has no free slot: commands are pending or have events that were not taken.
     Busy,
-    /// The field is no command.
+    /// The field is not a command.
     NoCommand,
 }
 
@@ -122,11 +123,11 @@ impl fmt::Display for RequestError {
 #[cfg(feature = "std")]
 impl std::error::Error for RequestError {}
 
-/// What became of a command.
+/// The result of a command.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Answer<R> {
-    /// It was carried out; with the response, if the command asks for one.
+    /// The device carried it out; with the response, if the command asks for one.
     Acknowledged(Option<R>),
     /// The device refused it.
     Refused(AckCode),
@@ -138,11 +139,11 @@ pub enum Answer<R> {
     Undecodable(DecodeError),
 }
 
-/// What became of a command, whatever its type is.
+/// The result of a command of any type.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Outcome {
-    /// It was carried out, and the response is there, if the command asks for one.
+    /// The device carried it out, and the response is present, if the command asks for one.
     Acknowledged,
     /// The device refused it.
     Refused(AckCode),
@@ -155,7 +156,7 @@ pub enum Outcome {
     Undecodable(DecodeError),
 }
 
-/// What became of a command, its response not decoded yet.
+/// The result of a command, with its response not yet decoded.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Event {
@@ -165,14 +166,14 @@ pub struct Event {
     pub set: u8,
     /// The descriptor of the command.
     pub descriptor: u8,
-    /// How it went.
+    /// The result.
     pub outcome: Outcome,
     /// Descriptor and data of the response.
     response: Option<(u8, List<u8, MAX_FIELD_DATA>)>,
 }
 
 impl Event {
-    /// The response as it came.
+    /// The undecoded response.
     #[must_use]
     pub fn response(&self) -> Option<RawField<'_>> {
         let (descriptor, data) = self.response.as_ref()?;
@@ -198,7 +199,7 @@ impl Event {
     }
 }
 
-/// How long a reply may take where neither the command nor the caller says otherwise.
+/// How long a reply may take, unless the command or the caller says otherwise.
 pub const DEFAULT_TIMEOUT_MS: u32 = 1000;
 
 impl<const N: usize> Default for Client<N> {
@@ -214,13 +215,13 @@ impl<const N: usize> Client<N> {
         Self::with_timeout(DEFAULT_TIMEOUT_MS)
     }
 
-    /// A client that waits so long for a reply; longer where a command is known to take longer.
+    /// A client that waits this long for a reply; longer for commands that take longer.
     #[must_use]
     pub fn with_timeout(timeout_ms: u32) -> Self {
         Self { pending: List::new(), events: List::new(), next: 1, timeout_ms }
     }
 
-    /// How many commands wait for a reply.
+    /// The number of commands that wait for a reply.
     #[must_use]
     pub fn pending(&self) -> usize {
         self.pending.len()
@@ -254,9 +255,9 @@ impl<const N: usize> Client<N> {
         Ok((ticket, request.send(now_ms)))
     }
 
-    /// Takes a packet that has come, and gives the events that have not been taken.
+    /// Processes a received packet, and returns the events that have not been taken.
     ///
-    /// Streams of data and late or foreign replies cause none; [`Events::others`] has them.
+    /// Data and late or foreign replies cause no events; [`Events::others`] returns them.
     pub fn receive<'p>(&mut self, packet: &Packet<'p>) -> Events<'_, 'p, N> {
         let mut taken = 0;
         let mut fields = packet.fields().map_while(Result::ok).enumerate();
@@ -280,26 +281,26 @@ impl<const N: usize> Client<N> {
         Events { client: self, packet: Some(*packet), taken }
     }
 
-    /// The events that have not been taken: of packets before, and of commands that timed out.
+    /// The events that have not been taken: of earlier packets, and of commands that timed out.
     pub fn events(&mut self) -> Events<'_, 'static, N> {
         Events { client: self, packet: None, taken: 0 }
     }
 
-    /// What became of this command, if that is known. Events of others stay.
+    /// The result of this command, if it is known. Events of other commands are kept.
     pub fn take<C: Command>(&mut self, ticket: &Ticket<C>) -> Option<Answer<C::Response>> {
         let index = self.events.iter().position(|event| event.id == ticket.id)?;
         remove(&mut self.events, index)?.answer(ticket)
     }
 
-    /// Says what time it is. To be called until it gives `None`; then the commands whose time is
-    /// over have their events.
+    /// Updates the time. Call it until it returns `None`; the overdue commands then have their
+    /// events.
     ///
-    /// Noise that looks like the beginning of a packet holds back what follows: before a command is
-    /// given up, what the parser holds back is, and the packets behind it come first. They are to be
-    /// handled as any.
+    /// Noise that looks like the start of a packet holds back what follows. The parser gives up
+    /// such a candidate before a command times out, and this returns the packets behind it, to be
+    /// handled like any other.
     pub fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u64) -> Option<Packet<'p>> {
         let late = self.pending.iter().any(|p| p.deadline <= now_ms);
-        // Nothing more is given up than what an answer may hide behind.
+        // Give up only candidates that may hide an answer.
         let found = if late { parser.flush() } else { parser.next(&mut [].as_slice()) };
         if found.is_none() {
             while let Some(at) = self.pending.iter().position(|p| p.deadline <= now_ms) {
@@ -314,7 +315,7 @@ impl<const N: usize> Client<N> {
         found
     }
 
-    /// Stops waiting for a command: there is no event for it any more.
+    /// Stops waiting for a command; it gets no event.
     pub fn cancel<C>(&mut self, ticket: &Ticket<C>) {
         if let Some(index) = self.pending.iter().position(|p| p.id == ticket.id) {
             remove(&mut self.pending, index);
@@ -324,17 +325,17 @@ impl<const N: usize> Client<N> {
         }
     }
 
-    /// Keeps an event; there is a place for it, as its command has left one.
+    /// Keeps an event, in the slot that its command has freed.
     fn happened(&mut self, event: Event) {
         let kept = self.events.push(event);
         debug_assert!(kept.is_ok());
     }
 
-    /// Finds the command that an acknowledge and the field behind it answer: the oldest one of its
-    /// kind. Tells how it went, and whether the field behind is its response.
+    /// Finds the command that an acknowledge and the field after it answer: the oldest one of its
+    /// kind. Returns its result, and whether the field is its response.
     ///
-    /// A response answers no command that does not ask for it, as it may be the late answer to
-    /// another one; an acknowledge without a response answers those that ask for none first.
+    /// A response never answers a command that does not ask for it, because it may be the late
+    /// answer to another one; an acknowledge without a response first answers commands that ask for none.
     fn find(
         &self,
         set: u8,
@@ -365,7 +366,7 @@ impl<const N: usize> Client<N> {
     }
 }
 
-/// Takes an item out of a list; those behind it move up.
+/// Removes an item from a list; later items move up.
 fn remove<T: Copy, const N: usize>(list: &mut List<T, N>, index: usize) -> Option<T> {
     let found = list.get(index).copied()?;
     let mut at = index;
@@ -379,12 +380,12 @@ fn remove<T: Copy, const N: usize>(list: &mut List<T, N>, index: usize) -> Optio
     Some(found)
 }
 
-/// One bit for each field of a packet; it has at most 127.
+/// One bit for each field of a packet, which has at most 127.
 fn bit(at: usize) -> u128 {
     u32::try_from(at).ok().and_then(|at| 1_u128.checked_shl(at)).unwrap_or_default()
 }
 
-/// A packet with commands that is not sent yet. Dropping it forgets them.
+/// A packet of commands that is not sent yet. Dropping it discards them.
 #[derive(Debug)]
 pub struct Request<'c, const N: usize> {
     client: &'c mut Client<N>,
@@ -393,7 +394,7 @@ pub struct Request<'c, const N: usize> {
 }
 
 impl<const N: usize> Request<'_, N> {
-    /// Appends a command. If it is refused, the request stays as it was.
+    /// Appends a command. On an error the request is unchanged.
     pub fn add<C: Command>(&mut self, command: &C) -> Result<Ticket<C>, RequestError> {
         let silent = !command.expects_reply();
         let places = [self.client.pending.len(), self.client.events.len(), self.added.len()];
@@ -413,7 +414,7 @@ impl<const N: usize> Request<'_, N> {
         Ok(Ticket { id, silent, command: PhantomData })
     }
 
-    /// Appends a command whose type is not known before the program runs.
+    /// Appends a command whose type is known only at run time.
     pub fn add_any(&mut self, field: &AnyField) -> Result<Ticket<()>, RequestError> {
         field.add_to(self).unwrap_or(Err(RequestError::NoCommand))
     }
@@ -431,7 +432,7 @@ impl<const N: usize> Request<'_, N> {
     }
 }
 
-/// The events that have not been taken, oldest first. Those that are left stay in the client.
+/// The events that have not been taken, oldest first. Untaken events remain in the client.
 #[derive(Debug)]
 pub struct Events<'c, 'p, const N: usize> {
     client: &'c mut Client<N>,
@@ -440,7 +441,7 @@ pub struct Events<'c, 'p, const N: usize> {
 }
 
 impl<'p, const N: usize> Events<'_, 'p, N> {
-    /// The fields of the packet that answer nothing: data, and replies that nobody waits for.
+    /// The fields of the packet that answer no command: data, and unexpected replies.
     pub fn others(&self) -> impl Iterator<Item = Result<RawField<'p>, FieldLengthError>> + Clone {
         let taken = self.taken;
         let fields = self.packet.into_iter().flat_map(|packet| packet.fields()).enumerate();

@@ -6,28 +6,28 @@ mod known;
 
 pub use known::*;
 
-/// What is known about a device.
+/// A device profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Device {
     /// The name in the specification.
     pub id: &'static str,
-    /// The name that people know.
+    /// Its title.
     pub title: &'static str,
-    /// What it is.
+    /// A description.
     pub description: &'static str,
-    /// The number of the model, if it has one.
+    /// The model number, if it has one.
     pub model_number: Option<u16>,
     /// Its commands and data fields.
     pub fields: &'static [Supported],
-    /// How often data can be sent.
+    /// Base rates of data sets.
     pub base_rates: &'static [BaseRate],
-    /// Where it can be connected.
+    /// Its ports.
     pub ports: &'static [Port],
-    /// Numbers that bound what it can do.
+    /// Its limits.
     pub limits: &'static [Limit],
-    /// Parameters that are something else than on other devices.
+    /// Parameters with another meaning than on other devices.
     pub variants: &'static [Variant],
-    /// The codes that its acknowledges carry.
+    /// The acknowledge codes that it sends.
     pub ack_codes: &'static [AckCode],
 }
 
@@ -40,33 +40,33 @@ pub struct Supported {
     pub descriptor: u8,
     /// The name in the specification.
     pub name: &'static str,
-    /// The function selectors that the device takes; none if the field has no such.
+    /// The function selectors that the device takes; empty if the field has none.
     pub functions: &'static [FunctionSelector],
 }
 
-/// How often the data of a descriptor set can be sent.
+/// The base rate of a data set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BaseRate {
     /// The descriptor set.
     pub set: u8,
-    /// Rate in Hz, which a decimation divides; 0 if data are sent as they come.
+    /// Rate in Hz, divided by a decimation; 0 if data are sent as they arise.
     pub hertz: f64,
 }
 
-/// A place where a device can be connected.
+/// A port of a device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Port {
-    /// The name that people know.
+    /// Its title.
     pub name: &'static str,
     /// The number that commands use, if there is one.
     pub id: Option<u8>,
-    /// Baud rates that can be set.
+    /// The baud rates that it supports.
     pub baud_rates: &'static [u32],
-    /// What it speaks.
+    /// The protocols that it speaks.
     pub protocols: &'static [&'static str],
 }
 
-/// A number that bounds what a device can do.
+/// A limit of a device.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
     /// The name in the specification.
@@ -75,23 +75,23 @@ pub struct Limit {
     pub value: f64,
     /// Its unit, if it has one.
     pub unit: Option<&'static str>,
-    /// What it bounds.
+    /// What it limits.
     pub description: &'static str,
 }
 
-/// A parameter that is something else on a device.
+/// A parameter with another meaning on a device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Variant {
     /// The parameter by its name in the specification, `set.field.parameter`.
     pub parameter: &'static str,
-    /// The type that names its values or bits, where it is another.
+    /// The type that names its values or bits, if that differs.
     pub read_as: Option<&'static str>,
     /// What is different.
     pub difference: &'static str,
 }
 
 impl Device {
-    /// The device of this id.
+    /// The device with this id.
     #[must_use]
     pub fn by_id(id: &str) -> Option<&'static Self> {
         ALL.iter().copied().find(|device| device.id == id)
@@ -99,7 +99,7 @@ impl Device {
 
     /// The entry of a field, if the device supports it in packets of this set.
     ///
-    /// Shared data count in every data set.
+    /// Shared data belong to every data set.
     #[must_use]
     pub fn supports(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
         let matches = |f: &&Supported| f.set == set || (f.set == 0xFF && set >= 0x80);
@@ -112,7 +112,7 @@ impl Device {
         self.fields.iter().any(|f| T::in_set(f.set) && f.descriptor == T::DESCRIPTOR)
     }
 
-    /// The base rate of a descriptor set in Hz; 0 if data are sent as they come.
+    /// The base rate of a descriptor set in Hz; 0 if data are sent as they arise.
     #[must_use]
     pub fn base_rate(&self, set: u8) -> Option<f64> {
         self.base_rates.iter().find(|rate| rate.set == set).map(|rate| rate.hertz)

@@ -1,4 +1,4 @@
-//! What every field type has, and how commands and responses belong together.
+//! The traits of fields, commands and responses.
 
 use crate::codec::{DecodeError, EncodeError, Reader, Wire, Writer};
 use crate::packet::MAX_FIELD_DATA;
@@ -11,27 +11,27 @@ pub trait Field: Wire {
     const DESCRIPTOR: u8;
     /// The name in the specification, `set.field`.
     const NAME: &'static str;
-    /// Constants inside the data, as offset and bytes; they tell layouts of one descriptor apart.
+    /// Constants inside the data, as offset and bytes; they distinguish layouts of one descriptor.
     const CONSTANTS: &'static [(usize, &'static [u8])] = &[];
 
-    /// Can packets of this set hold the field?
+    /// May packets of this set hold the field?
     #[must_use]
     fn in_set(set: u8) -> bool {
         set == Self::SET
     }
 
-    /// Decodes the data of a field, which is what follows its descriptor.
+    /// Decodes the data of a field, the bytes after its descriptor.
     fn decode(data: &[u8]) -> Result<Self, DecodeError> {
         Self::decode_from(&mut Reader::new(data))
     }
 
-    /// Decodes, and tells how many bytes are left over, as newer firmware may append some.
+    /// Decodes, and returns the number of bytes left over, as newer firmware may append some.
     fn decode_with_trailing(data: &[u8]) -> Result<(Self, usize), DecodeError> {
         let mut reader = Reader::new(data);
         Ok((Self::decode_from(&mut reader)?, reader.remaining()))
     }
 
-    /// Encodes the data of the field to the front of the buffer and gives its length.
+    /// Encodes the data of the field to the front of the buffer and returns its length.
     fn encode(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
         let most = buffer.len().min(MAX_FIELD_DATA);
         let mut writer = Writer::new(buffer.get_mut(..most).unwrap_or_default());
@@ -39,7 +39,7 @@ pub trait Field: Wire {
         Ok(writer.length())
     }
 
-    /// The data of the field on the heap.
+    /// The data of the field in a `Vec`.
     #[cfg(feature = "alloc")]
     fn to_vec(&self) -> Result<alloc::vec::Vec<u8>, EncodeError> {
         let mut buffer = [0; MAX_FIELD_DATA];
@@ -48,11 +48,11 @@ pub trait Field: Wire {
     }
 }
 
-/// A field that a device acknowledges, perhaps with a response behind the acknowledge.
+/// A field that a device acknowledges, perhaps with a response after the acknowledge.
 pub trait Command: Field {
-    /// What it is answered with: `()`, a field type, or an enumeration of several.
+    /// Its response: `()`, a field type, or an enumeration of several.
     type Response: Response;
-    /// How long a device may take, where that is unusually long.
+    /// How long a device may take to answer, if longer than usual.
     const TIMEOUT_MS: Option<u32> = None;
 
     /// Will the device acknowledge it?
@@ -67,14 +67,14 @@ pub trait Command: Field {
         self.response_check().is_some()
     }
 
-    /// Tells the response that it asks for with these values from other fields.
+    /// The check for the response that it asks for with these values.
     #[must_use]
     fn response_check(&self) -> Option<ResponseCheck> {
         None
     }
 }
 
-/// Tells a response from other fields, for which it gives `None`; and can it be decoded?
+/// Recognizes a response and tells whether it can be decoded; `None` for other fields.
 pub type ResponseCheck = fn(&RawField<'_>) -> Option<Result<(), DecodeError>>;
 
 /// The check for one type of response.
@@ -86,9 +86,9 @@ pub fn check<R: Response>(field: &RawField<'_>) -> Option<Result<(), DecodeError
 /// A field that answers the command `C`.
 pub trait ResponseOf<C: Command>: Field {}
 
-/// What a command can be answered with.
+/// The responses of a command.
 pub trait Response: Sized {
-    /// The descriptors that it can have.
+    /// Their descriptors.
     const DESCRIPTORS: &'static [u8];
 
     /// Decodes a field if it is such a response.
@@ -117,7 +117,7 @@ impl<T: Field> Response for T {
     }
 }
 
-/// What part a field plays.
+/// The role of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -126,7 +126,7 @@ pub enum Role {
     Command,
     /// Sent by the device to answer a command.
     Response,
-    /// Sent by the device on its own.
+    /// Sent by the device by itself.
     Data,
 }
 
@@ -142,7 +142,7 @@ impl Role {
     }
 }
 
-/// One field inside a packet, not decoded yet.
+/// One field of a packet, not yet decoded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RawField<'a> {
@@ -150,7 +150,7 @@ pub struct RawField<'a> {
     pub set: u8,
     /// The field descriptor.
     pub descriptor: u8,
-    /// What follows the descriptor.
+    /// The bytes after the descriptor.
     pub data: &'a [u8],
 }
 

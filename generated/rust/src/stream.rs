@@ -1,4 +1,4 @@
-//! Packets of anything that can be read: files, sockets, serial ports.
+//! Packets from files, sockets, serial ports and other sources.
 
 use std::io::{self, Read};
 
@@ -28,13 +28,13 @@ pub struct PacketReader<R> {
 }
 
 impl<R: Read> PacketReader<R> {
-    /// Reads from a source. It needs no buffer of its own.
+    /// Reads from a source, which need not be buffered.
     pub fn new(source: R) -> Self {
         let parser = Parser::new();
         Self { source, parser, chunk: [0; 4096], start: 0, end: 0 }
     }
 
-    /// The parser, which knows how many bytes were skipped.
+    /// The parser, which counts the skipped bytes.
     pub const fn parser(&self) -> &Parser {
         &self.parser
     }
@@ -43,7 +43,7 @@ impl<R: Read> PacketReader<R> {
     ///
     /// # Errors
     ///
-    /// What the source reports; after a time-out, for instance, it can be called again.
+    /// The errors of the source; after a time-out, for instance, it can be called again.
     pub fn next_packet(&mut self) -> io::Result<Option<Packet<'_>>> {
         loop {
             let mut rest = self.chunk.get(self.start..self.end).unwrap_or_default();

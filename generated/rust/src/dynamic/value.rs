@@ -1,4 +1,4 @@
-//! The tree of values, and how types turn into it and come back.
+//! The tree of values, and conversion of types to it and back.
 
 use alloc::borrow::Cow;
 use alloc::string::String;
@@ -11,7 +11,7 @@ use crate::{List, Text, VarText};
 /// A value of any kind.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// A whole number, an enumeration, a bitfield or a truth value.
+    /// An integer, an enumeration, a bitfield or a Boolean.
     Integer(i128),
     /// A float.
     Float(f32),
@@ -21,11 +21,11 @@ pub enum Value {
     Text(String),
     /// An array.
     List(Vec<Value>),
-    /// A field, a structure, or a union with the one member that it holds.
+    /// A field, a structure, or a union with its active member.
     Record(Record),
 }
 
-/// Named values, in the order of the wire.
+/// Named values, in wire order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
     values: Vec<(Cow<'static, str>, Value)>,
@@ -34,17 +34,17 @@ pub struct Record {
 /// Why values do not make a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ValueError {
-    /// There is no such field, or the field has no value of such a name.
+    /// There is no field, or no value of the field, with this name.
     Unknown,
     /// A value is missing.
     Missing,
-    /// A number does not fit, or is not of the kind that is wanted.
+    /// A number does not fit or has the wrong type.
     Range,
     /// A counter differs from the number of elements, or there are too many or too few of them.
     Count,
-    /// A union does not hold the member that its tag names.
+    /// A union does not hold the member that its tag selects.
     Tag,
-    /// A value is no text, list or record where one is wanted.
+    /// A value is not the text, list or record that is required.
     Kind,
 }
 
@@ -64,13 +64,13 @@ impl fmt::Display for ValueError {
 #[cfg(feature = "std")]
 impl std::error::Error for ValueError {}
 
-/// Becomes a [`Value`].
+/// Conversion to a [`Value`].
 pub trait ToValue {
     /// The value as a tree.
     fn to_value(&self) -> Value;
 }
 
-/// Comes from a [`Value`].
+/// Conversion from a [`Value`].
 ///
 /// A float may also be given as text that holds its bits: `"0x3e7a63a0"`.
 pub trait FromValue: Sized {
@@ -78,7 +78,7 @@ pub trait FromValue: Sized {
     fn from_value(value: &Value) -> Result<Self, ValueError>;
 }
 
-/// A union, which comes from a [`Value`] and its tag.
+/// Conversion of a union from a [`Value`] and its tag.
 pub(crate) trait Alternative: Union {
     /// The alternative of the tag.
     fn of_value(tag: Self::Tag, value: &Value) -> Result<Self, ValueError>;
@@ -112,7 +112,7 @@ impl Value {
         }
     }
 
-    /// The number, whatever its kind.
+    /// The number, of any type.
     #[must_use]
     pub fn as_f64(&self) -> Option<f64> {
         match self {
@@ -123,7 +123,7 @@ impl Value {
         }
     }
 
-    /// A record that has no other values than those of these steps.
+    /// A record that has only values of these steps.
     pub(crate) fn record(&self, steps: &[&[&str]]) -> Result<&Record, ValueError> {
         let record = self.as_record().ok_or(ValueError::Kind)?;
         match record.names().all(|name| steps.iter().any(|step| step.contains(&name))) {
@@ -141,7 +141,7 @@ impl Value {
         }
     }
 
-    /// Demands that a union has no member.
+    /// Checks that a union has no member.
     pub(crate) fn no_member(&self) -> Result<(), ValueError> {
         let record = self.as_record().ok_or(ValueError::Kind)?;
         match record.values.is_empty() {
@@ -172,7 +172,7 @@ impl Record {
         self.values.push((name.into(), value));
     }
 
-    /// The value of this name.
+    /// The value with this name.
     #[must_use]
     pub fn get(&self, name: &str) -> Option<&Value> {
         self.iter().find(|(found, _)| *found == name).map(|(_, value)| value)
@@ -188,13 +188,13 @@ impl Record {
         self.values.iter().map(|(name, value)| (name.as_ref(), value))
     }
 
-    /// How many values there are.
+    /// The number of values.
     #[must_use]
     pub fn len(&self) -> usize {
         self.values.len()
     }
 
-    /// Are there no values?
+    /// Is it empty?
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.values.is_empty()
@@ -219,12 +219,12 @@ impl Record {
         }
     }
 
-    /// A value that must be there.
+    /// A required value.
     pub(crate) fn take<T: FromValue>(&self, name: &str) -> Result<T, ValueError> {
         T::from_value(self.need(name)?)
     }
 
-    /// The tree of a value that must be there.
+    /// The tree of a required value.
     pub(crate) fn need(&self, name: &str) -> Result<&Value, ValueError> {
         self.get(name).ok_or(ValueError::Missing)
     }
@@ -256,7 +256,7 @@ impl Record {
         }
     }
 
-    /// Demands that a counter tells the number of elements of an array.
+    /// Checks that a counter equals the number of elements of an array.
     pub(crate) fn check_count(&self, counter: &str, array: &str) -> Result<(), ValueError> {
         let count = self.need(counter)?;
         let elements = self.get(array).and_then(Value::count).ok_or(ValueError::Count)?;

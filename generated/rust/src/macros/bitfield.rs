@@ -26,7 +26,7 @@ macro_rules! bitfield {
             $($(#[$bits_meta])* pub const $mask: Self =
                 Self($crate::bits::mask!($storage, $first $(, $last)?));)*
 
-            /// All bits that have a name.
+            /// All named bits.
             pub const BITS: &'static [$crate::bits::Bits] = &[
                 $($crate::bits::Bits {
                     name: spec_name!($get $($text)?),
@@ -77,7 +77,7 @@ macro_rules! bitfield {
                     $crate::bits::Number::from_bits($crate::bits::Storage::get(self.0, $first, last))
                 }
 
-                /// Sets or clears it; of a number, the bits that fit.
+                /// Sets or clears it; excess bits of a number are dropped.
                 #[doc = concat!("See [`", stringify!($name), "::", stringify!($get), "`].")]
                 pub fn $set(&mut self, value: $value) {
                     let last = $crate::bits::last!($first $(, $last)?);

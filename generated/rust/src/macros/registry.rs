@@ -1,6 +1,6 @@
 //! The tables of all fields and devices.
 
-/// All fields: what is known about them, and one type that can be any of them.
+/// All fields: their descriptions, and one type that can hold any of them.
 macro_rules! registry {
     ($(
         $(#[$meta:meta])*
@@ -8,7 +8,7 @@ macro_rules! registry {
         $role:ident $set:literal, $descriptor:literal, in $first:literal..=$last:literal,
         of $layouts:literal, $name:literal, $title:literal, [$($linked:literal),*];
     )*) => {
-        /// What is known about all fields.
+        /// The descriptions of all fields.
         pub static FIELDS: &[FieldInfo] = &[$(FieldInfo {
             set: $set,
             descriptor: $descriptor,
@@ -19,7 +19,7 @@ macro_rules! registry {
             sets: ($first, $last),
         }),*];
 
-        /// Where the fields stand in [`FIELDS`].
+        /// The positions of the fields in [`FIELDS`].
         #[derive(Clone, Copy)]
         pub(super) enum Index { $($variant),* }
 
@@ -32,7 +32,7 @@ macro_rules! registry {
         }
 
         impl AnyField {
-            /// Decodes a field and tells how many bytes are left over; `None` if it is unknown.
+            /// Decodes a field and returns the number of bytes left over; `None` if it is unknown.
             #[must_use]
             pub fn decode(field: &RawField<'_>) -> Option<Result<(Self, usize), DecodeError>> {
                 Some(match index(field)? {
@@ -40,14 +40,14 @@ macro_rules! registry {
                 })
             }
 
-            /// Encodes the data of the field to the front of the buffer and gives its length.
+            /// Encodes the data of the field to the front of the buffer and returns its length.
             pub fn encode(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
                 match self {
                     $(Self::$variant(field) => field.encode(buffer),)*
                 }
             }
 
-            /// Puts it into a request, if it is a command.
+            /// Adds it to a request, if it is a command.
             pub(crate) fn add_to<const N: usize>(
                 &self,
                 request: &mut Request<'_, N>,
@@ -57,7 +57,7 @@ macro_rules! registry {
                 }
             }
 
-            /// What is known about the field.
+            /// The description of the field.
             #[must_use]
             pub fn info(&self) -> Option<&'static FieldInfo> {
                 let index = match self {
@@ -99,7 +99,7 @@ macro_rules! registry {
     };
 }
 
-/// What is put into a request: commands, and nothing else.
+/// Adds commands to a request; other fields are errors.
 macro_rules! add_to {
     (Command, $request:ident, $field:ident) => {
         Some($request.add($field).map(Ticket::untyped))

@@ -1,6 +1,6 @@
-"""Commands and their answers, without input or output.
+"""The command client, without input or output.
 
-The caller moves the bytes and knows the time:
+The caller moves the bytes and supplies the time:
 
     client = Client()
     port.write(client.send(Ping(), now=time.monotonic()))
@@ -28,8 +28,8 @@ from .types import AckCode
 class Answer:
     """The device has answered a command; `response` is there if the command asks for one.
 
-    `error` says why it is not there: the device sent none (`MissingResponse`), or one that cannot
-    be decoded. `raw` is the response as it came.
+    `error` says why it is missing: the device sent none (`MissingResponse`), or one that cannot be
+    decoded. `raw` is the undecoded response.
     """
 
     command: Command
@@ -52,15 +52,15 @@ class TimedOut:
 
 @dataclass(frozen=True)
 class Received:
-    """A packet with something that answers nothing: data, or a reply that nobody waits for."""
+    """A packet with fields that answer no command: data, or a reply that no command waits for."""
 
     packet: Packet
     taken: frozenset[int] = frozenset()
-    """The places of the fields that were part of an answer."""
+    """The positions of the fields that were part of an answer."""
 
     @property
     def fields(self) -> tuple[RawField, ...]:
-        """The fields that answer nothing, up to a malformed one."""
+        """The fields that answer no command, up to a malformed one."""
         return tuple(f for i, f in enumerate(_fields(self.packet)[0]) if i not in self.taken)
 
 
@@ -75,10 +75,10 @@ class _Pending:
 
 
 class Client:
-    """Keeps track of the commands that wait for an answer. Data between the answers pass through."""
+    """Tracks the commands that wait for an answer. Data between the answers pass through."""
 
     def __init__(self, timeout: float = 1.0) -> None:
-        """`timeout`: seconds until a command is given up, unless it is known to take longer."""
+        """`timeout`: seconds until a command is given up; longer for commands that take longer."""
         self._timeout = timeout
         self._parser = Parser()
         self._pending: list[_Pending] = []
@@ -96,14 +96,14 @@ class Client:
     def send(self, *commands: Command, now: float) -> bytes:
         """The bytes to send: one packet with these commands, all of one descriptor set.
 
-        Raises EncodeError, and waits for nothing, if they do not fit into one packet.
+        Raises EncodeError, and waits for no answer, if they do not fit into one packet.
         """
         if not commands:
             raise EncodeError("missing", "send needs at least one command")
         builder = PacketBuilder(commands[0].SET)
         for command in commands:
             if not isinstance(command, Command):
-                raise EncodeError("set", f"{command!r} is no command")
+                raise EncodeError("set", f"{command!r} is not a command")
             if command.SET != commands[0].SET:
                 raise EncodeError("set", "the commands of one packet must be of one descriptor set")
             builder.add(command.DESCRIPTOR, command.encode())
@@ -114,27 +114,27 @@ class Client:
         return bytes(builder.build())
 
     def receive(self, data: bytes, now: float) -> list[Event]:
-        """What these bytes and this moment bring: answers, other packets, time-outs."""
+        """The events of these bytes and this time: answers, other packets, time-outs."""
         return self._events(self._parser.feed(data)) + self.poll(now)
 
     def flush(self, now: float) -> list[Event]:
-        """Gives up a packet that is not complete, at the end of a file say, and looks behind it."""
+        """Gives up an incomplete packet, as at the end of a file, and searches the bytes in it."""
         return self._events(self._parser.flush()) + self.poll(now)
 
     @property
     def deadline(self) -> float | None:
-        """When the next command times out; None if nothing waits."""
+        """When the next command times out; None if no command waits."""
         return min((p.deadline for p in self._pending), default=None)
 
     def cancel(self, command: Command) -> None:
-        """Waits for this command no longer."""
+        """Stops waiting for this command."""
         self._pending = [p for p in self._pending if p.command is not command]
 
     def poll(self, now: float) -> list[Event]:
-        """The commands whose time is over.
+        """The commands that have timed out.
 
-        Noise that looks like the beginning of a long packet holds back what follows: before a
-        command is given up, such a beginning is, and what was behind it comes first.
+        Noise that looks like the start of a long packet holds back what follows. Such a candidate
+        is given up before a command is, and the packets behind it come first.
         """
         events: list[Event] = []
         while self._parser.pending and any(p.deadline <= now for p in self._pending):
@@ -147,7 +147,7 @@ class Client:
         return [event for packet in packets for event in self._taken(packet)]
 
     def _taken(self, packet: Packet) -> list[Event]:
-        """The answers in a packet, and the packet itself if it holds anything else."""
+        """The answers in a packet, and the packet itself if it holds other fields."""
         if packet.set >= 0x80 or not self._pending:
             return [Received(packet)]
         fields, malformed = _fields(packet)
@@ -165,10 +165,11 @@ class Client:
         return [*answers, Received(packet, frozenset(taken))]
 
     def _answer(self, raw: RawField, behind: RawField | None) -> Answer | None:
-        """What an acknowledge field and the field behind it answer: the oldest command of that kind.
+        """The answer by an acknowledge field and the field after it, to the oldest such command.
 
-        A response answers no command that does not ask for it, as it may be the late answer to
-        another one; an acknowledge without a response answers those that ask for none first.
+        A response never answers a command that does not ask for it, because it may be the late
+        answer to another one; an acknowledge without a response first answers commands that ask
+        for none.
         """
         try:
             ack = Acknowledge.decode(raw.data)
@@ -198,7 +199,7 @@ class Client:
 
 
 def _response(waiting: _Pending, code: AckCode, raw: RawField) -> Answer | None:
-    """The answer with this response, if it is the one that the command asks for."""
+    """The answer with this response, if the command asks for it."""
     command, kind = waiting.command, waiting.expected
     if kind is None or kind.DESCRIPTOR != raw.descriptor:
         return None
@@ -211,7 +212,7 @@ def _response(waiting: _Pending, code: AckCode, raw: RawField) -> Answer | None:
 
 
 def _fields(packet: Packet) -> tuple[list[RawField], bool]:
-    """The fields of a packet; is there a malformed one behind them?"""
+    """The fields of a packet; is there a malformed one after them?"""
     fields: list[RawField] = []
     try:
         for raw in packet:

@@ -12,16 +12,16 @@ S = TypeVar("S", bound="Structure")
 
 
 class Structure:
-    """Named values that stand together, inside a field or as one."""
+    """A group of named values: a field, or a part of one."""
 
     __slots__ = ()
 
-    #: Numbers whose names depend on another value: name -> (what decides, {its value: type}).
+    #: Numbers whose type depends on another value: name -> (the other, {its value: type}).
     READINGS: ClassVar[dict[str, tuple[str, dict[object, type]]]] = {}
 
     @classmethod
     def _read(cls: type[S], raw: bytes, at: int) -> tuple[S, int]:
-        """The values at a place, and where they end."""
+        """The values at an offset, and where they end."""
         raise NotImplementedError
 
     def _write(self) -> bytes:
@@ -30,8 +30,8 @@ class Structure:
     def meaning(self, name: str, device: str | None = None) -> Any:
         """The value `name` as the enumeration or bitfield that gives it its meaning.
 
-        What decides is another value of this field, or the device (its id, "3dm-gx5-15").
-        Where nothing gives it a meaning, it is returned as it is.
+        The type depends on another value of this field or on the device (its id, "3dm-gx5-15").
+        Without such a type, the value is returned unchanged.
         """
         value = getattr(self, name)
         by, types = self.READINGS.get(name, ("device", {}))
@@ -55,7 +55,7 @@ class Field(Structure):
 
     @classmethod
     def decode(cls: type[F], data: bytes) -> F:
-        """The values of a field's data. Raises DecodeError; bytes left over are no error."""
+        """The values of a field's data. Raises DecodeError; bytes left over are not an error."""
         return cls._read(data, 0)[0]
 
     @classmethod
@@ -66,11 +66,11 @@ class Field(Structure):
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        """Can this be its data? Looks at the constants that tell layouts of one descriptor apart."""
+        """Can this be its data? Checks the constants that distinguish layouts of one descriptor."""
         return True
 
     def packet(self) -> Packet:
-        """A packet with just this field."""
+        """A packet with only this field."""
         return PacketBuilder(self.SET).add(self.DESCRIPTOR, self.encode()).build()
 
     @classmethod
@@ -93,7 +93,7 @@ class Response(Field):
     COMMANDS: ClassVar[tuple[type[Command], ...]] = ()
 
 
-#: For where a field's own member is called `type`.
+#: For classes whose own member is called `type`.
 ResponseClass: TypeAlias = "type[Response]"
 
 
@@ -103,7 +103,7 @@ class Command(Field):
     __slots__ = ()
 
     RESPONSES: ClassVar[tuple[type[Response], ...]] = ()
-    TIMEOUT: ClassVar[float | None] = None  # seconds, where the device may take long
+    TIMEOUT: ClassVar[float | None] = None  # seconds, if the device may take longer than usual
     #: Function selector -> how many parameters it requires; others may be None.
     REQUIRED: ClassVar[dict[int, int]] = {}
 
@@ -125,7 +125,7 @@ class Data(Field):
 
 
 def chosen(types: tuple[type[Field], ...], raw: RawField) -> type[Field] | None:
-    """The layout that the data of a field have, if several belong to its descriptor."""
+    """The layout of a field's data, if its descriptor has several."""
     if len(types) == 1:
         return types[0]
     return next((t for t in types if t.matches(raw.data)), None)

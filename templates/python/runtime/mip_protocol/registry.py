@@ -18,9 +18,9 @@ __all__ = ["MODULES", "SHARED_SET", "all_types", "decode", "decode_packet", "typ
 
 @cache
 def types(set: int, descriptor: int) -> tuple[type[Field], ...]:
-    """The types that a descriptor has inside a packet of that set; empty if it is unknown.
+    """The types of a descriptor in packets of a set; empty if it is unknown.
 
-    Several mean that constants in the data tell them apart.
+    If there are several, constants in the data distinguish them.
     """
     if set < 0x80 and descriptor == Acknowledge.DESCRIPTOR:
         return (Acknowledge,)
@@ -57,7 +57,7 @@ def decode(raw: RawField) -> Field | None:
 def decode_packet(packet: Packet) -> list[Field | RawField]:
     """All fields of a packet; those that are unknown or cannot be decoded stay raw.
 
-    Stops at a malformed field, as nothing behind it can be found.
+    Stops at a malformed field, because no field can be found after it.
     """
     found: list[Field | RawField] = []
     try:

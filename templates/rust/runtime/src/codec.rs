@@ -1,6 +1,6 @@
-//! How values stand on the wire: big-endian, one after another, without padding.
+//! The wire format of values: big-endian, one after another, without padding.
 //!
-//! [`Wire`] is implemented by everything that has bytes: numbers, enumerations, bitfields,
+//! [`Wire`] is implemented by all types with a wire format: numbers, enumerations, bitfields,
 //! structures and fields. [`Reader`] and [`Writer`] work on borrowed bytes and never panic.
 
 use core::fmt;
@@ -9,11 +9,11 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum DecodeError {
-    /// The data ends before the last value that must be there.
+    /// The data ends before the last required value.
     Truncated,
-    /// A count says that there are more elements than follow, or than a field can hold.
+    /// A count exceeds the number of elements that follow, or that a field can hold.
     Count,
-    /// A value that is always the same has another value.
+    /// A constant has another value.
     Constant,
 }
 
@@ -31,11 +31,11 @@ impl fmt::Display for DecodeError {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum EncodeError {
-    /// A value is `None` that the function needs, or that stands before a present one.
+    /// A value is `None` although the function requires it or a later value is present.
     Missing,
-    /// There are more elements than their counter can tell.
+    /// There are more elements than their counter can hold.
     Count,
-    /// A union does not hold the member that its tag names.
+    /// A union does not hold the member that its tag selects.
     Tag,
     /// It does not fit into a field, a packet or the caller's buffer.
     Length,
@@ -61,9 +61,9 @@ impl std::error::Error for DecodeError {}
 #[cfg(feature = "std")]
 impl std::error::Error for EncodeError {}
 
-/// A value that has bytes on the wire.
+/// A value with a wire format.
 pub trait Wire: Sized {
-    /// How many bytes, at most. Types of constant size always have as many.
+    /// The maximum size in bytes; types of fixed size always have this size.
     const SIZE: usize;
 
     /// Reads one value.
@@ -73,7 +73,7 @@ pub trait Wire: Sized {
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError>;
 }
 
-/// One of several alternatives, which another value, the tag, selects.
+/// One of several alternatives, selected by another value, the tag.
 pub trait Union: Sized {
     /// The type of the tag.
     type Tag;
@@ -85,13 +85,13 @@ pub trait Union: Sized {
     fn encode_as(&self, tag: Self::Tag, writer: &mut Writer<'_>) -> Result<(), EncodeError>;
 }
 
-/// Items whose number another value tells. As a [`Wire`] they are as many as are still there.
+/// Items counted by another value. As a [`Wire`], they take the rest of the data.
 pub trait Counted: Wire {
-    /// Reads so many items.
+    /// Reads this number of items.
     fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
 }
 
-/// Takes values off the front of a field's data.
+/// Reads values from the front of a field's data.
 #[derive(Clone, Copy, Debug)]
 pub struct Reader<'a> {
     data: &'a [u8],
@@ -105,7 +105,7 @@ impl<'a> Reader<'a> {
         Self { data, ended: false }
     }
 
-    /// How many bytes are left.
+    /// The number of bytes left.
     #[must_use]
     pub const fn remaining(&self) -> usize {
         self.data.len()
@@ -132,7 +132,7 @@ impl<'a> Reader<'a> {
         T::decode_from(self)
     }
 
-    /// Demands that the next value is this one.
+    /// Checks that the next value is this one.
     pub fn constant<T: Wire + PartialEq>(&mut self, value: T) -> Result<(), DecodeError> {
         if self.read::<T>()? == value {
             Ok(())
@@ -141,7 +141,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// As many items as a counter says.
+    /// The number of items that a counter gives.
     pub fn counted<L: Counted>(&mut self, count: impl Into<u64>) -> Result<L, DecodeError> {
         L::decode_counted(usize::try_from(count.into()).unwrap_or(usize::MAX), self)
     }
@@ -151,7 +151,7 @@ impl<'a> Reader<'a> {
         U::decode_as(tag, self)
     }
 
-    /// The alternative of a tag, as a group by itself; there is none without the tag.
+    /// The alternative of a tag, as a group by itself; absent without the tag.
     pub fn some_union<U: Union>(
         &mut self,
         required: bool,
@@ -168,9 +168,9 @@ impl<'a> Reader<'a> {
         self.group(required, Self::read)
     }
 
-    /// A group of values that come and go together: read if it must be there or is wholly there.
+    /// A group of values that are present or absent together: read if it is required or complete.
     ///
-    /// After a group that is absent, everything that may be absent is.
+    /// After an absent group, all groups that may be absent are absent.
     pub fn group<T>(
         &mut self,
         required: bool,
@@ -185,7 +185,7 @@ impl<'a> Reader<'a> {
         }
         let mark = self.data;
         match read(self) {
-            // What takes no bytes, an empty union, is as good as absent.
+            // An empty union takes no bytes: same as absent.
             Ok(value) if self.data.len() < mark.len() => Ok(Some(value)),
             Ok(_) | Err(DecodeError::Truncated) => {
                 self.data = mark;
@@ -197,7 +197,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Puts values one after another into a caller's buffer.
+/// Writes values one after another to a caller's buffer.
 #[derive(Debug)]
 pub struct Writer<'a> {
     buffer: &'a mut [u8],
@@ -212,7 +212,7 @@ impl<'a> Writer<'a> {
         Self { buffer, length: 0, ended: false }
     }
 
-    /// How many bytes have been written.
+    /// The number of bytes written.
     #[must_use]
     pub const fn length(&self) -> usize {
         self.length
@@ -236,7 +236,7 @@ impl<'a> Writer<'a> {
         value.encode_as(tag, self)
     }
 
-    /// Appends an alternative that is a group by itself, if it is present and may be.
+    /// Appends an alternative that is a group by itself, if it is present and allowed.
     pub fn some_union<U: Union>(
         &mut self,
         required: bool,
@@ -255,7 +255,7 @@ impl<'a> Writer<'a> {
         self.write(&C::try_from(count).map_err(|_| EncodeError::Count)?)
     }
 
-    /// Decides about a group that is one value: gives it if it is present and may be.
+    /// Decides about a group of one value: returns it if it is present and allowed.
     pub fn optional<'v, T>(
         &mut self,
         required: bool,
@@ -265,12 +265,12 @@ impl<'a> Writer<'a> {
         Ok(value.as_ref())
     }
 
-    /// Appends a value that is a group by itself, if it is present and may be.
+    /// Appends a value that is a group by itself, if it is present and allowed.
     pub fn some<T: Wire>(&mut self, required: bool, value: &Option<T>) -> Result<(), EncodeError> {
         self.optional(required, value)?.map_or(Ok(()), |value| self.write(value))
     }
 
-    /// Decides about a group of values that come and go together: is it to be written?
+    /// Decides whether to write a group of values that are present or absent together.
     pub fn group<const N: usize>(
         &mut self,
         required: bool,
@@ -321,16 +321,16 @@ impl<T: Wire + Copy + Default, const N: usize> Wire for [T; N] {
     }
 }
 
-/// A truth value that keeps its byte: 0 is false, and anything else is true.
+/// A Boolean that keeps its byte: 0 is false, anything else is true.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(transparent))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bool(pub u8);
 
 impl Bool {
-    /// As devices send it.
+    /// The usual byte.
     pub const FALSE: Self = Self(0);
-    /// As devices send it.
+    /// The usual byte.
     pub const TRUE: Self = Self(1);
 
     /// Is it true?

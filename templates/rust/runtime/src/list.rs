@@ -1,10 +1,10 @@
-//! Arrays whose length varies, without a heap.
+//! Arrays of variable length, without a heap.
 
 use core::{fmt, ops};
 
 use crate::codec::{Counted, DecodeError, EncodeError, Reader, Wire, Writer};
 
-/// At most `N` items, kept in place. It is a slice for nearly all purposes.
+/// At most `N` items, stored in place. It dereferences to a slice.
 ///
 /// ```
 /// use mip_protocol::List;
@@ -58,7 +58,7 @@ impl<T, const N: usize> List<T, N> {
         Ok(())
     }
 
-    /// Takes the last item off.
+    /// Removes and returns the last item.
     pub fn pop(&mut self) -> Option<T>
     where
         T: Copy,
@@ -68,7 +68,7 @@ impl<T, const N: usize> List<T, N> {
         self.items.get(last).copied()
     }
 
-    /// Makes it empty.
+    /// Removes all items.
     pub fn clear(&mut self) {
         self.length = 0;
     }
@@ -79,7 +79,7 @@ impl<T, const N: usize> List<T, N> {
         self.items.get(..self.length).unwrap_or_default()
     }
 
-    /// The items, to be changed in place.
+    /// The items, mutable.
     #[must_use]
     pub fn as_mut_slice(&mut self) -> &mut [T] {
         self.items.get_mut(..self.length).unwrap_or_default()
@@ -126,7 +126,7 @@ impl<T: Copy + Default, const N: usize> TryFrom<&[T]> for List<T, N> {
     }
 }
 
-/// Judged while compiling: an array that is too long does not build.
+/// Evaluated at compile time: an array that is too long does not build.
 struct Fits<const M: usize, const N: usize>;
 
 impl<const M: usize, const N: usize> Fits<M, N> {
@@ -149,7 +149,7 @@ impl<'a, T, const N: usize> IntoIterator for &'a List<T, N> {
     }
 }
 
-/// The items alone. What counts them, if anything does, is another value of the field.
+/// The items only. If they are counted, the count is another value of the field.
 impl<T: Wire + Copy + Default, const N: usize> Wire for List<T, N> {
     const SIZE: usize = T::SIZE.saturating_mul(N);
 
@@ -217,7 +217,7 @@ where
     }
 }
 
-/// serde knows arrays of up to 32 items only; longer ones, if there are any, go through a [`List`].
+/// serde supports arrays of at most 32 items; longer ones go through a [`List`].
 #[cfg(feature = "serde")]
 #[allow(dead_code)]
 pub(crate) mod long_array {

@@ -5,11 +5,11 @@ use core::ops::Range;
 use crate::packet::{checksum, Packet, MAX_PACKET};
 use crate::protocol::SYNC;
 
-/// Finds the packets in a stream that comes in chunks of any size.
+/// Finds the packets in a stream that arrives in chunks of any size.
 ///
-/// Garbage, other protocols, false syncs and broken packets cost nothing but themselves: after a
-/// bad candidate the search goes on one byte behind its sync. Nothing is allocated; a packet that
-/// is whole inside a chunk is not copied, only one that spans chunks is.
+/// Garbage, other protocols, false syncs and broken packets never hide a packet: after a bad
+/// candidate the search continues one byte after its sync. Nothing is allocated; only packets that
+/// span chunks are copied.
 ///
 /// ```
 /// use mip_protocol::Parser;
@@ -36,11 +36,11 @@ pub(crate) enum Found {
     InInput(Range<usize>),
 }
 
-/// What the bytes from a possible sync on are.
+/// What the bytes starting at a possible sync are.
 enum Candidate {
     Whole(usize),
     Bad,
-    /// It takes so many bytes to tell.
+    /// Undecided until this many bytes are available.
     Open(usize),
 }
 
@@ -70,40 +70,40 @@ impl Default for Parser {
 }
 
 impl Parser {
-    /// A parser that has seen nothing yet.
+    /// A new parser.
     #[must_use]
     pub const fn new() -> Self {
         Self { buffer: [0; MAX_PACKET], start: 0, end: 0, given: 0, skipped: 0 }
     }
 
-    /// How many bytes belonged to no packet so far. Bytes that are still open do not count.
+    /// The number of bytes so far that belong to no packet, without those that are held back.
     #[must_use]
     pub const fn skipped(&self) -> u64 {
         self.skipped
     }
 
-    /// How many bytes are held back until more come.
+    /// The number of bytes that are held back until more arrive.
     #[must_use]
     pub const fn pending(&self) -> usize {
         self.end.saturating_sub(self.start).saturating_sub(self.given)
     }
 
-    /// The next packet. Call it until it gives `None`: then all of `input` is used up.
+    /// The next packet. Call it until it returns `None`; `input` is then empty.
     pub fn next<'p, 'i: 'p>(&'p mut self, input: &mut &'i [u8]) -> Option<Packet<'p>> {
         let bytes = *input;
         let found = self.step(input)?;
         self.packet(found, bytes)
     }
 
-    /// Gives up what is pending, for instance when nothing more has come for a while.
+    /// Gives up the pending candidate, for instance after a time-out.
     ///
-    /// Packets inside of it are not lost: call it until it gives `None`.
+    /// Packets inside it are not lost: call it until it returns `None`.
     pub fn flush(&mut self) -> Option<Packet<'_>> {
         let found = self.flush_step()?;
         self.packet(found, &[])
     }
 
-    /// Looks for a packet and takes what it has looked at off the front of the input.
+    /// Searches for a packet and removes the searched bytes from the front of the input.
     pub(crate) fn step(&mut self, input: &mut &[u8]) -> Option<Found> {
         let whole = input.len();
         self.release();
@@ -151,7 +151,7 @@ impl Parser {
         None
     }
 
-    /// The packet that a step has found in this input.
+    /// The packet that a step has found in the input.
     pub(crate) fn packet<'a>(&'a self, found: Found, input: &'a [u8]) -> Option<Packet<'a>> {
         match found {
             Found::Held(size) => self.held().get(..size),
@@ -173,7 +173,7 @@ impl Parser {
         Found::Held(size)
     }
 
-    /// Forgets the packet that was given last.
+    /// Drops the packet that was returned last.
     fn release(&mut self) {
         self.start = self.start.saturating_add(self.given).min(self.end);
         self.given = 0;
@@ -182,7 +182,7 @@ impl Parser {
         }
     }
 
-    /// Goes on behind the sync of the candidate, to where the next may begin.
+    /// Continues after the candidate's sync, where the next may start.
     fn drop_candidate(&mut self) {
         let behind = self.held().iter().skip(1).position(|b| *b == SYNC[0]);
         let count = behind.map_or(self.held().len(), |at| at.saturating_add(1));
@@ -191,7 +191,7 @@ impl Parser {
         self.release();
     }
 
-    /// Takes input until `size` bytes are held. Were there enough?
+    /// Takes input until `size` bytes are held. Is that reached?
     fn fill(&mut self, size: usize, input: &mut &[u8]) -> bool {
         if self.start.saturating_add(size) > self.buffer.len() {
             self.buffer.rotate_left(self.start.min(MAX_PACKET));

@@ -1,6 +1,6 @@
-//! All fields in one place, for tools that must deal with whatever comes.
+//! All fields, for tools that must handle any of them.
 //!
-//! A program that names the types that it decodes does not pay for this module.
+//! A program that does not use this module does not pay for it.
 
 use crate::client::{Request, RequestError, Ticket};
 use crate::codec::{DecodeError, EncodeError};
@@ -11,18 +11,18 @@ mod fields;
 use fields::index;
 pub use fields::{AnyField, FIELDS};
 
-/// What is known about a field.
+/// The description of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FieldInfo {
     /// The descriptor set that defines it.
     pub set: u8,
     /// The field descriptor.
     pub descriptor: u8,
-    /// The part that it plays.
+    /// Its role.
     pub role: Role,
     /// The name in the specification, `set.field`.
     pub name: &'static str,
-    /// What people call it.
+    /// Its title.
     pub title: &'static str,
     /// Names of the responses of a command, or of the commands that a response answers.
     pub linked: &'static [&'static str],
@@ -36,13 +36,13 @@ impl FieldInfo {
         FIELDS.iter().find(|info| info.name == name)
     }
 
-    /// The field that has these bytes; of several layouts the one whose constants they hold.
+    /// The field that these bytes hold; of several layouts the one whose constants match.
     #[must_use]
     pub fn of(field: &RawField<'_>) -> Option<&'static Self> {
         FIELDS.get(index(field)? as usize)
     }
 
-    /// Can packets of this set hold the field?
+    /// May packets of this set hold the field?
     #[must_use]
     pub const fn in_set(&self, set: u8) -> bool {
         self.sets.0 <= set && set <= self.sets.1

@@ -1,7 +1,7 @@
 /**
  * @file
- * What fields are made of, for tools that treat all of them alike. It links all types of all sets,
- * so small programs do without it.
+ * Reflection of fields, for generic tools. It links all types of all sets, so small programs should
+ * not use it.
  */
 #ifndef MIP_REFLECT_H
 #define MIP_REFLECT_H
@@ -19,7 +19,7 @@ extern "C" {
 #define MIP_KIND_TEXT 3     /* characters; the member has one more for the NUL */
 #define MIP_KIND_BITS 4     /* a bitfield in bytes, least significant byte first */
 #define MIP_KIND_STRUCT 5   /* a structure, or an array of them */
-#define MIP_KIND_UNION 6    /* the member that an earlier parameter selects */
+#define MIP_KIND_UNION 6    /* one member, selected by an earlier parameter */
 
 /** Scalars. */
 #define MIP_SCALAR_U8 0
@@ -36,7 +36,7 @@ extern "C" {
 #define MIP_SCALAR_CHAR 11
 
 /** How many items a parameter has. */
-#define MIP_LENGTH_ONE 0     /* it is no array */
+#define MIP_LENGTH_ONE 0     /* not an array */
 #define MIP_LENGTH_FIXED 1   /* always `capacity` */
 #define MIP_LENGTH_COUNTED 2 /* as many as the parameter `by` says */
 #define MIP_LENGTH_REST 3    /* as many as the field holds */
@@ -60,7 +60,7 @@ struct mip_named_bits {
 
 /** An enumeration (`values`) or a bitfield (`bits`). */
 struct mip_names {
-    /** Name in the specification, after its set and a full stop if a set owns it. */
+    /** Name in the specification, prefixed with its set and a full stop if a set owns it. */
     const char *name;
     const struct mip_named_value *values;
     const struct mip_named_bits *bits;
@@ -70,11 +70,11 @@ struct mip_names {
     uint8_t size;
 };
 
-/** What gives a number its meaning where that depends on the device or on another parameter. */
+/** The type that gives a number its meaning, if that depends on the device or another parameter. */
 struct mip_reading {
-    /** Id of the device; NULL where it depends on the parameter `by`. */
+    /** Id of the device; NULL if it depends on the parameter `by`. */
     const char *device;
-    /** Parameter that decides, and its value. */
+    /** The parameter that it depends on, and its value. */
     uint8_t by;
     uint64_t value;
     const struct mip_names *names;
@@ -90,37 +90,39 @@ struct mip_parameter {
     const char *unit;
     /** A MIP_KIND_... value. */
     uint8_t kind;
-    /** A MIP_SCALAR_... value, of numbers, constants and counters. */
+    /** A MIP_SCALAR_... value; for numbers, constants and counters. */
     uint8_t scalar;
     /** A MIP_LENGTH_... value. */
     uint8_t length;
-    /** Items that the member has room for, the NUL of a text not counted. */
+    /** Maximum number of items of the member, without the NUL of a text. */
     uint8_t capacity;
-    /** Numbers of one item: 3 of a vector with x, y and z; 1 where the item is no vector. */
+    /** Numbers in one item: 3 for a vector with x, y and z; 1 if the item is not a vector. */
     uint8_t elements;
-    /** Index of the parameter that counts or selects; of a counter, the array that it counts. */
+    /** Index of the parameter that counts or selects; for a counter, of the array that it counts.
+     */
     uint8_t by;
-    /** Parameters that are there if this one is, without the function selector; 0: it always is. */
+    /** Parameters present if this one is, without the function selector; 0: it is always present.
+     */
     uint8_t group;
-    /** Of a constant. */
+    /** The value of a constant. */
     uint64_t value;
-    /** Where the member begins in its structure, and bytes of one item in memory. */
+    /** Offset of the member in its structure, and size of one item in memory. */
     uint16_t offset;
     uint16_t item_size;
-    /** Where the length is REST: the member with the number of items, a uint8_t. */
+    /** If the length is REST: offset of the member with the number of items, a uint8_t. */
     uint16_t count_offset;
-    /** Of numbers and bits: what names them, or NULL. */
+    /** For numbers and bits: the type that names them, or NULL. */
     const struct mip_names *names;
     const struct mip_reading *readings;
-    /** Of structures. */
+    /** For structures. */
     const struct mip_record *record;
-    /** Of unions. */
+    /** For unions. */
     const struct mip_case *cases;
     /** Elements of `readings` or of `cases`. */
     uint8_t count;
 };
 
-/** One alternative of a union; `parameter` is NULL where it is empty. */
+/** One alternative of a union; `parameter` is NULL if it is empty. */
 struct mip_case {
     uint64_t value;
     const struct mip_parameter *parameter;
@@ -130,25 +132,25 @@ struct mip_case {
 struct mip_record {
     const struct mip_parameter *parameters;
     uint8_t count;
-    /** Bytes of the structure. */
+    /** Size of the structure. */
     uint16_t size;
 };
 
-/** How to look into the structure of a field. */
+/** The reflection of a field. */
 struct mip_reflection {
     const struct mip_codec *codec;
     const struct mip_record *record;
     /** Does it begin with a function selector? May parameters be absent? */
     bool selector;
     bool optional;
-    /** Parameters that must be there, by function selector. */
+    /** Number of required parameters, by function selector. */
     const uint8_t *required;
     uint8_t required_size;
-    /** Where the member `present` is, if parameters may be absent. */
+    /** Offset of the member `present`, if parameters may be absent. */
     uint16_t present_offset;
 };
 
-/** All fields, but for those that repeat the field of another set. */
+/** All fields except those that repeat a field of another set. */
 extern const struct mip_reflection mip_reflections[];
 extern const size_t mip_reflection_count;
 
@@ -156,7 +158,7 @@ extern const size_t mip_reflection_count;
 extern const struct mip_names *const mip_all_names[];
 extern const size_t mip_all_names_count;
 
-/** How to look into a field; NULL if the codec is none of this binding. */
+/** The reflection of a field; NULL if the codec does not belong to this binding. */
 const struct mip_reflection *mip_reflect(const struct mip_codec *codec);
 
 /** An enumeration or a bitfield by its name: "ack_code", "base.gps_time_field". */

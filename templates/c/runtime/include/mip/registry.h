@@ -1,7 +1,7 @@
 /**
  * @file
  * Finds the type of any field by its descriptor or its name. It links all types of all sets, so
- * small programs do without it.
+ * small programs should not use it.
  */
 #ifndef MIP_REGISTRY_H
 #define MIP_REGISTRY_H
@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-/** A value that stands at a fixed place: it tells two layouts of one descriptor apart. */
+/** A constant at a fixed offset, which distinguishes two layouts of one descriptor. */
 struct mip_constant {
     uint8_t offset;
     uint8_t size;
@@ -27,7 +27,7 @@ struct mip_entry {
     /** MIP_COMMAND, MIP_RESPONSE or MIP_DATA. */
     uint8_t role;
     uint8_t constant_count;
-    /** Entries that mip_registry_link gives, and where they stand. */
+    /** The entries that mip_registry_link returns: their number and position. */
     uint8_t link_count;
     uint16_t first_link;
     const struct mip_constant *constants;
@@ -41,17 +41,17 @@ extern const struct mip_entry mip_registry[];
 extern const size_t mip_registry_size;
 extern const uint16_t mip_registry_links[];
 
-/** The layouts that a descriptor has inside a packet of that set: the first one, and how many. */
+/** The layouts of a descriptor in packets of a set: the first one, and how many. */
 const struct mip_entry *mip_registry_candidates(uint8_t descriptor_set, uint8_t descriptor,
                                                 size_t *count);
 
-/** The layout of a field; NULL if it is unknown, or if its constants are those of no layout. */
+/** The layout of a field; NULL if it is unknown, or if its constants match no layout. */
 const struct mip_entry *mip_registry_find(const struct mip_field *field);
 
 /** A field by its name; NULL if there is none. */
 const struct mip_entry *mip_registry_by_name(const char *name);
 
-/** The responses of a command, or the commands of a response, from 0; NULL behind the last one. */
+/** The responses of a command, or the commands of a response, from 0; NULL after the last one. */
 const struct mip_entry *mip_registry_link(const struct mip_entry *entry, size_t number);
 
 #ifdef __cplusplus

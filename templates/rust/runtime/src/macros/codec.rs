@@ -1,6 +1,6 @@
-//! The steps of a record, read and written; [`record!`] says what they are.
+//! Reading and writing the steps of a record, which [`record!`] describes.
 
-/// Is a value required? It is for these functions, and for none if it is optional.
+/// Is a value required? It is for these functions; for none if it is optional.
 macro_rules! required {
     ($selected:ident) => {
         false
@@ -10,7 +10,7 @@ macro_rules! required {
     };
 }
 
-/// Reads a step into variables that are called like the members.
+/// Reads a step into variables with the names of the members.
 macro_rules! decode {
     ($reader:ident $selected:ident $member:ident $($name:literal)?) => {
         let $member = $reader.read()?;
@@ -61,7 +61,7 @@ macro_rules! decode {
     };
 }
 
-/// Writes a step from references that are called like the members.
+/// Writes a step from references with the names of the members.
 macro_rules! encode {
     ($writer:ident $selected:ident $member:ident $($name:literal)? $(by $count:ident)?) => {
         $writer.write($member)?;

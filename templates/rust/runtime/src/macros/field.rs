@@ -1,7 +1,7 @@
-//! Fields: where they belong, and how commands are answered.
+//! Fields: their sets and descriptors, and how commands are answered.
 
-/// Where a field belongs, perhaps in other sets too; the constants that tell it from others with
-/// its descriptor; and of a response the commands that it answers.
+/// The set and descriptor of a field, perhaps with further sets; the constants that distinguish it
+/// from others with the same descriptor; and the commands that a response answers.
 macro_rules! field {
     (
         $name:ident: $set:literal, $descriptor:literal, $text:literal;
@@ -26,7 +26,7 @@ macro_rules! field {
     };
 }
 
-/// How a command is answered: with what, for which functions, and when not at all.
+/// How a command is answered: by which response, for which functions, and when not at all.
 macro_rules! command {
     (
         $name:ident -> $response:ty;
@@ -60,7 +60,7 @@ macro_rules! command {
     };
 }
 
-/// The several types that one command can be answered with.
+/// The types of a command's responses, if there are several.
 macro_rules! responses {
     (
         $(#[$meta:meta])*

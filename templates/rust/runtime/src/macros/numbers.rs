@@ -1,6 +1,6 @@
-//! Enumerations, vectors, and what all newtypes have.
+//! Enumerations, vectors, and the common parts of all newtypes.
 
-/// An enumeration that keeps values which it does not know.
+/// An enumeration that preserves unnamed values.
 macro_rules! open_enum {
     (
         $(#[$meta:meta])*
@@ -65,7 +65,7 @@ macro_rules! open_enum {
     };
 }
 
-/// A few numbers of one kind whose places have names.
+/// A few numbers of one type, each with a name.
 macro_rules! vector {
     (
         $(#[$meta:meta])*
@@ -82,7 +82,7 @@ macro_rules! vector {
         }
 
         impl $name {
-            /// The elements in the order of the wire.
+            /// The elements in wire order.
             #[must_use]
             pub const fn to_array(self) -> [$number; $count] {
                 [$(self.$element),*]
@@ -136,7 +136,7 @@ macro_rules! vector {
     };
 }
 
-/// What every newtype around a number or bytes has.
+/// The common parts of all newtypes of a number or bytes.
 macro_rules! newtype {
     ($name:ident: $inner:ty) => {
         impl ::core::convert::From<$inner> for $name {

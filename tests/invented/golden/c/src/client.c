@@ -1,4 +1,4 @@
-/* Commands and their answers. */
+/* The command client. */
 #include "mip/client.h"
 
 void mip_client_init(struct mip_client *client) {
@@ -19,9 +19,9 @@ mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                          struct mip_builder *packet, const struct mip_codec *codec,
                          const void *command, uint32_t now) {
     const mip_error error = mip_encode(codec, command, packet);
-    mip_client_cancel(client, request); /* it could still wait for an earlier answer */
+    mip_client_cancel(client, request); /* it may still be waiting for an earlier answer */
     if (error != MIP_OK) {
-        request->state = MIP_REQUEST_CANCELLED; /* so that nobody waits for it */
+        request->state = MIP_REQUEST_CANCELLED; /* so that the caller does not wait for it */
         return error;
     }
     request->state = MIP_REQUEST_WAITING;
@@ -51,7 +51,7 @@ bool mip_client_expect(struct mip_request *request, const struct mip_codec *code
     return right;
 }
 
-/** Takes a request out of those that wait. */
+/** Removes a request from the waiting list. */
 static void leave(struct mip_client *client, struct mip_request *request, uint8_t state) {
     for (struct mip_request **at = &client->waiting; *at != NULL; at = &(*at)->next) {
         if (*at == request) {
@@ -63,7 +63,7 @@ static void leave(struct mip_client *client, struct mip_request *request, uint8_
     }
 }
 
-/** Is this field a response to the command, whatever the command's values are? */
+/** Is this field a response to the command, for any values of the command? */
 static bool may_answer(const struct mip_codec *command, const struct mip_field *field) {
     for (const struct mip_response *r = command->responses; r != NULL && r->codec != NULL; r++) {
         if (r->codec->descriptor == field->descriptor) {
@@ -73,7 +73,7 @@ static bool may_answer(const struct mip_codec *command, const struct mip_field *
     return false;
 }
 
-/** Takes the response that a request asks for. False if the field is another one. */
+/** Decodes the response that a request asks for. False if the field is not that response. */
 static bool respond(struct mip_request *request, const struct mip_field *field) {
     if (field->descriptor != request->codec->descriptor) {
         return false;
@@ -91,10 +91,10 @@ static bool respond(struct mip_request *request, const struct mip_field *field) 
 }
 
 /**
- * Finds the request that an acknowledge field and the field behind it (NULL if there is none)
- * answer: the oldest one of that command. A response answers no request that does not ask for it,
- * as it may be the late answer to another one; an acknowledge without a response answers those that
- * ask for none first. Says what the state of the request is then.
+ * Finds the request that an acknowledge field and the field after it (NULL if there is none)
+ * answer: the oldest one of that command. A response never answers a request that does not ask for
+ * it, because it may be the late answer to another one; an acknowledge without a response first
+ * answers requests that ask for none. `state` becomes the new state of the request.
  */
 static struct mip_request *find(const struct mip_client *client, uint8_t set,
                                 const struct mip_protocol_acknowledge *acknowledge,
@@ -145,7 +145,7 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
     request->code = acknowledge.code;
     if (request->codec != NULL &&
         (state == MIP_REQUEST_ACKNOWLEDGED || state == MIP_REQUEST_UNDECODABLE)) {
-        *walk = ahead; /* behind the response */
+        *walk = ahead; /* after the response */
         *field = behind;
     }
     *answered = request;
@@ -176,7 +176,7 @@ bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint3
     for (const struct mip_request *r = client->waiting; r != NULL; r = r->next) {
         late = late || is_late(r, now);
     }
-    /* Nothing more is given up than what an answer may hide behind. */
+    /* Give up only candidates that may hide an answer. */
     if (parser != NULL && (late ? mip_parser_flush(parser, packet)
                                 : mip_parser_next(parser, &nothing, &none, packet))) {
         return true;

@@ -1,4 +1,4 @@
-"""What the generated codecs are made of."""
+"""Building blocks of the generated codecs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Groups = tuple[tuple[int, tuple[str, ...], bool], ...]
 
 
 class _Structure(Protocol):
-    """What `field.Structure` offers."""
+    """The interface of `field.Structure`."""
 
     @classmethod
     def _read(cls: type[S], raw: bytes, at: int) -> tuple[S, int]: ...
@@ -26,7 +26,7 @@ class _Structure(Protocol):
 
 
 class OpenEnum(IntEnum):
-    """An enumeration that takes values that it has no name for: newer devices send such."""
+    """An enumeration that accepts unnamed values, which newer devices may send."""
 
     @classmethod
     def _missing_(cls: type[E], value: object) -> E | None:
@@ -39,9 +39,9 @@ class OpenEnum(IntEnum):
 
 
 def open_flag(bits: int) -> Callable[[type[T]], type[T]]:
-    """Makes `~` invert all bits of a bitfield, so that `flags & ~Flags.X` takes away nothing but X.
+    """Makes `~` invert all bits of a bitfield, so that `flags & ~Flags.X` clears only X.
 
-    Python's own inverts only those that have names, or, in older versions, gives a negative number.
+    Python itself inverts only the named bits or, in older versions, gives a negative number.
     """
 
     def opened(kind: type[T]) -> type[T]:
@@ -62,8 +62,8 @@ def fits(name: str, value: int, bits: int) -> int:
 class Block:
     """A run of numbers with a fixed layout, read and written at once.
 
-    Floats keep their bits, those of signalling NaNs too: Python's own conversion between four
-    and eight bytes would change them.
+    Floats keep their bits, even those of signalling NaNs, which Python's conversion between four
+    and eight bytes would change.
     """
 
     __slots__ = ("_codec", "_names", "_singles", "size")
@@ -141,7 +141,7 @@ def single_to_bits(value: float) -> int:
 
 
 def truth(value: int) -> bool:
-    """A byte as a bool. Bytes other than 0 and 1 stay the numbers that they are."""
+    """A byte as a bool. Bytes other than 0 and 1 remain numbers."""
     return bool(value) if value < 2 else value  # type: ignore[return-value]
 
 

@@ -1,13 +1,13 @@
-"""What can go wrong. All of it is a `MipError`, which is a `ValueError`."""
+"""Exceptions. All are `MipError`, which is a `ValueError`."""
 
 from __future__ import annotations
 
 
 class MipError(ValueError):
-    """`kind` is one word that says what is wrong."""
+    """`kind` names the error in one word."""
 
     def __init__(self, kind: str, detail: str) -> None:
-        # `args` stays what the class was called with, so that errors can be pickled.
+        # `args` keeps the arguments of the class, so that errors can be pickled.
         self.kind = kind
         self.detail = detail
 
@@ -16,7 +16,7 @@ class MipError(ValueError):
 
 
 class DecodeError(MipError):
-    """Bytes that are not what they should be."""
+    """Bytes that cannot be decoded."""
 
 
 class Truncated(DecodeError):
@@ -31,7 +31,7 @@ class PacketError(DecodeError):
 
 
 class MissingResponse(MipError):
-    """A command that must be answered with data was acknowledged without."""
+    """A command that asks for a response was acknowledged without one."""
 
     def __init__(self, command: str) -> None:
         super().__init__("missing_response", f"{command} was acknowledged without its response")

@@ -1,4 +1,4 @@
-//! Packets: building them, and looking into them without copying.
+//! Packets: building them, and reading them without copying.
 
 use core::fmt;
 
@@ -6,11 +6,11 @@ use crate::codec::EncodeError;
 use crate::field::{Field, RawField};
 use crate::protocol::SYNC;
 
-/// The most bytes that a payload holds.
+/// The maximum size of a payload.
 pub const MAX_PAYLOAD: usize = 255;
-/// The most bytes that a packet has.
+/// The maximum size of a packet.
 pub const MAX_PACKET: usize = MAX_PAYLOAD + OVERHEAD;
-/// The most bytes of data in one field.
+/// The maximum size of the data of one field.
 pub const MAX_FIELD_DATA: usize = 253;
 
 const HEADER: usize = 4;
@@ -31,9 +31,9 @@ pub fn checksum(bytes: &[u8]) -> [u8; 2] {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PacketError {
-    /// They do not begin with the two sync bytes.
+    /// The bytes do not start with the two sync bytes.
     Sync,
-    /// Their number is not what the packet says, or the descriptor set is 0.
+    /// The number of bytes is not what the packet states, or the descriptor set is 0.
     Length,
     /// The checksum is wrong.
     Checksum,
@@ -66,7 +66,7 @@ impl std::error::Error for PacketError {}
 #[cfg(feature = "std")]
 impl std::error::Error for FieldLengthError {}
 
-/// A whole packet with a right checksum, borrowed from wherever its bytes are.
+/// A complete packet with a correct checksum, borrowed from the memory that holds its bytes.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Packet<'a> {
@@ -74,7 +74,7 @@ pub struct Packet<'a> {
 }
 
 impl<'a> Packet<'a> {
-    /// Takes bytes that are exactly one packet.
+    /// Checks that bytes are exactly one packet.
     pub fn new(bytes: &'a [u8]) -> Result<Self, PacketError> {
         if !bytes.starts_with(&SYNC) {
             return Err(PacketError::Sync);
@@ -109,13 +109,13 @@ impl<'a> Packet<'a> {
         self.bytes.get(2).copied().unwrap_or_default()
     }
 
-    /// The fields, one after another.
+    /// The payload: the fields, one after another.
     #[must_use]
     pub fn payload(&self) -> &'a [u8] {
         self.bytes.get(HEADER..self.bytes.len().saturating_sub(2)).unwrap_or_default()
     }
 
-    /// Walks through the fields.
+    /// Iterates over the fields.
     #[must_use]
     pub fn fields(&self) -> Fields<'a> {
         Fields { set: self.set(), payload: self.payload() }
@@ -123,7 +123,7 @@ impl<'a> Packet<'a> {
 
     /// The first field of this type, decoded.
     ///
-    /// Gives `None` if the packet holds none, or if what holds it cannot be decoded.
+    /// `None` if the packet holds none, or if it cannot be decoded.
     #[must_use]
     pub fn find<T: Field>(&self) -> Option<T> {
         self.fields().flatten().find_map(|field| field.get()).and_then(Result::ok)
@@ -138,7 +138,7 @@ impl fmt::Debug for Packet<'_> {
     }
 }
 
-/// The fields of a packet. A malformed field is the last item; those before it are good.
+/// The fields of a packet. A malformed field is the last item; the fields before it are valid.
 #[derive(Clone, Debug)]
 pub struct Fields<'a> {
     set: u8,
@@ -165,9 +165,9 @@ impl<'a> Iterator for Fields<'a> {
 
 impl core::iter::FusedIterator for Fields<'_> {}
 
-/// Puts fields together into a packet. After every step it holds a valid packet.
+/// Builds a packet from fields. It holds a valid packet at any time.
 ///
-/// A field that does not fit is refused, and the packet stays as it was.
+/// A field that does not fit is an error, and leaves the packet unchanged.
 #[derive(Clone)]
 pub struct PacketBuilder {
     bytes: [u8; MAX_PACKET],
@@ -175,7 +175,7 @@ pub struct PacketBuilder {
 }
 
 impl PacketBuilder {
-    /// A packet of this descriptor set, without fields. Set 0 is no packet, and takes no field.
+    /// A packet of this descriptor set, without fields. Set 0 is invalid and accepts no field.
     #[must_use]
     pub fn new(set: u8) -> Self {
         let mut bytes = [0; MAX_PACKET];
@@ -186,7 +186,7 @@ impl PacketBuilder {
         builder
     }
 
-    /// A packet with this one field.
+    /// A packet with only this field.
     pub fn with<T: Field>(field: &T) -> Result<Self, EncodeError> {
         let mut builder = Self::new(T::SET);
         builder.push(field)?;
@@ -207,7 +207,7 @@ impl PacketBuilder {
         self.append(T::DESCRIPTOR, |free| field.encode(free))
     }
 
-    /// Appends a field that is given by its bytes.
+    /// Appends a field from its bytes.
     pub fn push_raw(&mut self, descriptor: u8, data: &[u8]) -> Result<(), EncodeError> {
         if self.set() == 0 {
             return Err(EncodeError::Set);

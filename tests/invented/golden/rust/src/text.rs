@@ -1,4 +1,4 @@
-//! Text of devices: one byte per character (Latin-1), usually padded with spaces.
+//! Text: one byte per character (Latin-1), usually padded with spaces.
 
 use core::{fmt, str};
 
@@ -23,7 +23,7 @@ pub struct Text<const N: usize>(pub [u8; N]);
 pub struct VarText<const N: usize>(pub List<u8, N>);
 
 impl<const N: usize> Text<N> {
-    /// The text, filled up with spaces; `None` if it is too long or not Latin-1.
+    /// The text, padded with spaces; `None` if it is too long or not Latin-1.
     #[must_use]
     pub fn padded(text: &str) -> Option<Self> {
         let mut bytes = [b' '; N];
@@ -39,7 +39,7 @@ impl<const N: usize> Text<N> {
         str::from_utf8(trimmed(&self.0))
     }
 
-    /// All characters, the padding too.
+    /// All characters, with the padding.
     pub fn chars(&self) -> impl DoubleEndedIterator<Item = char> + '_ {
         self.0.iter().map(|b| char::from(*b))
     }
@@ -56,13 +56,13 @@ impl<const N: usize> VarText<N> {
         Some(Self(list))
     }
 
-    /// How many characters there are.
+    /// The number of characters.
     #[must_use]
     pub fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// Are there none?
+    /// Is it empty?
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
@@ -73,7 +73,7 @@ impl<const N: usize> VarText<N> {
         str::from_utf8(trimmed(&self.0))
     }
 
-    /// All characters, the padding too.
+    /// All characters, with the padding.
     pub fn chars(&self) -> impl DoubleEndedIterator<Item = char> + '_ {
         self.0.iter().map(|b| char::from(*b))
     }
@@ -138,7 +138,7 @@ impl<const N: usize> Wire for Text<N> {
     }
 }
 
-/// The characters alone. What counts them, if anything does, is another value of the field.
+/// The characters only. If they are counted, the count is another value of the field.
 impl<const N: usize> Wire for VarText<N> {
     const SIZE: usize = N;
 
@@ -162,7 +162,7 @@ mod serde_text {
     use super::{fmt, Text, VarText};
     use serde::{de, Deserialize, Deserializer, Serialize, Serializer};
 
-    /// All characters, the padding too, so that the text comes back as it was.
+    /// All characters, with the padding, so that decoding restores the text exactly.
     struct Whole<'a>(&'a [u8]);
 
     impl fmt::Display for Whole<'_> {

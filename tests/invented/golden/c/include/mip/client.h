@@ -1,9 +1,9 @@
 /**
  * @file
- * Commands and their answers, without input, output or a clock.
+ * The command client, without input, output or a clock.
  *
- * The caller builds a packet, sends it, hands over the packets that come back, and says what time
- * it is. The caller also owns the requests: each must stay in place until it is no longer waiting.
+ * The caller builds a packet, sends it, and passes received packets and the time to the client. The
+ * caller also owns the requests: each must stay in place until it is no longer waiting.
  *
  *     mip_builder_start(&builder, buffer, sizeof(buffer), MIP_..._SET);
  *     mip_client_add(&client, &request, &builder, &mip_..._codec, &command, now);
@@ -30,78 +30,78 @@ extern "C" {
 
 /** No answer yet. */
 #define MIP_REQUEST_WAITING 0
-/** The device has carried the command out, and sent the response that belongs to it, if any. */
+/** The device has carried out the command, and sent its response, if it has one. */
 #define MIP_REQUEST_ACKNOWLEDGED 1
-/** The device has refused the command; `code` says why. */
+/** The device has refused the command; `code` is the reason. */
 #define MIP_REQUEST_REFUSED 2
 /** The device did not answer in time. */
 #define MIP_REQUEST_TIMED_OUT 3
-/** The device does not answer this command: it is done when it is sent. */
+/** The device does not answer this command: it is complete once it is sent. */
 #define MIP_REQUEST_SILENT 4
-/** The caller does not wait any longer. */
+/** The caller has cancelled the request. */
 #define MIP_REQUEST_CANCELLED 5
-/** The device has acknowledged the command, but not sent the response that belongs to it. */
+/** The device has acknowledged the command without sending its response. */
 #define MIP_REQUEST_MISSING_RESPONSE 6
-/** The device has sent a response that cannot be decoded; `error` says why. */
+/** The device has sent a response that cannot be decoded; `error` is the reason. */
 #define MIP_REQUEST_UNDECODABLE 7
 
-/** One command on its way. */
+/** One command that was sent. */
 struct mip_request {
     /** A MIP_REQUEST_... value. */
     uint8_t state;
-    /** The code of the answer, if there is one. */
+    /** The acknowledge code of the answer, if there is one. */
     mip_ack_code code;
-    /** Is the response in its place? */
+    /** Has the response been stored? */
     bool responded;
-    /** A mip_error: what is wrong with the response that came; then its place is all zero. */
+    /** A mip_error: what is wrong with the response; its structure is then zeroed. */
     uint8_t error;
     /** The command, and the response that it asks for; NULL if it asks for none. */
     const struct mip_codec *command;
     const struct mip_codec *codec;
     /** Where the response goes; NULL if the caller does not need it. */
     void *response;
-    /** When it is too late, in the milliseconds of the caller. */
+    /** When the request times out, in the caller's milliseconds. */
     uint32_t deadline;
-    /** The next one that waits. */
+    /** The next waiting request. */
     struct mip_request *next;
 };
 
-/** The commands that wait for an answer, oldest first. */
+/** The commands that are waiting for an answer, oldest first. */
 struct mip_client {
     struct mip_request *waiting;
     /** Milliseconds that a device may take to answer. */
     uint32_t timeout;
 };
 
-/** Makes a client ready: nothing is waiting, and the time-out is MIP_DEFAULT_TIMEOUT. */
+/** Initializes a client: no request is waiting, and the time-out is MIP_DEFAULT_TIMEOUT. */
 void mip_client_init(struct mip_client *client);
 
 /**
  * Adds a command to a packet and waits for its answer. `now` is the time in milliseconds, which may
- * wrap around. On an error the packet stays as it was, and the request is cancelled: nothing waits
- * for it. `command` may be NULL where the command has no parameters.
+ * wrap around. On an error the packet is unchanged and the request is cancelled. `command` may be
+ * NULL if the command has no parameters.
  */
 mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                          struct mip_builder *packet, const struct mip_codec *codec,
                          const void *command, uint32_t now);
 
 /**
- * Says where the response goes. To be called right after mip_client_add. False, and nothing is
- * stored, if this is not the response that the command asks for with its values.
+ * Sets where to store the response. Call it directly after mip_client_add. Returns false, and
+ * stores nothing, if the command with its values does not ask for this response.
  */
 bool mip_client_expect(struct mip_request *request, const struct mip_codec *codec, void *response);
 
 /**
- * Takes a packet that has come. True if it answered anything; data and late answers disturb
- * nothing. The answered requests are no longer waiting.
+ * Processes a received packet. True if it answered any request; data and late answers have no
+ * effect. The answered requests are no longer waiting.
  */
 bool mip_client_receive(struct mip_client *client, const struct mip_packet *packet);
 
 /**
- * The same step by step, for callers who want to know what else is in the packet: goes on in a
- * walk, which may be at its beginning. True if there was something: either `*answered` is the
- * request that has been answered, and `*field` its response or, without one, the acknowledge; or
- * `*answered` is NULL, and `*field` answers nothing.
+ * The same step by step, for callers who also use the other fields of the packet: continues a walk,
+ * from its start or anywhere. False at the end. Otherwise, either `*answered` is the request that
+ * was answered, and `*field` its response or, without one, the acknowledge; or `*answered` is NULL,
+ * and `*field` is a field that answers no request.
  *
  *     struct mip_walk walk = mip_walk_packet(&packet);
  *     while (mip_client_next(&client, &walk, &answered, &field)) { ... }
@@ -110,15 +110,15 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
                      struct mip_request **answered, struct mip_field *field);
 
 /**
- * Says what time it is. To be called until it returns false; then the requests whose time is over
- * are timed out. Before, it gives up what the parser holds back, as noise that looks like the
- * beginning of a packet hides an answer: true if a packet was found, which is to be handled as any.
- * `parser` is the one that the packets come from, NULL if there is none.
+ * Updates the time. Call it until it returns false; then the overdue requests have timed out.
+ * Before that, it gives up the bytes that the parser holds back, because noise that looks like the
+ * start of a packet may hide an answer: it returns true if that finds a packet, which the caller
+ * handles like any other. `parser` is the parser of the packets, or NULL.
  */
 bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint32_t now,
                      struct mip_packet *packet);
 
-/** Ends the waiting of one request, so that it may go away. */
+/** Cancels a request, so that its memory may be reused. */
 void mip_client_cancel(struct mip_client *client, struct mip_request *request);
 
 #ifdef __cplusplus

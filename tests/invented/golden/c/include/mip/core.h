@@ -2,8 +2,8 @@
  * @file
  * The core of the MIP binding: packets, fields, and the stream parser.
  *
- * C99 without heap, and without anything of the standard library but memcpy, memmove, memset and
- * memchr. Nothing depends on the byte order or the alignment of the host.
+ * C99 without heap; of the standard library it uses only memcpy, memmove, memset and memchr.
+ * Nothing depends on the byte order or the alignment of the host.
  */
 #ifndef MIP_CORE_H
 #define MIP_CORE_H
@@ -20,17 +20,18 @@ extern "C" {
 
 /** Bytes before the payload: two sync bytes, descriptor set, length of the payload. */
 #define MIP_HEADER_SIZE 4
-/** Bytes behind the payload. */
+/** Bytes after the payload. */
 #define MIP_CHECKSUM_SIZE 2
-/** Most bytes of a packet. */
+/** Maximum size of a packet. */
 #define MIP_MAX_PACKET (MIP_HEADER_SIZE + MIP_MAX_PAYLOAD + MIP_CHECKSUM_SIZE)
 
-/** What can be wrong. */
+/** Errors. */
 typedef enum mip_error {
     MIP_OK = 0,
-    /** The bytes do not begin as a packet does. */
+    /** The bytes do not start with the sync bytes of a packet. */
     MIP_ERROR_SYNC,
-    /** A packet has not the length that it states, or something does not fit into a packet. */
+    /** A packet does not have the length that it states, or something does not fit into a packet.
+     */
     MIP_ERROR_LENGTH,
     /** The checksum of a packet does not match. */
     MIP_ERROR_CHECKSUM,
@@ -38,25 +39,25 @@ typedef enum mip_error {
     MIP_ERROR_FIELD_LENGTH,
     /** A field is too short for what it must hold. */
     MIP_ERROR_TRUNCATED,
-    /** A count is larger than the elements that are there, or than the array. */
+    /** A count exceeds the number of elements that follow, or the size of the array. */
     MIP_ERROR_COUNT,
-    /** A value that is always the same is another one. */
+    /** A constant has another value. */
     MIP_ERROR_CONSTANT,
     /** The number of present parameters ends between a counter and its array, or exceeds them. */
     MIP_ERROR_MISSING,
-    /** The field does not stand in packets of this descriptor set. */
+    /** The field does not belong in packets of this descriptor set. */
     MIP_ERROR_SET
 } mip_error;
 
 /** The error as one word in lower case: "truncated"; "ok" if there is none. */
 const char *mip_error_name(mip_error error);
 
-/** Zero is false, anything else is true; other bytes than 0 and 1 are kept as they came. */
+/** Zero is false, anything else is true; bytes other than 0 and 1 are preserved. */
 typedef uint8_t mip_bool;
 
 /* --------------------------------------------------------------------------- packets and fields */
 
-/** A whole and valid packet, somewhere in memory. */
+/** A complete, valid packet, anywhere in memory. */
 struct mip_packet {
     /** From the first sync byte on. */
     const uint8_t *bytes;
@@ -65,7 +66,7 @@ struct mip_packet {
     uint8_t descriptor_set;
 };
 
-/** One field of a packet, still as bytes. */
+/** One field of a packet, not yet decoded. */
 struct mip_field {
     /** What follows the descriptor. */
     const uint8_t *data;
@@ -76,33 +77,33 @@ struct mip_field {
     uint8_t descriptor;
 };
 
-/** Goes from field to field of a packet. */
+/** An iterator over the fields of a packet. */
 struct mip_walk {
     const uint8_t *at;
     const uint8_t *end;
     uint8_t descriptor_set;
-    /** The walk ended at something that is no field; those before it are good. */
+    /** The walk ended at a malformed field; the fields before it are valid. */
     bool malformed;
 };
 
 /** The checksum of some bytes: its first byte is the high one. */
 uint16_t mip_checksum(const uint8_t *bytes, size_t size);
 
-/** Takes bytes for a packet if they are exactly one: MIP_OK, or what is wrong with them. */
+/** Checks that bytes are exactly one packet: MIP_OK, or what is wrong with them. */
 mip_error mip_packet_check(const uint8_t *bytes, size_t size, struct mip_packet *packet);
 
 /** Begins a walk through the fields of a packet. */
 struct mip_walk mip_walk_packet(const struct mip_packet *packet);
 
-/** Gives the next field. False when there is none: see `malformed` for whether that is a fault. */
+/** Gets the next field. False at the end; `malformed` then tells whether that is an error. */
 bool mip_walk_next(struct mip_walk *walk, struct mip_field *field);
 
 /* ------------------------------------------------------------------------------- packet builder */
 
-/** Puts fields together to a packet, in a buffer of the caller. */
+/** Builds a packet from fields, in a buffer of the caller. */
 struct mip_builder {
     uint8_t *buffer;
-    /** Bytes of the buffer; more than MIP_MAX_PACKET are of no use. */
+    /** Size of the buffer; at most MIP_MAX_PACKET bytes are used. */
     size_t capacity;
     /** Bytes used, without the checksum. */
     size_t length;
@@ -115,18 +116,18 @@ struct mip_builder {
 mip_error mip_builder_start(struct mip_builder *builder, uint8_t *buffer, size_t capacity,
                             uint8_t descriptor_set);
 
-/** Adds a field from its bytes. MIP_ERROR_LENGTH if it does not fit; the packet stays as it was. */
+/** Adds a field from its bytes. MIP_ERROR_LENGTH if it does not fit; the packet is unchanged. */
 mip_error mip_builder_add(struct mip_builder *builder, uint8_t descriptor, const void *data,
                           size_t size);
 
-/** Writes the checksum: the packet, ready to be sent. More can be added and finished again. */
+/** Writes the checksum and returns the packet. More fields may be added before finishing again. */
 struct mip_packet mip_builder_finish(struct mip_builder *builder);
 
 /* -------------------------------------------------------------------------------- stream parser */
 
 /** Finds packets in a stream of bytes, however it is cut into pieces. */
 struct mip_parser {
-    /** Bytes that came and belong to no packet, up to now. */
+    /** Bytes so far that belong to no packet. */
     uint32_t skipped;
     /** Bytes in the buffer, and how many of them are done with. */
     uint16_t length;
@@ -134,11 +135,11 @@ struct mip_parser {
     uint8_t buffer[MIP_MAX_PACKET];
 };
 
-/** Makes a parser ready for a new stream. */
+/** Initializes a parser for a new stream. */
 void mip_parser_init(struct mip_parser *parser);
 
 /**
- * Takes bytes until a packet is complete or none is left, and moves `data` and `size` along.
+ * Reads bytes until a packet is complete or no byte is left, and advances `data` and `size`.
  *
  *     while (mip_parser_next(&parser, &data, &size, &packet)) { ... }
  *
@@ -148,8 +149,8 @@ bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *si
                      struct mip_packet *packet);
 
 /**
- * Gives up the packet that is still incomplete, for a caller whose time-out has passed, and finds
- * those that hide behind its beginning. To be called until it returns false.
+ * Gives up the incomplete packet, for instance after a time-out, and finds packets hidden behind
+ * its first bytes. Call it until it returns false.
  */
 bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *packet);
 
@@ -158,7 +159,7 @@ bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *packet);
 struct mip_reader;
 struct mip_writer;
 
-/** Reads the parameters of a field into its structure, which is all zero before. */
+/** Reads the parameters of a field into its zeroed structure. */
 typedef void (*mip_read_function)(struct mip_reader *reader, void *value);
 /** Writes the parameters of a field. */
 typedef void (*mip_write_function)(struct mip_writer *writer, const void *value);
@@ -177,32 +178,32 @@ struct mip_response {
     bool (*asked)(const void *command);
 };
 
-/** All that generic code needs to handle a type of field; the client and the registry use it. */
+/** What generic code needs to handle a type of field; the client and the registry use it. */
 struct mip_codec {
     uint8_t descriptor_set;
     uint8_t descriptor;
     /** MIP_COMMAND, MIP_RESPONSE or MIP_DATA. */
     uint8_t role;
-    /** Bytes of the structure. */
+    /** Size of the structure. */
     uint16_t size;
     /** Milliseconds that a device may take to answer; 0: no longer than usual. */
     uint16_t timeout;
     mip_read_function read;
     mip_write_function write;
-    /** Will this command not be answered? NULL if it always is. */
+    /** Does the device leave this command unanswered? NULL if it always answers. */
     bool (*silent)(const void *value);
-    /** What this command is answered with, up to an entry without a codec; NULL if with nothing. */
+    /** The responses of this command, up to an entry without a codec; NULL if there are none. */
     const struct mip_response *responses;
 };
 
 /**
- * Decodes a field of any type. On an error `value` is all zero. `trailing` may be NULL; it gets the
- * number of bytes behind the last known parameter: newer devices may send more than is known.
+ * Decodes a field of any type. On an error `value` is zeroed. `trailing` may be NULL; it receives
+ * the number of bytes after the last known parameter, as newer devices may send more.
  */
 mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mip_field *field,
                      size_t *trailing);
 
-/** Encodes a field of any type into a packet. On an error the packet stays as it was. */
+/** Encodes a field of any type into a packet. On an error the packet is unchanged. */
 mip_error mip_encode(const struct mip_codec *codec, const void *value, struct mip_builder *builder);
 
 /* ------------------------------------------------------------------------------------ bitfields */
@@ -238,9 +239,9 @@ static inline void mip_clear_64(uint64_t *flags, uint64_t bits) {
     *flags = (uint64_t)(*flags & ~bits);
 }
 
-/* --------------------------------------------------------------- what generated code is made of */
+/* ---------------------------------------------------------------- functions of generated code */
 
-/** Reads big-endian numbers; nothing after an error, nor behind the last present group. */
+/** Reads big-endian numbers; nothing after an error or after the last present group. */
 struct mip_reader {
     const uint8_t *at;
     const uint8_t *end;
@@ -248,7 +249,7 @@ struct mip_reader {
     const uint8_t *mark;
     /** A mip_error. */
     uint8_t error;
-    /** Parameters that the function selector requires, and those that are there. */
+    /** Parameters that the function selector requires, and present parameters. */
     uint8_t required;
     uint8_t present;
     /** Last parameter of the group that is being read. */
@@ -259,7 +260,7 @@ struct mip_reader {
     bool stopped;
 };
 
-/** Writes big-endian numbers; nothing after an error, nor behind the last present group. */
+/** Writes big-endian numbers; nothing after an error or after the last present group. */
 struct mip_writer {
     uint8_t *at;
     uint8_t *end;
@@ -276,7 +277,7 @@ mip_error mip_decode_field(const struct mip_field *field, mip_read_function read
 mip_error mip_encode_field(struct mip_builder *builder, uint8_t descriptor_set, uint8_t descriptor,
                            mip_write_function write, const void *value);
 
-/** Of fields without parameters. */
+/** For fields without parameters. */
 void mip_read_nothing(struct mip_reader *r, void *value);
 void mip_write_nothing(struct mip_writer *w, const void *value);
 
@@ -294,21 +295,21 @@ void mip_write_64(struct mip_writer *w, const void *from, size_t count);
 void mip_read_constant(struct mip_reader *r, uint64_t value, size_t size);
 void mip_write_constant(struct mip_writer *w, uint64_t value, size_t size);
 
-/** The elements of a counted array, or those that fill the field: 0 where none can be read. */
+/** The number of elements of an array, counted or to the end of the field; 0 after an error. */
 size_t mip_read_count(struct mip_reader *r, uint32_t count, size_t capacity, size_t item);
 size_t mip_read_rest(struct mip_reader *r, size_t capacity, size_t item);
 size_t mip_write_count(struct mip_writer *w, uint32_t count, size_t capacity);
 
-/** How many parameters must be there: by function selector, or as many as the caller wants. */
+/** How many parameters to process: by function selector, or as many as the caller wants. */
 void mip_read_required(struct mip_reader *r, uint8_t function, const uint8_t *table, size_t size);
 void mip_write_required(struct mip_writer *w, uint8_t function, const uint8_t *table, size_t size,
                         uint8_t present);
 
-/** Begins the parameters `first` to `last`, which are there together or not at all. */
+/** Begins the parameters `first` to `last`, which are present together or not at all. */
 void mip_read_group(struct mip_reader *r, uint8_t first, uint8_t last);
 void mip_write_group(struct mip_writer *w, uint8_t first, uint8_t last);
 
-/** Ends the last group: how many parameters are there. */
+/** Ends the last group and returns the number of present parameters. */
 uint8_t mip_read_present(const struct mip_reader *r);
 
 /** Copies as many bytes as there is room for. */
@@ -320,7 +321,7 @@ void mip_copy_text(char *to, size_t room, const char *text);
 uint64_t mip_get_bits(const uint8_t *bytes, unsigned first, unsigned width);
 void mip_set_bits(uint8_t *bytes, unsigned first, unsigned width, uint64_t value);
 
-/** The same by the name of the scalar, so that a compiler checks the type of the member. */
+/** The same by the name of the scalar, so that the compiler checks the type of the member. */
 static inline void mip_read_u8(struct mip_reader *r, uint8_t *to, size_t count) {
     mip_read_8(r, to, count);
 }

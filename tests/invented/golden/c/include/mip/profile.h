@@ -16,14 +16,15 @@ extern "C" {
 struct mip_device_field {
     uint8_t descriptor_set;
     uint8_t descriptor;
-    /** Letters of the function selectors that the device takes: "WRSLD"; empty if there is none. */
+    /** Letters of the function selectors that the device takes: "WRSLD"; empty without selectors.
+     */
     const char *functions;
 };
 
 /** How often a device samples the fields of a data set. */
 struct mip_device_rate {
     uint8_t descriptor_set;
-    /** In Hz; 0: sent as it comes. */
+    /** In Hz; 0: sent as the data arise. */
     double rate;
 };
 
@@ -42,12 +43,12 @@ struct mip_device_port {
 struct mip_device_limit {
     const char *name;
     double value;
-    /** Empty if there is none. */
+    /** Empty if it has none. */
     const char *unit;
     const char *description;
 };
 
-/** A fact in words, with a table if it has rows. */
+/** A note in words, with a table if it has rows. */
 struct mip_device_note {
     const char *name;
     const char *title;
@@ -72,9 +73,9 @@ struct mip_device {
     const char *title;
     const char *manual;
     const char *description;
-    /** 0 if the manual gives none. */
+    /** 0 if unknown. */
     uint16_t model_number;
-    /** Elements of the tables below. */
+    /** Numbers of elements of the tables below. */
     uint16_t field_count;
     uint8_t rate_count;
     uint8_t port_count;
@@ -100,11 +101,11 @@ extern const size_t mip_device_count;
 /** A device by its id ("3dm-gx5-15"); NULL if it is unknown. */
 const struct mip_device *mip_device_find(const char *id);
 
-/** Does the device support a command or a data field? NULL if it does not. */
+/** The entry of a command or a data field; NULL if the device does not support it. */
 const struct mip_device_field *mip_device_supports(const struct mip_device *device,
                                                    uint8_t descriptor_set, uint8_t descriptor);
 
-/** The base rate of a data set in Hz: 0 if data are sent as they come, negative if it has none. */
+/** The base rate of a data set in Hz: 0 if data are sent as they arise, negative if unknown. */
 double mip_device_base_rate(const struct mip_device *device, uint8_t descriptor_set);
 
 /** The name of the device's own type for a parameter; NULL if it has none. */

@@ -1,19 +1,19 @@
-//! Records, which are structures and fields: their members, and how these stand on the wire.
+//! Records (structures and fields): their members and their wire format.
 
-/// A record. What stands on the wire is a list of steps:
+/// A record. Its wire format is a list of steps:
 ///
-/// - `[member]`: a value that is always there;
+/// - `[member]`: a value that is always present;
 /// - `[member selects]`: the function selector;
-/// - `[member for WRITE APPLY]`: a value that must be there for these functions;
-/// - `[member optional]`: a value that need not be there;
+/// - `[member for WRITE APPLY]`: a value that these functions require;
+/// - `[member optional]`: a value that may be absent;
 /// - `[count: u8 counts list]`: the number of items of a list that comes later;
 /// - `[list by count]`: that list;
 /// - `[union as tag]`: the alternative that a tag selects, perhaps `for` functions or `optional`;
 /// - `[name: u16 = 7]`: a constant;
-/// - `[(a, b) for WRITE { [a] [b] }]`: members that come and go together, and their steps.
+/// - `[(a, b) for WRITE { [a] [b] }]`: members that are present or absent together.
 ///
-/// A name that differs from the one of the specification is followed by that: `[type_ "type"]`.
-/// A record without steps has its members on the wire, one after another.
+/// A name that differs from that of the specification is followed by the latter: `[type_ "type"]`.
+/// A record without steps has its members on the wire in order.
 macro_rules! record {
     ($(#[$meta:meta])* pub struct $name:ident;) => {
         $(#[$meta])*
@@ -84,7 +84,7 @@ macro_rules! members {
     };
 }
 
-/// The codec of a record: its members, how many bytes it has at most, and its steps.
+/// The codec of a record: its members, its maximum size, and its steps.
 macro_rules! wire {
     ($name:ident { $($member:ident)* } $size:expr; $([$($step:tt)*])*) => {
         impl $crate::Wire for $name {
@@ -200,7 +200,7 @@ macro_rules! union {
         }
 
         impl $name {
-            /// The tag that goes with it.
+            /// The tag that selects it.
             #[must_use]
             pub const fn tag(&self) -> $tag {
                 match self {

@@ -1,4 +1,4 @@
-//! The steps of a record as trees of values, and back; [`record!`] says what the steps are.
+//! Conversion of the steps of a record, which [`record!`] describes, to trees of values and back.
 
 macro_rules! tree {
     ($name:ident { $($member:ident)* } $([$($step:tt)*])*) => {
@@ -38,7 +38,7 @@ macro_rules! names {
     };
 }
 
-/// The name of the value of a step; a constant is no value and has none.
+/// The name of the value of a step; a constant has none.
 macro_rules! value_name {
     ($constant:ident: $number:ident = $value:literal) => {
         ""
@@ -95,7 +95,7 @@ macro_rules! put_some {
     ($record:ident $constant:ident: $number:ident = $value:literal) => {};
 }
 
-/// Takes the values of a step out of a tree, into variables that are called like the members.
+/// Takes the values of a step from a tree, into variables with the names of the members.
 macro_rules! take {
     ($record:ident $member:ident $($name:literal)? $(selects)? $(by $count:ident)?) => {
         let $member = $record.take(spec_name!($member $($name)?))?;
