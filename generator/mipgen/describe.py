@@ -85,6 +85,9 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
         found.append(_fact("responses", answers, "Answered by {}."))
     if f.role == m.RESPONSE and model.commands(f):
         found.append(_fact("commands", joined([(_field(c),) for c in model.commands(f)]), "Answers {}."))
+    others = [g for g in model.layouts(f) if g is not f and g.signature == f.signature]
+    if others:
+        found.append(_fact("layout", joined([(_field(g),) for g in others]), "Told from {} by the size of its data."))
     if f.when:
         command = next(c for c in model.commands(f) if c.name == f.command)
         found.append(_fact("when", conditions(f.when, command), "Sent if {}."))

@@ -508,6 +508,11 @@ class Field:
             offset += op.size
         return tuple(found)
 
+    @property
+    def signature(self) -> tuple[tuple[int, int, int], ...]:
+        """Its constants as offset, size and value: layouts that share them are told apart by the size of the data."""
+        return tuple((at, op.size, op.value) for at, op in self.constants)
+
 
 @dataclass(frozen=True, slots=True)
 class Reply:
@@ -767,6 +772,19 @@ class Model:
         if not found and set_number >= 0x80:
             found = self._descriptors.get((SHARED_SET, descriptor), ())
         return found
+
+    def layouts(self, f: Field) -> tuple[Field, ...]:
+        """The layouts of the descriptor of a field: itself, and those that it must be told from."""
+        return self._descriptors.get((f.set, f.descriptor), (f,))
+
+    def sizes(self, f: Field) -> range:
+        """The sizes of data with which the descriptor has this layout, given its constants.
+
+        Of several with the same constants it is the longest that the data hold, else the shortest.
+        """
+        others = [g.min_size for g in self.layouts(f) if g.signature == f.signature]
+        first = f.min_size if min(others) < f.min_size else 0
+        return range(first, min((n for n in others if n > f.min_size), default=MAX_FIELD_DATA + 1))
 
     def responses(self, command: Field) -> tuple[Field, ...]:
         """What a command may be answered with."""

@@ -45,8 +45,18 @@ A, BOTH = "Supported by <Model A>.", "Supported by <Model A> and <Model B>."
             "tools.status",
             {
                 "advanced": "For advanced use.",
-                "responses": "Answered by <tools.status_short> or <tools.status_long>.",
+                "responses": "Answered by <tools.status_short>, <tools.status_long>, <tools.status_old> or "
+                "<tools.status_full>.",
                 "timeout": "The device may take 2.5 s to answer.",
+                "devices": BOTH,
+            },
+        ),
+        (
+            "tools.status_old",
+            {
+                "commands": "Answers <tools.status>.",
+                "layout": "Told from <tools.status_long> and <tools.status_full> by the size of its data.",
+                "when": "Sent if <selector> is 2.",
                 "devices": BOTH,
             },
         ),

@@ -269,8 +269,12 @@ def test_what_others_call_it() -> None:
 
 def test_candidates() -> None:
     names = {n: [f.name for f in INVENTED.candidates(*n)] for n in ((1, 0xF1), (1, 0x90), (0x80, 0xD3), (1, 0xD3))}
-    assert names == {(1, 0xF1): ["acknowledge"], (1, 0x90): ["status_short", "status_long"],
-                     (0x80, 0xD3): ["timestamp"], (1, 0xD3): []}  # fmt: skip
+    assert names == {
+        (1, 0xF1): ["acknowledge"],
+        (1, 0x90): ["status_short", "status_long", "status_old", "status_full"],
+        (0x80, 0xD3): ["timestamp"],
+        (1, 0xD3): [],
+    }
 
 
 def test_positions_are_those_of_the_file() -> None:

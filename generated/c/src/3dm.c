@@ -111,6 +111,7 @@ const struct mip_codec mip_3dm_poll_imu_data_codec = {
     write_poll_imu_data,
     silent_poll_imu_data,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
@@ -167,6 +168,7 @@ const struct mip_codec mip_3dm_poll_gnss_data_codec = {
     read_poll_gnss_data,
     write_poll_gnss_data,
     silent_poll_gnss_data,
+    NULL,
     NULL,
 };
 
@@ -228,6 +230,7 @@ const struct mip_codec mip_3dm_poll_estimation_filter_data_codec = {
     write_poll_estimation_filter_data,
     silent_poll_estimation_filter_data,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_poll_estimation_filter_data_decode(
@@ -285,6 +288,7 @@ const struct mip_codec mip_3dm_poll_nmea_data_codec = {
     write_poll_nmea_data,
     silent_poll_nmea_data,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
@@ -324,6 +328,7 @@ const struct mip_codec mip_3dm_get_imu_data_base_rate_codec = {
     mip_write_nothing,
     NULL,
     responses_get_imu_data_base_rate,
+    NULL,
 };
 
 mip_error mip_3dm_get_imu_data_base_rate_decode(struct mip_3dm_get_imu_data_base_rate *value,
@@ -359,6 +364,7 @@ const struct mip_codec mip_3dm_get_imu_data_base_rate_response_codec = {
     write_get_imu_data_base_rate_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_get_imu_data_base_rate_response_decode(
@@ -388,6 +394,7 @@ const struct mip_codec mip_3dm_get_gnss_data_base_rate_codec = {
     mip_write_nothing,
     NULL,
     responses_get_gnss_data_base_rate,
+    NULL,
 };
 
 mip_error mip_3dm_get_gnss_data_base_rate_decode(struct mip_3dm_get_gnss_data_base_rate *value,
@@ -421,6 +428,7 @@ const struct mip_codec mip_3dm_get_gnss_data_base_rate_response_codec = {
     0, /* time-out */
     read_get_gnss_data_base_rate_response,
     write_get_gnss_data_base_rate_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -486,6 +494,7 @@ const struct mip_codec mip_3dm_imu_message_format_codec = {
     write_imu_message_format,
     NULL,
     responses_imu_message_format,
+    NULL,
 };
 
 mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *value,
@@ -566,6 +575,7 @@ const struct mip_codec mip_3dm_imu_message_format_response_codec = {
     write_imu_message_format_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_imu_message_format_response_decode(
@@ -628,6 +638,7 @@ const struct mip_codec mip_3dm_gnss_message_format_codec = {
     write_gnss_message_format,
     NULL,
     responses_gnss_message_format,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_message_format_decode(struct mip_3dm_gnss_message_format *value,
@@ -708,6 +719,7 @@ const struct mip_codec mip_3dm_gnss_message_format_response_codec = {
     write_gnss_message_format_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_message_format_response_decode(
@@ -774,6 +786,7 @@ const struct mip_codec mip_3dm_estimation_filter_message_format_codec = {
     write_estimation_filter_message_format,
     NULL,
     responses_estimation_filter_message_format,
+    NULL,
 };
 
 mip_error mip_3dm_estimation_filter_message_format_decode(
@@ -860,6 +873,7 @@ const struct mip_codec mip_3dm_estimation_filter_message_format_response_codec =
     write_estimation_filter_message_format_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_estimation_filter_message_format_response_decode(
@@ -892,6 +906,7 @@ const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_codec = {
     mip_write_nothing,
     NULL,
     responses_get_estimation_filter_data_base_rate,
+    NULL,
 };
 
 mip_error mip_3dm_get_estimation_filter_data_base_rate_decode(
@@ -926,6 +941,7 @@ const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_response_cod
     0, /* time-out */
     read_get_estimation_filter_data_base_rate_response,
     write_get_estimation_filter_data_base_rate_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -994,6 +1010,7 @@ const struct mip_codec mip_3dm_nmea_message_format_codec = {
     write_nmea_message_format,
     NULL,
     responses_nmea_message_format,
+    NULL,
 };
 
 mip_error mip_3dm_nmea_message_format_decode(struct mip_3dm_nmea_message_format *value,
@@ -1074,6 +1091,7 @@ const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
     write_nmea_message_format_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_nmea_message_format_response_decode(
@@ -1117,6 +1135,7 @@ const struct mip_codec mip_3dm_poll_data_codec = {
     read_poll_data,
     write_poll_data,
     silent_poll_data,
+    NULL,
     NULL,
 };
 
@@ -1167,6 +1186,7 @@ const struct mip_codec mip_3dm_get_data_base_rate_codec = {
     write_get_data_base_rate,
     NULL,
     responses_get_data_base_rate,
+    NULL,
 };
 
 mip_error mip_3dm_get_data_base_rate_decode(struct mip_3dm_get_data_base_rate *value,
@@ -1209,6 +1229,7 @@ const struct mip_codec mip_3dm_get_data_base_rate_response_codec = {
     0, /* time-out */
     read_get_data_base_rate_response,
     write_get_data_base_rate_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -1276,6 +1297,7 @@ const struct mip_codec mip_3dm_message_format_codec = {
     write_message_format,
     NULL,
     responses_message_format,
+    NULL,
 };
 
 mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
@@ -1362,6 +1384,7 @@ const struct mip_codec mip_3dm_message_format_response_codec = {
     write_message_format_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_message_format_response_decode(struct mip_3dm_message_format_response *value,
@@ -1395,6 +1418,7 @@ const struct mip_codec mip_3dm_factory_streaming_codec = {
     0, /* time-out */
     read_factory_streaming,
     write_factory_streaming,
+    NULL,
     NULL,
     NULL,
 };
@@ -1465,6 +1489,7 @@ const struct mip_codec mip_3dm_data_stream_control_codec = {
     write_data_stream_control,
     NULL,
     responses_data_stream_control,
+    NULL,
 };
 
 mip_error mip_3dm_data_stream_control_decode(struct mip_3dm_data_stream_control *value,
@@ -1544,6 +1569,7 @@ const struct mip_codec mip_3dm_data_stream_control_response_codec = {
     write_data_stream_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_data_stream_control_response_decode(
@@ -1612,6 +1638,7 @@ const struct mip_codec mip_3dm_constellation_settings_codec = {
     write_constellation_settings,
     NULL,
     responses_constellation_settings,
+    NULL,
 };
 
 mip_error mip_3dm_constellation_settings_decode(struct mip_3dm_constellation_settings *value,
@@ -1697,6 +1724,7 @@ const struct mip_codec mip_3dm_constellation_settings_response_codec = {
     write_constellation_settings_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_constellation_settings_response_decode(
@@ -1764,6 +1792,7 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
     write_gnss_sbas_settings,
     NULL,
     responses_gnss_sbas_settings,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *value,
@@ -1847,6 +1876,7 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
     write_gnss_sbas_settings_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_sbas_settings_response_decode(
@@ -1907,6 +1937,7 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {
     write_gnss_assisted_fix,
     NULL,
     responses_gnss_assisted_fix,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *value,
@@ -1986,6 +2017,7 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec = {
     write_gnss_assisted_fix_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_assisted_fix_response_decode(
@@ -2052,6 +2084,7 @@ const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
     write_gnss_time_assistance,
     NULL,
     responses_gnss_time_assistance,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_time_assistance_decode(struct mip_3dm_gnss_time_assistance *value,
@@ -2110,6 +2143,7 @@ const struct mip_codec mip_3dm_gnss_time_assistance_response_codec = {
     write_gnss_time_assistance_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_time_assistance_response_decode(
@@ -2166,6 +2200,7 @@ const struct mip_codec mip_3dm_pps_source_control_codec = {
     write_pps_source_control,
     NULL,
     responses_pps_source_control,
+    NULL,
 };
 
 mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *value,
@@ -2237,6 +2272,7 @@ const struct mip_codec mip_3dm_pps_source_control_response_codec = {
     write_pps_source_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_pps_source_control_response_decode(
@@ -2276,6 +2312,7 @@ const struct mip_codec mip_3dm_get_supported_events_codec = {
     write_get_supported_events,
     NULL,
     responses_get_supported_events,
+    NULL,
 };
 
 mip_error mip_3dm_get_supported_events_decode(struct mip_3dm_get_supported_events *value,
@@ -2327,6 +2364,7 @@ const struct mip_codec mip_3dm_get_supported_events_response_codec = {
     0, /* time-out */
     read_get_supported_events_response,
     write_get_supported_events_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -2388,6 +2426,7 @@ const struct mip_codec mip_3dm_event_control_codec = {
     write_event_control,
     NULL,
     responses_event_control,
+    NULL,
 };
 
 mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
@@ -2466,6 +2505,7 @@ const struct mip_codec mip_3dm_event_control_response_codec = {
     write_event_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_event_control_response_decode(struct mip_3dm_event_control_response *value,
@@ -2507,6 +2547,7 @@ const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
     write_get_event_trigger_status,
     NULL,
     responses_get_event_trigger_status,
+    NULL,
 };
 
 mip_error mip_3dm_get_event_trigger_status_decode(struct mip_3dm_get_event_trigger_status *value,
@@ -2558,6 +2599,7 @@ const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
     write_get_event_trigger_status_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_get_event_trigger_status_response_decode(
@@ -2600,6 +2642,7 @@ const struct mip_codec mip_3dm_get_event_action_status_codec = {
     write_get_event_action_status,
     NULL,
     responses_get_event_action_status,
+    NULL,
 };
 
 mip_error mip_3dm_get_event_action_status_decode(struct mip_3dm_get_event_action_status *value,
@@ -2649,6 +2692,7 @@ const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
     0, /* time-out */
     read_get_event_action_status_response,
     write_get_event_action_status_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -2743,6 +2787,7 @@ const struct mip_codec mip_3dm_event_trigger_configuration_codec = {
     write_event_trigger_configuration,
     NULL,
     responses_event_trigger_configuration,
+    NULL,
 };
 
 mip_error mip_3dm_event_trigger_configuration_decode(
@@ -2856,6 +2901,7 @@ const struct mip_codec mip_3dm_event_trigger_configuration_response_codec = {
     write_event_trigger_configuration_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_event_trigger_configuration_response_decode(
@@ -2946,6 +2992,7 @@ const struct mip_codec mip_3dm_event_action_configuration_codec = {
     write_event_action_configuration,
     NULL,
     responses_event_action_configuration,
+    NULL,
 };
 
 mip_error mip_3dm_event_action_configuration_decode(
@@ -3056,6 +3103,7 @@ const struct mip_codec mip_3dm_event_action_configuration_response_codec = {
     write_event_action_configuration_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_event_action_configuration_response_decode(
@@ -3089,6 +3137,7 @@ const struct mip_codec mip_3dm_device_start_up_settings_codec = {
     1000, /* time-out */
     read_device_start_up_settings,
     write_device_start_up_settings,
+    NULL,
     NULL,
     NULL,
 };
@@ -3181,6 +3230,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_code
     write_sensor_to_vehicle_frame_transformation_euler,
     NULL,
     responses_sensor_to_vehicle_frame_transformation_euler,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_decode(
@@ -3269,6 +3319,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_resp
     write_sensor_to_vehicle_frame_transformation_euler_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_decode(
@@ -3337,6 +3388,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
     write_sensor_to_vehicle_frame_transformation_quaternion,
     NULL,
     responses_sensor_to_vehicle_frame_transformation_quaternion,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_decode(
@@ -3419,6 +3471,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
     write_sensor_to_vehicle_frame_transformation_quaternion_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_decode(
@@ -3495,6 +3548,7 @@ const struct mip_codec
         write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
         NULL,
         responses_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
+        NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_decode(
@@ -3584,6 +3638,7 @@ const struct mip_codec
         write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
         NULL,
         NULL,
+        NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_decode(
@@ -3657,6 +3712,7 @@ const struct mip_codec mip_3dm_accelerometer_bias_configuration_codec = {
     write_accelerometer_bias_configuration,
     silent_accelerometer_bias_configuration,
     responses_accelerometer_bias_configuration,
+    NULL,
 };
 
 mip_error mip_3dm_accelerometer_bias_configuration_decode(
@@ -3744,6 +3800,7 @@ const struct mip_codec mip_3dm_accelerometer_bias_configuration_response_codec =
     write_accelerometer_bias_configuration_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_accelerometer_bias_configuration_response_decode(
@@ -3813,6 +3870,7 @@ const struct mip_codec mip_3dm_gyroscope_bias_configuration_codec = {
     write_gyroscope_bias_configuration,
     silent_gyroscope_bias_configuration,
     responses_gyroscope_bias_configuration,
+    NULL,
 };
 
 mip_error mip_3dm_gyroscope_bias_configuration_decode(
@@ -3894,6 +3952,7 @@ const struct mip_codec mip_3dm_gyroscope_bias_configuration_response_codec = {
     write_gyroscope_bias_configuration_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gyroscope_bias_configuration_response_decode(
@@ -3935,6 +3994,7 @@ const struct mip_codec mip_3dm_capture_gyroscope_bias_codec = {
     write_capture_gyroscope_bias,
     NULL,
     responses_capture_gyroscope_bias,
+    NULL,
 };
 
 mip_error mip_3dm_capture_gyroscope_bias_decode(struct mip_3dm_capture_gyroscope_bias *value,
@@ -4002,6 +4062,7 @@ const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_codec = {
     write_magnetometer_hard_iron_offset,
     NULL,
     responses_magnetometer_hard_iron_offset,
+    NULL,
 };
 
 mip_error mip_3dm_magnetometer_hard_iron_offset_decode(
@@ -4074,6 +4135,7 @@ const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_response_codec = {
     write_magnetometer_hard_iron_offset_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_magnetometer_hard_iron_offset_response_decode(
@@ -4136,6 +4198,7 @@ const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_codec = {
     write_magnetometer_soft_iron_matrix,
     NULL,
     responses_magnetometer_soft_iron_matrix,
+    NULL,
 };
 
 mip_error mip_3dm_magnetometer_soft_iron_matrix_decode(
@@ -4208,6 +4271,7 @@ const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_response_codec = {
     write_magnetometer_soft_iron_matrix_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_magnetometer_soft_iron_matrix_response_decode(
@@ -4270,6 +4334,7 @@ const struct mip_codec mip_3dm_coning_and_sculling_enable_codec = {
     write_coning_and_sculling_enable,
     NULL,
     responses_coning_and_sculling_enable,
+    NULL,
 };
 
 mip_error mip_3dm_coning_and_sculling_enable_decode(
@@ -4342,6 +4407,7 @@ const struct mip_codec mip_3dm_coning_and_sculling_enable_response_codec = {
     write_coning_and_sculling_enable_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_coning_and_sculling_enable_response_decode(
@@ -4398,6 +4464,7 @@ const struct mip_codec mip_3dm_uart_baud_rate_codec = {
     write_uart_baud_rate,
     NULL,
     responses_uart_baud_rate,
+    NULL,
 };
 
 mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
@@ -4468,6 +4535,7 @@ const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
     write_uart_baud_rate_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_uart_baud_rate_response_decode(struct mip_3dm_uart_baud_rate_response *value,
@@ -4536,6 +4604,7 @@ const struct mip_codec mip_3dm_gpio_configuration_codec = {
     write_gpio_configuration,
     NULL,
     responses_gpio_configuration,
+    NULL,
 };
 
 mip_error mip_3dm_gpio_configuration_decode(struct mip_3dm_gpio_configuration *value,
@@ -4623,6 +4692,7 @@ const struct mip_codec mip_3dm_gpio_configuration_response_codec = {
     write_gpio_configuration_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gpio_configuration_response_decode(
@@ -4682,6 +4752,7 @@ const struct mip_codec mip_3dm_gpio_state_codec = {
     write_gpio_state,
     NULL,
     responses_gpio_state,
+    NULL,
 };
 
 mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
@@ -4731,6 +4802,7 @@ const struct mip_codec mip_3dm_gpio_state_response_codec = {
     0, /* time-out */
     read_gpio_state_response,
     write_gpio_state_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -4799,6 +4871,7 @@ const struct mip_codec mip_3dm_odometer_configuration_codec = {
     write_odometer_configuration,
     NULL,
     responses_odometer_configuration,
+    NULL,
 };
 
 mip_error mip_3dm_odometer_configuration_decode(struct mip_3dm_odometer_configuration *value,
@@ -4875,6 +4948,7 @@ const struct mip_codec mip_3dm_odometer_configuration_response_codec = {
     0, /* time-out */
     read_odometer_configuration_response,
     write_odometer_configuration_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -4954,6 +5028,7 @@ const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_codec = {
     write_advanced_low_pass_filter_settings,
     NULL,
     responses_advanced_low_pass_filter_settings,
+    NULL,
 };
 
 mip_error mip_3dm_advanced_low_pass_filter_settings_decode(
@@ -5047,6 +5122,7 @@ const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_response_codec 
     write_advanced_low_pass_filter_settings_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_advanced_low_pass_filter_settings_response_decode(
@@ -5123,6 +5199,7 @@ const struct mip_codec mip_3dm_complementary_filter_configuration_codec = {
     write_complementary_filter_configuration,
     NULL,
     responses_complementary_filter_configuration,
+    NULL,
 };
 
 mip_error mip_3dm_complementary_filter_configuration_decode(
@@ -5211,6 +5288,7 @@ const struct mip_codec mip_3dm_complementary_filter_configuration_response_codec
     write_complementary_filter_configuration_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_complementary_filter_configuration_response_decode(
@@ -5274,6 +5352,7 @@ const struct mip_codec mip_3dm_sensor_range_codec = {
     write_sensor_range,
     NULL,
     responses_sensor_range,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
@@ -5352,6 +5431,7 @@ const struct mip_codec mip_3dm_sensor_range_response_codec = {
     write_sensor_range_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_range_response_decode(struct mip_3dm_sensor_range_response *value,
@@ -5392,6 +5472,7 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
     write_get_calibrated_sensor_ranges,
     NULL,
     responses_get_calibrated_sensor_ranges,
+    NULL,
 };
 
 mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
@@ -5441,6 +5522,7 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
     0, /* time-out */
     read_get_calibrated_sensor_ranges_response,
     write_get_calibrated_sensor_ranges_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -5520,6 +5602,7 @@ const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_codec = {
     write_low_pass_anti_aliasing_filter,
     NULL,
     responses_low_pass_anti_aliasing_filter,
+    NULL,
 };
 
 mip_error mip_3dm_low_pass_anti_aliasing_filter_decode(
@@ -5616,6 +5699,7 @@ const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_response_codec = {
     write_low_pass_anti_aliasing_filter_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_low_pass_anti_aliasing_filter_response_decode(
@@ -5634,13 +5718,13 @@ mip_error mip_3dm_low_pass_anti_aliasing_filter_response_encode(
 
 static void read_device_status(struct mip_reader *r, void *value) {
     struct mip_3dm_device_status *v = (struct mip_3dm_device_status *)value;
-    mip_read_constant(r, 6254, 2);
+    mip_read_u16(r, &v->model_number, 1);
     mip_read_u8(r, &v->status_selector, 1);
 }
 
 static void write_device_status(struct mip_writer *w, const void *value) {
     const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
-    mip_write_constant(w, 6254, 2);
+    mip_write_u16(w, &v->model_number, 1);
     mip_write_u8(w, &v->status_selector, 1);
 }
 
@@ -5658,7 +5742,13 @@ static bool asked_device_status_2(const void *value) {
 
 static const struct mip_response responses_device_status[] = {
     {&mip_3dm_device_status_basic_response_codec, asked_device_status_1},
+    {&mip_3dm_device_status_basic_without_state_response_codec, asked_device_status_1},
     {&mip_3dm_device_status_diagnostic_response_codec, asked_device_status_2},
+    {&mip_3dm_device_status_diagnostic_gnss_response_codec, asked_device_status_2},
+    {&mip_3dm_device_status_diagnostic_gq4_45_response_codec, asked_device_status_2},
+    {&mip_3dm_device_status_diagnostic_rq1_45_response_codec, asked_device_status_2},
+    {&mip_3dm_device_status_diagnostic_gx4_response_codec, asked_device_status_2},
+    {&mip_3dm_device_status_diagnostic_imu_response_codec, asked_device_status_2},
     {NULL, NULL},
 };
 
@@ -5672,6 +5762,7 @@ const struct mip_codec mip_3dm_device_status_codec = {
     write_device_status,
     NULL,
     responses_device_status,
+    NULL,
 };
 
 mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
@@ -5686,9 +5777,10 @@ mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value
 }
 
 struct mip_3dm_device_status
-mip_3dm_device_status_make(mip_3dm_device_status_selector status_selector) {
+mip_3dm_device_status_make(uint16_t model_number, mip_3dm_device_status_selector status_selector) {
     struct mip_3dm_device_status v;
     memset(&v, 0, sizeof(v));
+    v.model_number = model_number;
     v.status_selector = status_selector;
     return v;
 }
@@ -5696,7 +5788,7 @@ mip_3dm_device_status_make(mip_3dm_device_status_selector status_selector) {
 static void read_device_status_basic_response(struct mip_reader *r, void *value) {
     struct mip_3dm_device_status_basic_response *v =
         (struct mip_3dm_device_status_basic_response *)value;
-    mip_read_constant(r, 6254, 2);
+    mip_read_u16(r, &v->model_number, 1);
     mip_read_constant(r, 1, 1);
     mip_read_u32(r, &v->status_flags, 1);
     mip_read_u16(r, &v->system_state, 1);
@@ -5706,12 +5798,22 @@ static void read_device_status_basic_response(struct mip_reader *r, void *value)
 static void write_device_status_basic_response(struct mip_writer *w, const void *value) {
     const struct mip_3dm_device_status_basic_response *v =
         (const struct mip_3dm_device_status_basic_response *)value;
-    mip_write_constant(w, 6254, 2);
+    mip_write_u16(w, &v->model_number, 1);
     mip_write_constant(w, 1, 1);
     mip_write_u32(w, &v->status_flags, 1);
     mip_write_u16(w, &v->system_state, 1);
     mip_write_u32(w, &v->system_timer, 1);
 }
+
+static const struct mip_constant constants_device_status_basic_response[] = {
+    {2, 1, 1},
+};
+static const struct mip_layout layout_device_status_basic_response = {
+    13,
+    253, /* bytes of data */
+    1,
+    constants_device_status_basic_response,
+};
 
 const struct mip_codec mip_3dm_device_status_basic_response_codec = {
     0x0C, /* descriptor set */
@@ -5723,6 +5825,7 @@ const struct mip_codec mip_3dm_device_status_basic_response_codec = {
     write_device_status_basic_response,
     NULL,
     NULL,
+    &layout_device_status_basic_response,
 };
 
 mip_error mip_3dm_device_status_basic_response_decode(
@@ -5736,10 +5839,67 @@ mip_error mip_3dm_device_status_basic_response_encode(
                             write_device_status_basic_response, value);
 }
 
+static void read_device_status_basic_without_state_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_status_basic_without_state_response *v =
+        (struct mip_3dm_device_status_basic_without_state_response *)value;
+    mip_read_u16(r, &v->model_number, 1);
+    mip_read_constant(r, 1, 1);
+    mip_read_u32(r, &v->status_flags, 1);
+    mip_read_u32(r, &v->system_timer, 1);
+}
+
+static void write_device_status_basic_without_state_response(struct mip_writer *w,
+                                                             const void *value) {
+    const struct mip_3dm_device_status_basic_without_state_response *v =
+        (const struct mip_3dm_device_status_basic_without_state_response *)value;
+    mip_write_u16(w, &v->model_number, 1);
+    mip_write_constant(w, 1, 1);
+    mip_write_u32(w, &v->status_flags, 1);
+    mip_write_u32(w, &v->system_timer, 1);
+}
+
+static const struct mip_constant constants_device_status_basic_without_state_response[] = {
+    {2, 1, 1},
+};
+static const struct mip_layout layout_device_status_basic_without_state_response = {
+    0,
+    12, /* bytes of data */
+    1,
+    constants_device_status_basic_without_state_response,
+};
+
+const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_device_status_basic_without_state_response),
+    0, /* time-out */
+    read_device_status_basic_without_state_response,
+    write_device_status_basic_without_state_response,
+    NULL,
+    NULL,
+    &layout_device_status_basic_without_state_response,
+};
+
+mip_error mip_3dm_device_status_basic_without_state_response_decode(
+    struct mip_3dm_device_status_basic_without_state_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_device_status_basic_without_state_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_device_status_basic_without_state_response_encode(
+    const struct mip_3dm_device_status_basic_without_state_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_DESCRIPTOR,
+                            write_device_status_basic_without_state_response, value);
+}
+
 static void read_device_status_diagnostic_response(struct mip_reader *r, void *value) {
     struct mip_3dm_device_status_diagnostic_response *v =
         (struct mip_3dm_device_status_diagnostic_response *)value;
-    mip_read_constant(r, 6254, 2);
+    mip_read_u16(r, &v->model_number, 1);
     mip_read_constant(r, 2, 1);
     mip_read_u32(r, &v->status_flags, 1);
     mip_read_u16(r, &v->system_state, 1);
@@ -5760,7 +5920,7 @@ static void read_device_status_diagnostic_response(struct mip_reader *r, void *v
 static void write_device_status_diagnostic_response(struct mip_writer *w, const void *value) {
     const struct mip_3dm_device_status_diagnostic_response *v =
         (const struct mip_3dm_device_status_diagnostic_response *)value;
-    mip_write_constant(w, 6254, 2);
+    mip_write_u16(w, &v->model_number, 1);
     mip_write_constant(w, 2, 1);
     mip_write_u32(w, &v->status_flags, 1);
     mip_write_u16(w, &v->system_state, 1);
@@ -5778,6 +5938,16 @@ static void write_device_status_diagnostic_response(struct mip_writer *w, const 
     mip_write_u32(w, &v->imu_last_message_time, 1);
 }
 
+static const struct mip_constant constants_device_status_diagnostic_response[] = {
+    {2, 1, 2},
+};
+static const struct mip_layout layout_device_status_diagnostic_response = {
+    0,
+    59, /* bytes of data */
+    1,
+    constants_device_status_diagnostic_response,
+};
+
 const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR,
@@ -5788,6 +5958,7 @@ const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
     write_device_status_diagnostic_response,
     NULL,
     NULL,
+    &layout_device_status_diagnostic_response,
 };
 
 mip_error mip_3dm_device_status_diagnostic_response_decode(
@@ -5800,4 +5971,479 @@ mip_error mip_3dm_device_status_diagnostic_response_encode(
     const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR,
                             write_device_status_diagnostic_response, value);
+}
+
+static void read_device_status_diagnostic_gnss_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_status_diagnostic_gnss_response *v =
+        (struct mip_3dm_device_status_diagnostic_gnss_response *)value;
+    mip_read_u16(r, &v->model_number, 1);
+    mip_read_constant(r, 2, 1);
+    mip_read_u32(r, &v->status_flags, 1);
+    mip_read_u16(r, &v->system_state, 1);
+    mip_read_u32(r, &v->system_timer, 1);
+    mip_read_u8(r, &v->gnss_power_state, 1);
+    mip_read_u32(r, &v->pps_count, 1);
+    mip_read_u32(r, &v->pps_last_time, 1);
+    mip_read_bool(r, &v->imu_stream_enabled, 1);
+    mip_read_bool(r, &v->gnss_stream_enabled, 1);
+    mip_read_bool(r, &v->filter_stream_enabled, 1);
+    mip_read_u32(r, &v->imu_dropped_packets, 1);
+    mip_read_u32(r, &v->gnss_dropped_packets, 1);
+    mip_read_u32(r, &v->filter_dropped_packets, 1);
+    mip_read_u32(r, &v->com_port_bytes_written, 1);
+    mip_read_u32(r, &v->com_port_bytes_read, 1);
+    mip_read_u32(r, &v->com_port_write_overruns, 1);
+    mip_read_u32(r, &v->com_port_read_overruns, 1);
+    mip_read_u32(r, &v->imu_parser_errors, 1);
+    mip_read_u32(r, &v->imu_message_count, 1);
+    mip_read_u32(r, &v->imu_last_message_time, 1);
+    mip_read_u32(r, &v->gnss_parser_errors, 1);
+    mip_read_u32(r, &v->gnss_message_count, 1);
+    mip_read_u32(r, &v->gnss_last_message_time, 1);
+}
+
+static void write_device_status_diagnostic_gnss_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_device_status_diagnostic_gnss_response *v =
+        (const struct mip_3dm_device_status_diagnostic_gnss_response *)value;
+    mip_write_u16(w, &v->model_number, 1);
+    mip_write_constant(w, 2, 1);
+    mip_write_u32(w, &v->status_flags, 1);
+    mip_write_u16(w, &v->system_state, 1);
+    mip_write_u32(w, &v->system_timer, 1);
+    mip_write_u8(w, &v->gnss_power_state, 1);
+    mip_write_u32(w, &v->pps_count, 1);
+    mip_write_u32(w, &v->pps_last_time, 1);
+    mip_write_bool(w, &v->imu_stream_enabled, 1);
+    mip_write_bool(w, &v->gnss_stream_enabled, 1);
+    mip_write_bool(w, &v->filter_stream_enabled, 1);
+    mip_write_u32(w, &v->imu_dropped_packets, 1);
+    mip_write_u32(w, &v->gnss_dropped_packets, 1);
+    mip_write_u32(w, &v->filter_dropped_packets, 1);
+    mip_write_u32(w, &v->com_port_bytes_written, 1);
+    mip_write_u32(w, &v->com_port_bytes_read, 1);
+    mip_write_u32(w, &v->com_port_write_overruns, 1);
+    mip_write_u32(w, &v->com_port_read_overruns, 1);
+    mip_write_u32(w, &v->imu_parser_errors, 1);
+    mip_write_u32(w, &v->imu_message_count, 1);
+    mip_write_u32(w, &v->imu_last_message_time, 1);
+    mip_write_u32(w, &v->gnss_parser_errors, 1);
+    mip_write_u32(w, &v->gnss_message_count, 1);
+    mip_write_u32(w, &v->gnss_last_message_time, 1);
+}
+
+static const struct mip_constant constants_device_status_diagnostic_gnss_response[] = {
+    {2, 1, 2},
+};
+static const struct mip_layout layout_device_status_diagnostic_gnss_response = {
+    77,
+    79, /* bytes of data */
+    1,
+    constants_device_status_diagnostic_gnss_response,
+};
+
+const struct mip_codec mip_3dm_device_status_diagnostic_gnss_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_device_status_diagnostic_gnss_response),
+    0, /* time-out */
+    read_device_status_diagnostic_gnss_response,
+    write_device_status_diagnostic_gnss_response,
+    NULL,
+    NULL,
+    &layout_device_status_diagnostic_gnss_response,
+};
+
+mip_error mip_3dm_device_status_diagnostic_gnss_response_decode(
+    struct mip_3dm_device_status_diagnostic_gnss_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_device_status_diagnostic_gnss_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
+    const struct mip_3dm_device_status_diagnostic_gnss_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_DESCRIPTOR,
+                            write_device_status_diagnostic_gnss_response, value);
+}
+
+static void read_device_status_diagnostic_gq4_45_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_status_diagnostic_gq4_45_response *v =
+        (struct mip_3dm_device_status_diagnostic_gq4_45_response *)value;
+    mip_read_u16(r, &v->model_number, 1);
+    mip_read_constant(r, 2, 1);
+    mip_read_u32(r, &v->status_flags, 1);
+    mip_read_u16(r, &v->system_state, 1);
+    mip_read_u32(r, &v->system_timer, 1);
+    mip_read_u8(r, &v->gnss_power_state, 1);
+    mip_read_u32(r, &v->pps_count, 1);
+    mip_read_u32(r, &v->pps_last_time, 1);
+    mip_read_bool(r, &v->imu_stream_enabled, 1);
+    mip_read_bool(r, &v->gnss_stream_enabled, 1);
+    mip_read_bool(r, &v->filter_stream_enabled, 1);
+    mip_read_u32(r, &v->imu_dropped_packets, 1);
+    mip_read_u32(r, &v->gnss_dropped_packets, 1);
+    mip_read_u32(r, &v->filter_dropped_packets, 1);
+    mip_read_u32(r, &v->com_port_bytes_written, 1);
+    mip_read_u32(r, &v->com_port_bytes_read, 1);
+    mip_read_u32(r, &v->com_port_write_overruns, 1);
+    mip_read_u32(r, &v->com_port_read_overruns, 1);
+    mip_read_u32(r, &v->imu_parser_errors, 1);
+    mip_read_u32(r, &v->imu_message_count, 1);
+    mip_read_u32(r, &v->imu_last_message_time, 1);
+    mip_read_u32(r, &v->gnss_parser_errors, 1);
+    mip_read_u32(r, &v->gnss_message_count, 1);
+    mip_read_u32(r, &v->gnss_last_message_time, 1);
+    mip_read_bool(r, &v->magnetometer_init_failed, 1);
+    mip_read_bool(r, &v->pressure_init_failed, 1);
+    mip_read_bool(r, &v->receiver_init_failed, 1);
+}
+
+static void write_device_status_diagnostic_gq4_45_response(struct mip_writer *w,
+                                                           const void *value) {
+    const struct mip_3dm_device_status_diagnostic_gq4_45_response *v =
+        (const struct mip_3dm_device_status_diagnostic_gq4_45_response *)value;
+    mip_write_u16(w, &v->model_number, 1);
+    mip_write_constant(w, 2, 1);
+    mip_write_u32(w, &v->status_flags, 1);
+    mip_write_u16(w, &v->system_state, 1);
+    mip_write_u32(w, &v->system_timer, 1);
+    mip_write_u8(w, &v->gnss_power_state, 1);
+    mip_write_u32(w, &v->pps_count, 1);
+    mip_write_u32(w, &v->pps_last_time, 1);
+    mip_write_bool(w, &v->imu_stream_enabled, 1);
+    mip_write_bool(w, &v->gnss_stream_enabled, 1);
+    mip_write_bool(w, &v->filter_stream_enabled, 1);
+    mip_write_u32(w, &v->imu_dropped_packets, 1);
+    mip_write_u32(w, &v->gnss_dropped_packets, 1);
+    mip_write_u32(w, &v->filter_dropped_packets, 1);
+    mip_write_u32(w, &v->com_port_bytes_written, 1);
+    mip_write_u32(w, &v->com_port_bytes_read, 1);
+    mip_write_u32(w, &v->com_port_write_overruns, 1);
+    mip_write_u32(w, &v->com_port_read_overruns, 1);
+    mip_write_u32(w, &v->imu_parser_errors, 1);
+    mip_write_u32(w, &v->imu_message_count, 1);
+    mip_write_u32(w, &v->imu_last_message_time, 1);
+    mip_write_u32(w, &v->gnss_parser_errors, 1);
+    mip_write_u32(w, &v->gnss_message_count, 1);
+    mip_write_u32(w, &v->gnss_last_message_time, 1);
+    mip_write_bool(w, &v->magnetometer_init_failed, 1);
+    mip_write_bool(w, &v->pressure_init_failed, 1);
+    mip_write_bool(w, &v->receiver_init_failed, 1);
+}
+
+static const struct mip_constant constants_device_status_diagnostic_gq4_45_response[] = {
+    {2, 1, 2},
+};
+static const struct mip_layout layout_device_status_diagnostic_gq4_45_response = {
+    80,
+    85, /* bytes of data */
+    1,
+    constants_device_status_diagnostic_gq4_45_response,
+};
+
+const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_device_status_diagnostic_gq4_45_response),
+    0, /* time-out */
+    read_device_status_diagnostic_gq4_45_response,
+    write_device_status_diagnostic_gq4_45_response,
+    NULL,
+    NULL,
+    &layout_device_status_diagnostic_gq4_45_response,
+};
+
+mip_error mip_3dm_device_status_diagnostic_gq4_45_response_decode(
+    struct mip_3dm_device_status_diagnostic_gq4_45_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_device_status_diagnostic_gq4_45_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
+    const struct mip_3dm_device_status_diagnostic_gq4_45_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_DESCRIPTOR,
+                            write_device_status_diagnostic_gq4_45_response, value);
+}
+
+static void read_device_status_diagnostic_rq1_45_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_status_diagnostic_rq1_45_response *v =
+        (struct mip_3dm_device_status_diagnostic_rq1_45_response *)value;
+    mip_read_u16(r, &v->model_number, 1);
+    mip_read_constant(r, 2, 1);
+    mip_read_u32(r, &v->status_flags, 1);
+    mip_read_u16(r, &v->system_state, 1);
+    mip_read_u32(r, &v->system_timer, 1);
+    mip_read_u8(r, &v->gnss_power_state, 1);
+    mip_read_u8(r, &v->cold_start_on_power_on, 1);
+    mip_read_float(r, &v->temperature, 1);
+    mip_read_u32(r, &v->temperature_last_time, 1);
+    mip_read_u32(r, &v->pps_count, 1);
+    mip_read_u32(r, &v->pps_last_time, 1);
+    mip_read_bool(r, &v->imu_stream_enabled, 1);
+    mip_read_bool(r, &v->gnss_stream_enabled, 1);
+    mip_read_bool(r, &v->filter_stream_enabled, 1);
+    mip_read_u32(r, &v->imu_dropped_packets, 1);
+    mip_read_u32(r, &v->gnss_dropped_packets, 1);
+    mip_read_u32(r, &v->filter_dropped_packets, 1);
+    mip_read_u32(r, &v->com_port_bytes_written, 1);
+    mip_read_u32(r, &v->com_port_bytes_read, 1);
+    mip_read_u32(r, &v->com_port_write_overruns, 1);
+    mip_read_u32(r, &v->com_port_read_overruns, 1);
+    mip_read_u32(r, &v->imu_parser_errors, 1);
+    mip_read_u32(r, &v->imu_message_count, 1);
+    mip_read_u32(r, &v->imu_last_message_time, 1);
+    mip_read_u32(r, &v->gnss_parser_errors, 1);
+    mip_read_u32(r, &v->gnss_message_count, 1);
+    mip_read_u32(r, &v->gnss_last_message_time, 1);
+}
+
+static void write_device_status_diagnostic_rq1_45_response(struct mip_writer *w,
+                                                           const void *value) {
+    const struct mip_3dm_device_status_diagnostic_rq1_45_response *v =
+        (const struct mip_3dm_device_status_diagnostic_rq1_45_response *)value;
+    mip_write_u16(w, &v->model_number, 1);
+    mip_write_constant(w, 2, 1);
+    mip_write_u32(w, &v->status_flags, 1);
+    mip_write_u16(w, &v->system_state, 1);
+    mip_write_u32(w, &v->system_timer, 1);
+    mip_write_u8(w, &v->gnss_power_state, 1);
+    mip_write_u8(w, &v->cold_start_on_power_on, 1);
+    mip_write_float(w, &v->temperature, 1);
+    mip_write_u32(w, &v->temperature_last_time, 1);
+    mip_write_u32(w, &v->pps_count, 1);
+    mip_write_u32(w, &v->pps_last_time, 1);
+    mip_write_bool(w, &v->imu_stream_enabled, 1);
+    mip_write_bool(w, &v->gnss_stream_enabled, 1);
+    mip_write_bool(w, &v->filter_stream_enabled, 1);
+    mip_write_u32(w, &v->imu_dropped_packets, 1);
+    mip_write_u32(w, &v->gnss_dropped_packets, 1);
+    mip_write_u32(w, &v->filter_dropped_packets, 1);
+    mip_write_u32(w, &v->com_port_bytes_written, 1);
+    mip_write_u32(w, &v->com_port_bytes_read, 1);
+    mip_write_u32(w, &v->com_port_write_overruns, 1);
+    mip_write_u32(w, &v->com_port_read_overruns, 1);
+    mip_write_u32(w, &v->imu_parser_errors, 1);
+    mip_write_u32(w, &v->imu_message_count, 1);
+    mip_write_u32(w, &v->imu_last_message_time, 1);
+    mip_write_u32(w, &v->gnss_parser_errors, 1);
+    mip_write_u32(w, &v->gnss_message_count, 1);
+    mip_write_u32(w, &v->gnss_last_message_time, 1);
+}
+
+static const struct mip_constant constants_device_status_diagnostic_rq1_45_response[] = {
+    {2, 1, 2},
+};
+static const struct mip_layout layout_device_status_diagnostic_rq1_45_response = {
+    86,
+    253, /* bytes of data */
+    1,
+    constants_device_status_diagnostic_rq1_45_response,
+};
+
+const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_device_status_diagnostic_rq1_45_response),
+    0, /* time-out */
+    read_device_status_diagnostic_rq1_45_response,
+    write_device_status_diagnostic_rq1_45_response,
+    NULL,
+    NULL,
+    &layout_device_status_diagnostic_rq1_45_response,
+};
+
+mip_error mip_3dm_device_status_diagnostic_rq1_45_response_decode(
+    struct mip_3dm_device_status_diagnostic_rq1_45_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_device_status_diagnostic_rq1_45_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
+    const struct mip_3dm_device_status_diagnostic_rq1_45_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_DESCRIPTOR,
+                            write_device_status_diagnostic_rq1_45_response, value);
+}
+
+static void read_device_status_diagnostic_gx4_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_status_diagnostic_gx4_response *v =
+        (struct mip_3dm_device_status_diagnostic_gx4_response *)value;
+    mip_read_u16(r, &v->model_number, 1);
+    mip_read_constant(r, 2, 1);
+    mip_read_u32(r, &v->status_flags, 1);
+    mip_read_u32(r, &v->system_timer, 1);
+    mip_read_u32(r, &v->pps_count, 1);
+    mip_read_u32(r, &v->pps_last_time, 1);
+    mip_read_bool(r, &v->imu_stream_enabled, 1);
+    mip_read_bool(r, &v->filter_stream_enabled, 1);
+    mip_read_u32(r, &v->imu_dropped_packets, 1);
+    mip_read_u32(r, &v->filter_dropped_packets, 1);
+    mip_read_u32(r, &v->com_port_bytes_written, 1);
+    mip_read_u32(r, &v->com_port_bytes_read, 1);
+    mip_read_u32(r, &v->com_port_write_overruns, 1);
+    mip_read_u32(r, &v->com_port_read_overruns, 1);
+    mip_read_u32(r, &v->usb_bytes_written, 1);
+    mip_read_u32(r, &v->usb_bytes_read, 1);
+    mip_read_u32(r, &v->usb_write_overruns, 1);
+    mip_read_u32(r, &v->usb_read_overruns, 1);
+    mip_read_u32(r, &v->imu_parser_errors, 1);
+    mip_read_u32(r, &v->imu_message_count, 1);
+    mip_read_u32(r, &v->imu_last_message_time, 1);
+}
+
+static void write_device_status_diagnostic_gx4_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_device_status_diagnostic_gx4_response *v =
+        (const struct mip_3dm_device_status_diagnostic_gx4_response *)value;
+    mip_write_u16(w, &v->model_number, 1);
+    mip_write_constant(w, 2, 1);
+    mip_write_u32(w, &v->status_flags, 1);
+    mip_write_u32(w, &v->system_timer, 1);
+    mip_write_u32(w, &v->pps_count, 1);
+    mip_write_u32(w, &v->pps_last_time, 1);
+    mip_write_bool(w, &v->imu_stream_enabled, 1);
+    mip_write_bool(w, &v->filter_stream_enabled, 1);
+    mip_write_u32(w, &v->imu_dropped_packets, 1);
+    mip_write_u32(w, &v->filter_dropped_packets, 1);
+    mip_write_u32(w, &v->com_port_bytes_written, 1);
+    mip_write_u32(w, &v->com_port_bytes_read, 1);
+    mip_write_u32(w, &v->com_port_write_overruns, 1);
+    mip_write_u32(w, &v->com_port_read_overruns, 1);
+    mip_write_u32(w, &v->usb_bytes_written, 1);
+    mip_write_u32(w, &v->usb_bytes_read, 1);
+    mip_write_u32(w, &v->usb_write_overruns, 1);
+    mip_write_u32(w, &v->usb_read_overruns, 1);
+    mip_write_u32(w, &v->imu_parser_errors, 1);
+    mip_write_u32(w, &v->imu_message_count, 1);
+    mip_write_u32(w, &v->imu_last_message_time, 1);
+}
+
+static const struct mip_constant constants_device_status_diagnostic_gx4_response[] = {
+    {2, 1, 2},
+};
+static const struct mip_layout layout_device_status_diagnostic_gx4_response = {
+    73,
+    76, /* bytes of data */
+    1,
+    constants_device_status_diagnostic_gx4_response,
+};
+
+const struct mip_codec mip_3dm_device_status_diagnostic_gx4_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_device_status_diagnostic_gx4_response),
+    0, /* time-out */
+    read_device_status_diagnostic_gx4_response,
+    write_device_status_diagnostic_gx4_response,
+    NULL,
+    NULL,
+    &layout_device_status_diagnostic_gx4_response,
+};
+
+mip_error mip_3dm_device_status_diagnostic_gx4_response_decode(
+    struct mip_3dm_device_status_diagnostic_gx4_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_device_status_diagnostic_gx4_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
+    const struct mip_3dm_device_status_diagnostic_gx4_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_DESCRIPTOR,
+                            write_device_status_diagnostic_gx4_response, value);
+}
+
+static void read_device_status_diagnostic_imu_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_status_diagnostic_imu_response *v =
+        (struct mip_3dm_device_status_diagnostic_imu_response *)value;
+    mip_read_u16(r, &v->model_number, 1);
+    mip_read_constant(r, 2, 1);
+    mip_read_u32(r, &v->status_flags, 1);
+    mip_read_u32(r, &v->system_timer, 1);
+    mip_read_bool(r, &v->has_magnetometer, 1);
+    mip_read_bool(r, &v->has_pressure, 1);
+    mip_read_u8(r, &v->power_state, 1);
+    mip_read_u16(r, &v->gyro_range, 1);
+    mip_read_u16(r, &v->accel_range, 1);
+    mip_read_u32(r, &v->reserved, 1);
+    mip_read_float(r, &v->temperature, 1);
+    mip_read_u32(r, &v->temperature_last_time, 1);
+    mip_read_u8(r, &v->temperature_error, 1);
+    mip_read_u32(r, &v->pps_count, 1);
+    mip_read_u32(r, &v->pps_last_time, 1);
+    mip_read_bool(r, &v->imu_stream_enabled, 1);
+    mip_read_u32(r, &v->imu_dropped_packets, 1);
+    mip_read_u32(r, &v->com_port_bytes_written, 1);
+    mip_read_u32(r, &v->com_port_bytes_read, 1);
+    mip_read_u32(r, &v->com_port_write_overruns, 1);
+    mip_read_u32(r, &v->com_port_read_overruns, 1);
+}
+
+static void write_device_status_diagnostic_imu_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_device_status_diagnostic_imu_response *v =
+        (const struct mip_3dm_device_status_diagnostic_imu_response *)value;
+    mip_write_u16(w, &v->model_number, 1);
+    mip_write_constant(w, 2, 1);
+    mip_write_u32(w, &v->status_flags, 1);
+    mip_write_u32(w, &v->system_timer, 1);
+    mip_write_bool(w, &v->has_magnetometer, 1);
+    mip_write_bool(w, &v->has_pressure, 1);
+    mip_write_u8(w, &v->power_state, 1);
+    mip_write_u16(w, &v->gyro_range, 1);
+    mip_write_u16(w, &v->accel_range, 1);
+    mip_write_u32(w, &v->reserved, 1);
+    mip_write_float(w, &v->temperature, 1);
+    mip_write_u32(w, &v->temperature_last_time, 1);
+    mip_write_u8(w, &v->temperature_error, 1);
+    mip_write_u32(w, &v->pps_count, 1);
+    mip_write_u32(w, &v->pps_last_time, 1);
+    mip_write_bool(w, &v->imu_stream_enabled, 1);
+    mip_write_u32(w, &v->imu_dropped_packets, 1);
+    mip_write_u32(w, &v->com_port_bytes_written, 1);
+    mip_write_u32(w, &v->com_port_bytes_read, 1);
+    mip_write_u32(w, &v->com_port_write_overruns, 1);
+    mip_write_u32(w, &v->com_port_read_overruns, 1);
+}
+
+static const struct mip_constant constants_device_status_diagnostic_imu_response[] = {
+    {2, 1, 2},
+};
+static const struct mip_layout layout_device_status_diagnostic_imu_response = {
+    60,
+    72, /* bytes of data */
+    1,
+    constants_device_status_diagnostic_imu_response,
+};
+
+const struct mip_codec mip_3dm_device_status_diagnostic_imu_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_device_status_diagnostic_imu_response),
+    0, /* time-out */
+    read_device_status_diagnostic_imu_response,
+    write_device_status_diagnostic_imu_response,
+    NULL,
+    NULL,
+    &layout_device_status_diagnostic_imu_response,
+};
+
+mip_error mip_3dm_device_status_diagnostic_imu_response_decode(
+    struct mip_3dm_device_status_diagnostic_imu_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_device_status_diagnostic_imu_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_device_status_diagnostic_imu_response_encode(
+    const struct mip_3dm_device_status_diagnostic_imu_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_DESCRIPTOR,
+                            write_device_status_diagnostic_imu_response, value);
 }

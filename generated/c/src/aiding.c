@@ -95,6 +95,7 @@ const struct mip_codec mip_aiding_frame_configuration_codec = {
     write_frame_configuration,
     NULL,
     responses_frame_configuration,
+    NULL,
 };
 
 mip_error mip_aiding_frame_configuration_decode(struct mip_aiding_frame_configuration *value,
@@ -206,6 +207,7 @@ const struct mip_codec mip_aiding_frame_configuration_response_codec = {
     write_frame_configuration_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_frame_configuration_response_decode(
@@ -261,6 +263,7 @@ const struct mip_codec mip_aiding_echo_control_codec = {
     write_echo_control,
     NULL,
     responses_echo_control,
+    NULL,
 };
 
 mip_error mip_aiding_echo_control_decode(struct mip_aiding_echo_control *value,
@@ -331,6 +334,7 @@ const struct mip_codec mip_aiding_echo_control_response_codec = {
     write_echo_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_echo_control_response_decode(struct mip_aiding_echo_control_response *value,
@@ -370,6 +374,7 @@ const struct mip_codec mip_aiding_ecef_position_codec = {
     0, /* time-out */
     read_ecef_position,
     write_ecef_position,
+    NULL,
     NULL,
     NULL,
 };
@@ -430,6 +435,7 @@ const struct mip_codec mip_aiding_llh_position_codec = {
     write_llh_position,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_llh_position_decode(struct mip_aiding_llh_position *value,
@@ -488,6 +494,7 @@ const struct mip_codec mip_aiding_height_above_ellipsoid_codec = {
     write_height_above_ellipsoid,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_height_above_ellipsoid_decode(struct mip_aiding_height_above_ellipsoid *value,
@@ -542,6 +549,7 @@ const struct mip_codec mip_aiding_ecef_velocity_codec = {
     write_ecef_velocity,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_ecef_velocity_decode(struct mip_aiding_ecef_velocity *value,
@@ -594,6 +602,7 @@ const struct mip_codec mip_aiding_ned_velocity_codec = {
     0, /* time-out */
     read_ned_velocity,
     write_ned_velocity,
+    NULL,
     NULL,
     NULL,
 };
@@ -651,6 +660,7 @@ const struct mip_codec mip_aiding_body_frame_velocity_codec = {
     write_body_frame_velocity,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_body_frame_velocity_decode(struct mip_aiding_body_frame_velocity *value,
@@ -703,6 +713,7 @@ const struct mip_codec mip_aiding_true_heading_codec = {
     0, /* time-out */
     read_true_heading,
     write_true_heading,
+    NULL,
     NULL,
     NULL,
 };
@@ -759,6 +770,7 @@ const struct mip_codec mip_aiding_magnetic_field_codec = {
     write_magnetic_field,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_magnetic_field_decode(struct mip_aiding_magnetic_field *value,
@@ -811,6 +823,7 @@ const struct mip_codec mip_aiding_pressure_codec = {
     0, /* time-out */
     read_pressure,
     write_pressure,
+    NULL,
     NULL,
     NULL,
 };

@@ -31,6 +31,7 @@ const struct mip_codec mip_base_ping_codec = {
     mip_write_nothing,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_ping_decode(struct mip_base_ping *value, const struct mip_field *field) {
@@ -49,6 +50,7 @@ const struct mip_codec mip_base_set_to_idle_codec = {
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
     NULL,
 };
@@ -79,6 +81,7 @@ const struct mip_codec mip_base_get_device_information_codec = {
     mip_write_nothing,
     NULL,
     responses_get_device_information,
+    NULL,
 };
 
 mip_error mip_base_get_device_information_decode(struct mip_base_get_device_information *value,
@@ -114,6 +117,7 @@ const struct mip_codec mip_base_get_device_information_response_codec = {
     write_get_device_information_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_get_device_information_response_decode(
@@ -143,6 +147,7 @@ const struct mip_codec mip_base_get_device_descriptors_codec = {
     mip_write_nothing,
     NULL,
     responses_get_device_descriptors,
+    NULL,
 };
 
 mip_error mip_base_get_device_descriptors_decode(struct mip_base_get_device_descriptors *value,
@@ -179,6 +184,7 @@ const struct mip_codec mip_base_get_device_descriptors_response_codec = {
     write_get_device_descriptors_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_get_device_descriptors_response_decode(
@@ -208,6 +214,7 @@ const struct mip_codec mip_base_built_in_test_codec = {
     mip_write_nothing,
     NULL,
     responses_built_in_test,
+    NULL,
 };
 
 mip_error mip_base_built_in_test_decode(struct mip_base_built_in_test *value,
@@ -242,6 +249,7 @@ const struct mip_codec mip_base_built_in_test_response_codec = {
     write_built_in_test_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_built_in_test_response_decode(struct mip_base_built_in_test_response *value,
@@ -263,6 +271,7 @@ const struct mip_codec mip_base_resume_codec = {
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
     NULL,
 };
@@ -290,6 +299,7 @@ const struct mip_codec mip_base_get_device_descriptors_extended_codec = {
     mip_write_nothing,
     NULL,
     responses_get_device_descriptors_extended,
+    NULL,
 };
 
 mip_error mip_base_get_device_descriptors_extended_decode(
@@ -327,6 +337,7 @@ const struct mip_codec mip_base_get_device_descriptors_extended_response_codec =
     write_get_device_descriptors_extended_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_get_device_descriptors_extended_response_decode(
@@ -359,6 +370,7 @@ const struct mip_codec mip_base_continuous_built_in_test_codec = {
     mip_write_nothing,
     NULL,
     responses_continuous_built_in_test,
+    NULL,
 };
 
 mip_error mip_base_continuous_built_in_test_decode(struct mip_base_continuous_built_in_test *value,
@@ -392,6 +404,7 @@ const struct mip_codec mip_base_continuous_built_in_test_response_codec = {
     0, /* time-out */
     read_continuous_built_in_test_response,
     write_continuous_built_in_test_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -454,6 +467,7 @@ const struct mip_codec mip_base_comm_port_speed_codec = {
     write_comm_port_speed,
     NULL,
     responses_comm_port_speed,
+    NULL,
 };
 
 mip_error mip_base_comm_port_speed_decode(struct mip_base_comm_port_speed *value,
@@ -531,6 +545,7 @@ const struct mip_codec mip_base_comm_port_speed_response_codec = {
     write_comm_port_speed_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_comm_port_speed_response_decode(struct mip_base_comm_port_speed_response *value,
@@ -602,6 +617,7 @@ const struct mip_codec mip_base_gps_time_update_codec = {
     write_gps_time_update,
     silent_gps_time_update,
     responses_gps_time_update,
+    NULL,
 };
 
 mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time_update *value,
@@ -665,6 +681,7 @@ const struct mip_codec mip_base_gps_time_update_week_number_response_codec = {
     write_gps_time_update_week_number_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_gps_time_update_week_number_response_decode(
@@ -702,6 +719,7 @@ const struct mip_codec mip_base_gps_time_update_time_of_week_response_codec = {
     write_gps_time_update_time_of_week_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_gps_time_update_time_of_week_response_decode(
@@ -726,6 +744,7 @@ const struct mip_codec mip_base_reset_device_codec = {
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
     NULL,
 };

@@ -13,6 +13,7 @@ const struct mip_codec mip_filter_reset_navigation_filter_codec = {
     mip_write_nothing,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_reset_navigation_filter_decode(
@@ -49,6 +50,7 @@ const struct mip_codec mip_filter_set_initial_attitude_codec = {
     0, /* time-out */
     read_set_initial_attitude,
     write_set_initial_attitude,
+    NULL,
     NULL,
     NULL,
 };
@@ -96,6 +98,7 @@ const struct mip_codec mip_filter_set_initial_heading_control_codec = {
     write_set_initial_heading_control,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_set_initial_heading_control_decode(
@@ -125,6 +128,7 @@ const struct mip_codec mip_filter_run_navigation_filter_codec = {
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
     NULL,
 };
@@ -185,6 +189,7 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
     write_vehicle_dynamics_mode,
     NULL,
     responses_vehicle_dynamics_mode,
+    NULL,
 };
 
 mip_error mip_filter_vehicle_dynamics_mode_decode(struct mip_filter_vehicle_dynamics_mode *value,
@@ -257,6 +262,7 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec = {
     write_vehicle_dynamics_mode_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_vehicle_dynamics_mode_response_decode(
@@ -326,6 +332,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_codec =
     write_sensor_to_vehicle_frame_transformation,
     NULL,
     responses_sensor_to_vehicle_frame_transformation,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_frame_transformation_decode(
@@ -414,6 +421,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_respons
     write_sensor_to_vehicle_frame_transformation_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_decode(
@@ -477,6 +485,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
     write_sensor_to_vehicle_offset,
     NULL,
     responses_sensor_to_vehicle_offset,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_offset_decode(
@@ -549,6 +558,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec = {
     write_sensor_to_vehicle_offset_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_offset_response_decode(
@@ -609,6 +619,7 @@ const struct mip_codec mip_filter_gnss_antenna_offset_control_codec = {
     write_gnss_antenna_offset_control,
     NULL,
     responses_gnss_antenna_offset_control,
+    NULL,
 };
 
 mip_error mip_filter_gnss_antenna_offset_control_decode(
@@ -681,6 +692,7 @@ const struct mip_codec mip_filter_gnss_antenna_offset_control_response_codec = {
     write_gnss_antenna_offset_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gnss_antenna_offset_control_response_decode(
@@ -743,6 +755,7 @@ const struct mip_codec mip_filter_estimation_control_flags_codec = {
     write_estimation_control_flags,
     NULL,
     responses_estimation_control_flags,
+    NULL,
 };
 
 mip_error mip_filter_estimation_control_flags_decode(
@@ -815,6 +828,7 @@ const struct mip_codec mip_filter_estimation_control_flags_response_codec = {
     write_estimation_control_flags_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_estimation_control_flags_response_decode(
@@ -875,6 +889,7 @@ const struct mip_codec mip_filter_gnss_aiding_source_control_codec = {
     write_gnss_aiding_source_control,
     NULL,
     responses_gnss_aiding_source_control,
+    NULL,
 };
 
 mip_error mip_filter_gnss_aiding_source_control_decode(
@@ -947,6 +962,7 @@ const struct mip_codec mip_filter_gnss_aiding_source_control_response_codec = {
     write_gnss_aiding_source_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gnss_aiding_source_control_response_decode(
@@ -996,6 +1012,7 @@ const struct mip_codec mip_filter_external_gnss_update_codec = {
     0, /* time-out */
     read_external_gnss_update,
     write_external_gnss_update,
+    NULL,
     NULL,
     NULL,
 };
@@ -1052,6 +1069,7 @@ const struct mip_codec mip_filter_external_heading_update_codec = {
     0, /* time-out */
     read_external_heading_update,
     write_external_heading_update,
+    NULL,
     NULL,
     NULL,
 };
@@ -1122,6 +1140,7 @@ const struct mip_codec mip_filter_heading_update_control_codec = {
     write_heading_update_control,
     NULL,
     responses_heading_update_control,
+    NULL,
 };
 
 mip_error mip_filter_heading_update_control_decode(struct mip_filter_heading_update_control *value,
@@ -1194,6 +1213,7 @@ const struct mip_codec mip_filter_heading_update_control_response_codec = {
     write_heading_update_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_heading_update_control_response_decode(
@@ -1254,6 +1274,7 @@ const struct mip_codec mip_filter_auto_initialization_control_codec = {
     write_auto_initialization_control,
     NULL,
     responses_auto_initialization_control,
+    NULL,
 };
 
 mip_error mip_filter_auto_initialization_control_decode(
@@ -1326,6 +1347,7 @@ const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
     write_auto_initialization_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_auto_initialization_control_response_decode(
@@ -1389,6 +1411,7 @@ const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_codec =
     write_accelerometer_noise_standard_deviation,
     NULL,
     responses_accelerometer_noise_standard_deviation,
+    NULL,
 };
 
 mip_error mip_filter_accelerometer_noise_standard_deviation_decode(
@@ -1471,6 +1494,7 @@ const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_respons
     write_accelerometer_noise_standard_deviation_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_accelerometer_noise_standard_deviation_response_decode(
@@ -1535,6 +1559,7 @@ const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_codec = {
     write_gyroscope_noise_standard_deviation,
     NULL,
     responses_gyroscope_noise_standard_deviation,
+    NULL,
 };
 
 mip_error mip_filter_gyroscope_noise_standard_deviation_decode(
@@ -1614,6 +1639,7 @@ const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_response_co
     write_gyroscope_noise_standard_deviation_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gyroscope_noise_standard_deviation_response_decode(
@@ -1682,6 +1708,7 @@ const struct mip_codec mip_filter_accelerometer_bias_model_parameters_codec = {
     write_accelerometer_bias_model_parameters,
     NULL,
     responses_accelerometer_bias_model_parameters,
+    NULL,
 };
 
 mip_error mip_filter_accelerometer_bias_model_parameters_decode(
@@ -1765,6 +1792,7 @@ const struct mip_codec mip_filter_accelerometer_bias_model_parameters_response_c
     write_accelerometer_bias_model_parameters_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_accelerometer_bias_model_parameters_response_decode(
@@ -1833,6 +1861,7 @@ const struct mip_codec mip_filter_gyroscope_bias_model_parameters_codec = {
     write_gyroscope_bias_model_parameters,
     NULL,
     responses_gyroscope_bias_model_parameters,
+    NULL,
 };
 
 mip_error mip_filter_gyroscope_bias_model_parameters_decode(
@@ -1914,6 +1943,7 @@ const struct mip_codec mip_filter_gyroscope_bias_model_parameters_response_codec
     write_gyroscope_bias_model_parameters_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gyroscope_bias_model_parameters_response_decode(
@@ -1976,6 +2006,7 @@ const struct mip_codec mip_filter_auto_zupt_codec = {
     write_auto_zupt,
     NULL,
     responses_auto_zupt,
+    NULL,
 };
 
 mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt *value,
@@ -2048,6 +2079,7 @@ const struct mip_codec mip_filter_auto_zupt_response_codec = {
     write_auto_zupt_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_auto_zupt_response_decode(struct mip_filter_auto_zupt_response *value,
@@ -2089,6 +2121,7 @@ const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
     0, /* time-out */
     read_external_heading_update_with_time,
     write_external_heading_update_with_time,
+    NULL,
     NULL,
     NULL,
 };
@@ -2170,6 +2203,7 @@ const struct mip_codec mip_filter_zero_angular_rate_update_control_codec = {
     write_zero_angular_rate_update_control,
     NULL,
     responses_zero_angular_rate_update_control,
+    NULL,
 };
 
 mip_error mip_filter_zero_angular_rate_update_control_decode(
@@ -2251,6 +2285,7 @@ const struct mip_codec mip_filter_zero_angular_rate_update_control_response_code
     write_zero_angular_rate_update_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_zero_angular_rate_update_control_response_decode(
@@ -2310,6 +2345,7 @@ const struct mip_codec mip_filter_tare_orientation_codec = {
     write_tare_orientation,
     NULL,
     responses_tare_orientation,
+    NULL,
 };
 
 mip_error mip_filter_tare_orientation_decode(struct mip_filter_tare_orientation *value,
@@ -2381,6 +2417,7 @@ const struct mip_codec mip_filter_tare_orientation_response_codec = {
     write_tare_orientation_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_tare_orientation_response_decode(
@@ -2404,6 +2441,7 @@ const struct mip_codec mip_filter_commanded_zupt_codec = {
     mip_write_nothing,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_commanded_zupt_decode(struct mip_filter_commanded_zupt *value,
@@ -2425,6 +2463,7 @@ const struct mip_codec mip_filter_commanded_zero_angular_rate_update_codec = {
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
     NULL,
 };
@@ -2498,6 +2537,7 @@ const struct mip_codec mip_filter_set_reference_position_codec = {
     write_set_reference_position,
     NULL,
     responses_set_reference_position,
+    NULL,
 };
 
 mip_error mip_filter_set_reference_position_decode(struct mip_filter_set_reference_position *value,
@@ -2581,6 +2621,7 @@ const struct mip_codec mip_filter_set_reference_position_response_codec = {
     write_set_reference_position_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_set_reference_position_response_decode(
@@ -2614,6 +2655,7 @@ const struct mip_codec mip_filter_mag_capture_auto_cal_codec = {
     0, /* time-out */
     read_mag_capture_auto_cal,
     write_mag_capture_auto_cal,
+    NULL,
     NULL,
     NULL,
 };
@@ -2690,6 +2732,7 @@ const struct mip_codec mip_filter_gravity_noise_standard_deviation_codec = {
     write_gravity_noise_standard_deviation,
     NULL,
     responses_gravity_noise_standard_deviation,
+    NULL,
 };
 
 mip_error mip_filter_gravity_noise_standard_deviation_decode(
@@ -2768,6 +2811,7 @@ const struct mip_codec mip_filter_gravity_noise_standard_deviation_response_code
     write_gravity_noise_standard_deviation_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gravity_noise_standard_deviation_response_decode(
@@ -2831,6 +2875,7 @@ const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
     write_pressure_altitude_noise,
     NULL,
     responses_pressure_altitude_noise,
+    NULL,
 };
 
 mip_error mip_filter_pressure_altitude_noise_decode(
@@ -2902,6 +2947,7 @@ const struct mip_codec mip_filter_pressure_altitude_noise_response_codec = {
     write_pressure_altitude_noise_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_pressure_altitude_noise_response_decode(
@@ -2961,6 +3007,7 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
     write_hard_iron_offset_noise,
     NULL,
     responses_hard_iron_offset_noise,
+    NULL,
 };
 
 mip_error mip_filter_hard_iron_offset_noise_decode(struct mip_filter_hard_iron_offset_noise *value,
@@ -3033,6 +3080,7 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec = {
     write_hard_iron_offset_noise_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_hard_iron_offset_noise_response_decode(
@@ -3092,6 +3140,7 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
     write_soft_iron_matrix_noise,
     NULL,
     responses_soft_iron_matrix_noise,
+    NULL,
 };
 
 mip_error mip_filter_soft_iron_matrix_noise_decode(struct mip_filter_soft_iron_matrix_noise *value,
@@ -3164,6 +3213,7 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec = {
     write_soft_iron_matrix_noise_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_soft_iron_matrix_noise_response_decode(
@@ -3224,6 +3274,7 @@ const struct mip_codec mip_filter_enable_disable_measurements_codec = {
     write_enable_disable_measurements,
     NULL,
     responses_enable_disable_measurements,
+    NULL,
 };
 
 mip_error mip_filter_enable_disable_measurements_decode(
@@ -3296,6 +3347,7 @@ const struct mip_codec mip_filter_enable_disable_measurements_response_codec = {
     write_enable_disable_measurements_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_enable_disable_measurements_response_decode(
@@ -3353,6 +3405,7 @@ const struct mip_codec mip_filter_mag_noise_codec = {
     write_mag_noise,
     NULL,
     responses_mag_noise,
+    NULL,
 };
 
 mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise *value,
@@ -3422,6 +3475,7 @@ const struct mip_codec mip_filter_mag_noise_response_codec = {
     write_mag_noise_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_mag_noise_response_decode(struct mip_filter_mag_noise_response *value,
@@ -3487,6 +3541,7 @@ const struct mip_codec mip_filter_magnetic_field_declination_source_control_code
     write_magnetic_field_declination_source_control,
     NULL,
     responses_magnetic_field_declination_source_control,
+    NULL,
 };
 
 mip_error mip_filter_magnetic_field_declination_source_control_decode(
@@ -3571,6 +3626,7 @@ const struct mip_codec mip_filter_magnetic_field_declination_source_control_resp
     0, /* time-out */
     read_magnetic_field_declination_source_control_response,
     write_magnetic_field_declination_source_control_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -3662,6 +3718,7 @@ const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_c
     write_gravity_magnitude_error_adaptive_measurement,
     NULL,
     responses_gravity_magnitude_error_adaptive_measurement,
+    NULL,
 };
 
 mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_decode(
@@ -3757,6 +3814,7 @@ const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_r
     write_gravity_magnitude_error_adaptive_measurement_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_decode(
@@ -3846,6 +3904,7 @@ const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec
     write_mag_magnitude_error_adaptive_measurement,
     NULL,
     responses_mag_magnitude_error_adaptive_measurement,
+    NULL,
 };
 
 mip_error mip_filter_mag_magnitude_error_adaptive_measurement_decode(
@@ -3949,6 +4008,7 @@ const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_respo
     write_mag_magnitude_error_adaptive_measurement_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_decode(
@@ -4030,6 +4090,7 @@ const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec
     write_mag_dip_angle_error_adaptive_measurement,
     NULL,
     responses_mag_dip_angle_error_adaptive_measurement,
+    NULL,
 };
 
 mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_decode(
@@ -4127,6 +4188,7 @@ const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_respo
     write_mag_dip_angle_error_adaptive_measurement_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_decode(
@@ -4186,6 +4248,7 @@ const struct mip_codec mip_filter_altitude_aiding_codec = {
     write_altitude_aiding,
     NULL,
     responses_altitude_aiding,
+    NULL,
 };
 
 mip_error mip_filter_altitude_aiding_decode(struct mip_filter_altitude_aiding *value,
@@ -4258,6 +4321,7 @@ const struct mip_codec mip_filter_altitude_aiding_response_codec = {
     write_altitude_aiding_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_altitude_aiding_response_decode(
@@ -4317,6 +4381,7 @@ const struct mip_codec mip_filter_pitch_roll_aiding_control_codec = {
     write_pitch_roll_aiding_control,
     NULL,
     responses_pitch_roll_aiding_control,
+    NULL,
 };
 
 mip_error mip_filter_pitch_roll_aiding_control_decode(
@@ -4389,6 +4454,7 @@ const struct mip_codec mip_filter_pitch_roll_aiding_control_response_codec = {
     write_pitch_roll_aiding_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_pitch_roll_aiding_control_response_decode(
@@ -4453,6 +4519,7 @@ const struct mip_codec mip_filter_inclination_source_codec = {
     write_inclination_source,
     NULL,
     responses_inclination_source,
+    NULL,
 };
 
 mip_error mip_filter_inclination_source_decode(struct mip_filter_inclination_source *value,
@@ -4528,6 +4595,7 @@ const struct mip_codec mip_filter_inclination_source_response_codec = {
     write_inclination_source_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_inclination_source_response_decode(
@@ -4591,6 +4659,7 @@ const struct mip_codec mip_filter_mag_field_magnitude_source_codec = {
     write_mag_field_magnitude_source,
     NULL,
     responses_mag_field_magnitude_source,
+    NULL,
 };
 
 mip_error mip_filter_mag_field_magnitude_source_decode(
@@ -4666,6 +4735,7 @@ const struct mip_codec mip_filter_mag_field_magnitude_source_response_codec = {
     write_mag_field_magnitude_source_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_mag_field_magnitude_source_response_decode(
@@ -4729,6 +4799,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec = {
     write_sensor_to_vehicle_rotation_dcm,
     NULL,
     responses_sensor_to_vehicle_rotation_dcm,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
@@ -4806,6 +4877,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec 
     write_sensor_to_vehicle_rotation_dcm_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode(
@@ -4870,6 +4942,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec = 
     write_sensor_to_vehicle_rotation_quaternion,
     NULL,
     responses_sensor_to_vehicle_rotation_quaternion,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_decode(
@@ -4950,6 +5023,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_response
     write_sensor_to_vehicle_rotation_quaternion_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_decode(
@@ -5017,6 +5091,7 @@ const struct mip_codec mip_filter_aiding_measurement_control_codec = {
     write_aiding_measurement_control,
     NULL,
     responses_aiding_measurement_control,
+    NULL,
 };
 
 mip_error mip_filter_aiding_measurement_control_decode(
@@ -5100,6 +5175,7 @@ const struct mip_codec mip_filter_aiding_measurement_control_response_codec = {
     write_aiding_measurement_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_aiding_measurement_control_response_decode(
@@ -5169,6 +5245,7 @@ const struct mip_codec mip_filter_kinematic_constraint_codec = {
     write_kinematic_constraint,
     NULL,
     responses_kinematic_constraint,
+    NULL,
 };
 
 mip_error mip_filter_kinematic_constraint_decode(struct mip_filter_kinematic_constraint *value,
@@ -5247,6 +5324,7 @@ const struct mip_codec mip_filter_kinematic_constraint_response_codec = {
     0, /* time-out */
     read_kinematic_constraint_response,
     write_kinematic_constraint_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -5341,6 +5419,7 @@ const struct mip_codec mip_filter_navigation_filter_initialization_codec = {
     write_navigation_filter_initialization,
     NULL,
     responses_navigation_filter_initialization,
+    NULL,
 };
 
 mip_error mip_filter_navigation_filter_initialization_decode(
@@ -5447,6 +5526,7 @@ const struct mip_codec mip_filter_navigation_filter_initialization_response_code
     write_navigation_filter_initialization_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_navigation_filter_initialization_response_decode(
@@ -5514,6 +5594,7 @@ const struct mip_codec mip_filter_adaptive_filter_control_codec = {
     write_adaptive_filter_control,
     NULL,
     responses_adaptive_filter_control,
+    NULL,
 };
 
 mip_error mip_filter_adaptive_filter_control_decode(
@@ -5589,6 +5670,7 @@ const struct mip_codec mip_filter_adaptive_filter_control_response_codec = {
     write_adaptive_filter_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_adaptive_filter_control_response_decode(
@@ -5654,6 +5736,7 @@ const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_codec = {
     write_gnss_multi_antenna_offset_control,
     NULL,
     responses_gnss_multi_antenna_offset_control,
+    NULL,
 };
 
 mip_error mip_filter_gnss_multi_antenna_offset_control_decode(
@@ -5740,6 +5823,7 @@ const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_response_cod
     write_gnss_multi_antenna_offset_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gnss_multi_antenna_offset_control_response_decode(
@@ -5812,6 +5896,7 @@ const struct mip_codec mip_filter_relative_position_configuration_codec = {
     write_relative_position_configuration,
     NULL,
     responses_relative_position_configuration,
+    NULL,
 };
 
 mip_error mip_filter_relative_position_configuration_decode(
@@ -5897,6 +5982,7 @@ const struct mip_codec mip_filter_relative_position_configuration_response_codec
     write_relative_position_configuration_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_relative_position_configuration_response_decode(
@@ -5964,6 +6050,7 @@ const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
     write_reference_point_lever_arm,
     NULL,
     responses_reference_point_lever_arm,
+    NULL,
 };
 
 mip_error mip_filter_reference_point_lever_arm_decode(
@@ -6039,6 +6126,7 @@ const struct mip_codec mip_filter_reference_point_lever_arm_response_codec = {
     write_reference_point_lever_arm_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_reference_point_lever_arm_response_decode(
@@ -6079,6 +6167,7 @@ const struct mip_codec mip_filter_speed_measurement_codec = {
     0, /* time-out */
     read_speed_measurement,
     write_speed_measurement,
+    NULL,
     NULL,
     NULL,
 };
@@ -6155,6 +6244,7 @@ const struct mip_codec mip_filter_measurement_speed_lever_arm_codec = {
     write_measurement_speed_lever_arm,
     NULL,
     responses_measurement_speed_lever_arm,
+    NULL,
 };
 
 mip_error mip_filter_measurement_speed_lever_arm_decode(
@@ -6234,6 +6324,7 @@ const struct mip_codec mip_filter_measurement_speed_lever_arm_response_codec = {
     write_measurement_speed_lever_arm_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_measurement_speed_lever_arm_response_decode(
@@ -6297,6 +6388,7 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec = {
     write_vertical_gyro_constraint_control,
     NULL,
     responses_vertical_gyro_constraint_control,
+    NULL,
 };
 
 mip_error mip_filter_vertical_gyro_constraint_control_decode(
@@ -6375,6 +6467,7 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_code
     write_vertical_gyro_constraint_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_vertical_gyro_constraint_control_response_decode(
@@ -6439,6 +6532,7 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
     write_wheeled_vehicle_constraint_control,
     NULL,
     responses_wheeled_vehicle_constraint_control,
+    NULL,
 };
 
 mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
@@ -6518,6 +6612,7 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_co
     write_wheeled_vehicle_constraint_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode(
@@ -6586,6 +6681,7 @@ const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_codec 
     write_gnss_antenna_offset_calibration_control,
     NULL,
     responses_gnss_antenna_offset_calibration_control,
+    NULL,
 };
 
 mip_error mip_filter_gnss_antenna_offset_calibration_control_decode(
@@ -6669,6 +6765,7 @@ const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_respon
     0, /* time-out */
     read_gnss_antenna_offset_calibration_control_response,
     write_gnss_antenna_offset_calibration_control_response,
+    NULL,
     NULL,
     NULL,
 };

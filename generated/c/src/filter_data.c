@@ -30,6 +30,7 @@ const struct mip_codec mip_filter_data_llh_position_codec = {
     write_llh_position,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_llh_position_decode(struct mip_filter_data_llh_position *value,
@@ -70,6 +71,7 @@ const struct mip_codec mip_filter_data_velocity_ned_codec = {
     write_velocity_ned,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_velocity_ned_decode(struct mip_filter_data_velocity_ned *value,
@@ -107,6 +109,7 @@ const struct mip_codec mip_filter_data_attitude_quaternion_codec = {
     write_attitude_quaternion,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_attitude_quaternion_decode(
@@ -141,6 +144,7 @@ const struct mip_codec mip_filter_data_attitude_dcm_codec = {
     0, /* time-out */
     read_attitude_dcm,
     write_attitude_dcm,
+    NULL,
     NULL,
     NULL,
 };
@@ -183,6 +187,7 @@ const struct mip_codec mip_filter_data_euler_angles_codec = {
     write_euler_angles,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_euler_angles_decode(struct mip_filter_data_euler_angles *value,
@@ -218,6 +223,7 @@ const struct mip_codec mip_filter_data_gyro_bias_codec = {
     write_gyro_bias,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gyro_bias_decode(struct mip_filter_data_gyro_bias *value,
@@ -251,6 +257,7 @@ const struct mip_codec mip_filter_data_accel_bias_codec = {
     0, /* time-out */
     read_accel_bias,
     write_accel_bias,
+    NULL,
     NULL,
     NULL,
 };
@@ -294,6 +301,7 @@ const struct mip_codec mip_filter_data_llh_position_uncertainty_codec = {
     write_llh_position_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_llh_position_uncertainty_decode(
@@ -333,6 +341,7 @@ const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec = {
     0, /* time-out */
     read_ned_velocity_uncertainty,
     write_ned_velocity_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -376,6 +385,7 @@ const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec = {
     write_euler_angles_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_euler_angles_uncertainty_decode(
@@ -411,6 +421,7 @@ const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec = {
     0, /* time-out */
     read_gyro_bias_uncertainty,
     write_gyro_bias_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -450,6 +461,7 @@ const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec = {
     write_accel_bias_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_accel_bias_uncertainty_decode(
@@ -484,6 +496,7 @@ const struct mip_codec mip_filter_data_linear_accel_codec = {
     0, /* time-out */
     read_linear_accel,
     write_linear_accel,
+    NULL,
     NULL,
     NULL,
 };
@@ -522,6 +535,7 @@ const struct mip_codec mip_filter_data_comp_angular_rate_codec = {
     write_comp_angular_rate,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_comp_angular_rate_decode(struct mip_filter_data_comp_angular_rate *value,
@@ -557,6 +571,7 @@ const struct mip_codec mip_filter_data_wgs84_local_gravity_magnitude_codec = {
     0, /* time-out */
     read_wgs84_local_gravity_magnitude,
     write_wgs84_local_gravity_magnitude,
+    NULL,
     NULL,
     NULL,
 };
@@ -597,6 +612,7 @@ const struct mip_codec mip_filter_data_status_codec = {
     write_status,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_status_decode(struct mip_filter_data_status *value,
@@ -631,6 +647,7 @@ const struct mip_codec mip_filter_data_timestamp_codec = {
     0, /* time-out */
     read_timestamp,
     write_timestamp,
+    NULL,
     NULL,
     NULL,
 };
@@ -668,6 +685,7 @@ const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec = {
     0, /* time-out */
     read_quaternion_attitude_uncertainty,
     write_quaternion_attitude_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -709,6 +727,7 @@ const struct mip_codec mip_filter_data_gravity_vector_codec = {
     write_gravity_vector,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gravity_vector_decode(struct mip_filter_data_gravity_vector *value,
@@ -748,6 +767,7 @@ const struct mip_codec mip_filter_data_heading_update_source_state_codec = {
     0, /* time-out */
     read_heading_update_source_state,
     write_heading_update_source_state,
+    NULL,
     NULL,
     NULL,
 };
@@ -794,6 +814,7 @@ const struct mip_codec mip_filter_data_magnetic_model_codec = {
     write_magnetic_model,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_magnetic_model_decode(struct mip_filter_data_magnetic_model *value,
@@ -828,6 +849,7 @@ const struct mip_codec mip_filter_data_gyro_scale_factor_codec = {
     0, /* time-out */
     read_gyro_scale_factor,
     write_gyro_scale_factor,
+    NULL,
     NULL,
     NULL,
 };
@@ -867,6 +889,7 @@ const struct mip_codec mip_filter_data_accel_scale_factor_codec = {
     write_accel_scale_factor,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_accel_scale_factor_decode(
@@ -902,6 +925,7 @@ const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec = {
     0, /* time-out */
     read_gyro_scale_factor_uncertainty,
     write_gyro_scale_factor_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -942,6 +966,7 @@ const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec = {
     write_accel_scale_factor_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_accel_scale_factor_uncertainty_decode(
@@ -978,6 +1003,7 @@ const struct mip_codec mip_filter_data_mag_bias_codec = {
     0, /* time-out */
     read_mag_bias,
     write_mag_bias,
+    NULL,
     NULL,
     NULL,
 };
@@ -1017,6 +1043,7 @@ const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec = {
     write_mag_bias_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_mag_bias_uncertainty_decode(
@@ -1052,6 +1079,7 @@ const struct mip_codec mip_filter_data_compensated_acceleration_codec = {
     0, /* time-out */
     read_compensated_acceleration,
     write_compensated_acceleration,
+    NULL,
     NULL,
     NULL,
 };
@@ -1099,6 +1127,7 @@ const struct mip_codec mip_filter_data_standard_atmosphere_codec = {
     write_standard_atmosphere,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_standard_atmosphere_decode(
@@ -1133,6 +1162,7 @@ const struct mip_codec mip_filter_data_pressure_altitude_codec = {
     0, /* time-out */
     read_pressure_altitude,
     write_pressure_altitude,
+    NULL,
     NULL,
     NULL,
 };
@@ -1171,6 +1201,7 @@ const struct mip_codec mip_filter_data_density_altitude_codec = {
     write_density_altitude,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_density_altitude_decode(struct mip_filter_data_density_altitude *value,
@@ -1206,6 +1237,7 @@ const struct mip_codec mip_filter_data_mag_offset_codec = {
     write_mag_offset,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_mag_offset_decode(struct mip_filter_data_mag_offset *value,
@@ -1239,6 +1271,7 @@ const struct mip_codec mip_filter_data_mag_matrix_codec = {
     0, /* time-out */
     read_mag_matrix,
     write_mag_matrix,
+    NULL,
     NULL,
     NULL,
 };
@@ -1278,6 +1311,7 @@ const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec = {
     write_mag_offset_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_mag_offset_uncertainty_decode(
@@ -1313,6 +1347,7 @@ const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec = {
     0, /* time-out */
     read_mag_matrix_uncertainty,
     write_mag_matrix_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -1352,6 +1387,7 @@ const struct mip_codec mip_filter_data_mag_covariance_matrix_codec = {
     write_mag_covariance_matrix,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_mag_covariance_matrix_decode(
@@ -1387,6 +1423,7 @@ const struct mip_codec mip_filter_data_mag_residual_vector_codec = {
     0, /* time-out */
     read_mag_residual_vector,
     write_mag_residual_vector,
+    NULL,
     NULL,
     NULL,
 };
@@ -1426,6 +1463,7 @@ const struct mip_codec mip_filter_data_antenna_offset_correction_codec = {
     write_antenna_offset_correction,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_antenna_offset_correction_decode(
@@ -1461,6 +1499,7 @@ const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_cod
     0, /* time-out */
     read_antenna_offset_correction_uncertainty,
     write_antenna_offset_correction_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -1507,6 +1546,7 @@ const struct mip_codec mip_filter_data_clock_correction_codec = {
     write_clock_correction,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_clock_correction_decode(struct mip_filter_data_clock_correction *value,
@@ -1548,6 +1588,7 @@ const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec = {
     write_clock_correction_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_clock_correction_uncertainty_decode(
@@ -1585,6 +1626,7 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec = {
     0, /* time-out */
     read_multi_antenna_offset_correction,
     write_multi_antenna_offset_correction,
+    NULL,
     NULL,
     NULL,
 };
@@ -1630,6 +1672,7 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_correction_uncertain
     write_multi_antenna_offset_correction_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_decode(
@@ -1671,6 +1714,7 @@ const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec = {
     write_ecef_position_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_ecef_position_uncertainty_decode(
@@ -1706,6 +1750,7 @@ const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec = {
     0, /* time-out */
     read_ecef_velocity_uncertainty,
     write_ecef_velocity_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -1744,6 +1789,7 @@ const struct mip_codec mip_filter_data_ecef_position_codec = {
     write_ecef_position,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_ecef_position_decode(struct mip_filter_data_ecef_position *value,
@@ -1778,6 +1824,7 @@ const struct mip_codec mip_filter_data_ecef_velocity_codec = {
     0, /* time-out */
     read_ecef_velocity,
     write_ecef_velocity,
+    NULL,
     NULL,
     NULL,
 };
@@ -1815,6 +1862,7 @@ const struct mip_codec mip_filter_data_ned_relative_position_codec = {
     0, /* time-out */
     read_ned_relative_position,
     write_ned_relative_position,
+    NULL,
     NULL,
     NULL,
 };
@@ -1858,6 +1906,7 @@ const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec = {
     write_gnss_position_aiding_status,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gnss_position_aiding_status_decode(
@@ -1897,6 +1946,7 @@ const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec = {
     write_gnss_attitude_aiding_status,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gnss_attitude_aiding_status_decode(
@@ -1934,6 +1984,7 @@ const struct mip_codec mip_filter_data_heading_aiding_status_codec = {
     0, /* time-out */
     read_heading_aiding_status,
     write_heading_aiding_status,
+    NULL,
     NULL,
     NULL,
 };
@@ -1977,6 +2028,7 @@ const struct mip_codec mip_filter_data_aiding_measurement_summary_codec = {
     write_aiding_measurement_summary,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_aiding_measurement_summary_decode(
@@ -2014,6 +2066,7 @@ const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec = {
     write_odometer_scale_factor_error,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_odometer_scale_factor_error_decode(
@@ -2049,6 +2102,7 @@ const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_c
     0, /* time-out */
     read_odometer_scale_factor_error_uncertainty,
     write_odometer_scale_factor_error_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -2100,6 +2154,7 @@ const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec = {
     write_gnss_dual_antenna_status,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gnss_dual_antenna_status_decode(
@@ -2137,6 +2192,7 @@ const struct mip_codec mip_filter_data_aiding_frame_configuration_error_codec = 
     0, /* time-out */
     read_aiding_frame_configuration_error,
     write_aiding_frame_configuration_error,
+    NULL,
     NULL,
     NULL,
 };
@@ -2180,6 +2236,7 @@ const struct mip_codec mip_filter_data_aiding_frame_configuration_error_uncertai
     0, /* time-out */
     read_aiding_frame_configuration_error_uncertainty,
     write_aiding_frame_configuration_error_uncertainty,
+    NULL,
     NULL,
     NULL,
 };

@@ -32,6 +32,7 @@ const struct mip_codec mip_gnss_receiver_info_codec = {
     mip_write_nothing,
     NULL,
     responses_receiver_info,
+    NULL,
 };
 
 mip_error mip_gnss_receiver_info_decode(struct mip_gnss_receiver_info *value,
@@ -70,6 +71,7 @@ const struct mip_codec mip_gnss_receiver_info_response_codec = {
     0, /* time-out */
     read_receiver_info_response,
     write_receiver_info_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -146,6 +148,7 @@ const struct mip_codec mip_gnss_signal_configuration_codec = {
     write_signal_configuration,
     NULL,
     responses_signal_configuration,
+    NULL,
 };
 
 mip_error mip_gnss_signal_configuration_decode(struct mip_gnss_signal_configuration *value,
@@ -230,6 +233,7 @@ const struct mip_codec mip_gnss_signal_configuration_response_codec = {
     write_signal_configuration_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_signal_configuration_response_decode(
@@ -292,6 +296,7 @@ const struct mip_codec mip_gnss_rtk_dongle_configuration_codec = {
     write_rtk_dongle_configuration,
     NULL,
     responses_rtk_dongle_configuration,
+    NULL,
 };
 
 mip_error mip_gnss_rtk_dongle_configuration_decode(struct mip_gnss_rtk_dongle_configuration *value,
@@ -363,6 +368,7 @@ const struct mip_codec mip_gnss_rtk_dongle_configuration_response_codec = {
     0, /* time-out */
     read_rtk_dongle_configuration_response,
     write_rtk_dongle_configuration_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -452,6 +458,7 @@ const struct mip_codec mip_gnss_spartn_configuration_codec = {
     write_spartn_configuration,
     NULL,
     responses_spartn_configuration,
+    NULL,
 };
 
 mip_error mip_gnss_spartn_configuration_decode(struct mip_gnss_spartn_configuration *value,
@@ -545,6 +552,7 @@ const struct mip_codec mip_gnss_spartn_configuration_response_codec = {
     0, /* time-out */
     read_spartn_configuration_response,
     write_spartn_configuration_response,
+    NULL,
     NULL,
     NULL,
 };

@@ -36,6 +36,7 @@ const struct mip_codec mip_gnss_1_gnss_llh_position_codec = {
     write_gnss_llh_position,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_gnss_llh_position_decode(struct mip_gnss_1_gnss_llh_position *value,
@@ -72,6 +73,7 @@ const struct mip_codec mip_gnss_1_gnss_ecef_position_codec = {
     0, /* time-out */
     read_gnss_ecef_position,
     write_gnss_ecef_position,
+    NULL,
     NULL,
     NULL,
 };
@@ -119,6 +121,7 @@ const struct mip_codec mip_gnss_1_ned_velocity_codec = {
     write_ned_velocity,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_ned_velocity_decode(struct mip_gnss_1_ned_velocity *value,
@@ -155,6 +158,7 @@ const struct mip_codec mip_gnss_1_gnss_ecef_velocity_codec = {
     0, /* time-out */
     read_gnss_ecef_velocity,
     write_gnss_ecef_velocity,
+    NULL,
     NULL,
     NULL,
 };
@@ -204,6 +208,7 @@ const struct mip_codec mip_gnss_1_dop_codec = {
     write_dop,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_dop_decode(struct mip_gnss_1_dop *value, const struct mip_field *field) {
@@ -248,6 +253,7 @@ const struct mip_codec mip_gnss_1_utc_time_codec = {
     write_utc_time,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_utc_time_decode(struct mip_gnss_1_utc_time *value,
@@ -282,6 +288,7 @@ const struct mip_codec mip_gnss_1_gps_time_codec = {
     0, /* time-out */
     read_gps_time,
     write_gps_time,
+    NULL,
     NULL,
     NULL,
 };
@@ -322,6 +329,7 @@ const struct mip_codec mip_gnss_1_clock_info_codec = {
     write_clock_info,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_clock_info_decode(struct mip_gnss_1_clock_info *value,
@@ -359,6 +367,7 @@ const struct mip_codec mip_gnss_1_fix_info_codec = {
     0, /* time-out */
     read_fix_info,
     write_fix_info,
+    NULL,
     NULL,
     NULL,
 };
@@ -405,6 +414,7 @@ const struct mip_codec mip_gnss_1_sv_info_codec = {
     write_sv_info,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_sv_info_decode(struct mip_gnss_1_sv_info *value,
@@ -442,6 +452,7 @@ const struct mip_codec mip_gnss_1_gnss_hardware_status_codec = {
     0, /* time-out */
     read_gnss_hardware_status,
     write_gnss_hardware_status,
+    NULL,
     NULL,
     NULL,
 };
@@ -485,6 +496,7 @@ const struct mip_codec mip_gnss_1_dgps_info_codec = {
     write_dgps_info,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_dgps_info_decode(struct mip_gnss_1_dgps_info *value,
@@ -523,6 +535,7 @@ const struct mip_codec mip_gnss_1_dgps_channel_codec = {
     0, /* time-out */
     read_dgps_channel,
     write_dgps_channel,
+    NULL,
     NULL,
     NULL,
 };
@@ -566,6 +579,7 @@ const struct mip_codec mip_gnss_1_clock_info_2_codec = {
     write_clock_info_2,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_clock_info_2_decode(struct mip_gnss_1_clock_info_2 *value,
@@ -599,6 +613,7 @@ const struct mip_codec mip_gnss_1_gps_leap_seconds_codec = {
     0, /* time-out */
     read_gps_leap_seconds,
     write_gps_leap_seconds,
+    NULL,
     NULL,
     NULL,
 };
@@ -644,6 +659,7 @@ const struct mip_codec mip_gnss_1_sbas_info_codec = {
     0, /* time-out */
     read_sbas_info,
     write_sbas_info,
+    NULL,
     NULL,
     NULL,
 };
@@ -696,6 +712,7 @@ const struct mip_codec mip_gnss_1_sbas_correction_codec = {
     write_sbas_correction,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_sbas_correction_decode(struct mip_gnss_1_sbas_correction *value,
@@ -736,6 +753,7 @@ const struct mip_codec mip_gnss_1_rf_error_detection_codec = {
     0, /* time-out */
     read_rf_error_detection,
     write_rf_error_detection,
+    NULL,
     NULL,
     NULL,
 };
@@ -787,6 +805,7 @@ const struct mip_codec mip_gnss_1_satellite_status_codec = {
     0, /* time-out */
     read_satellite_status,
     write_satellite_status,
+    NULL,
     NULL,
     NULL,
 };
@@ -858,6 +877,7 @@ const struct mip_codec mip_gnss_1_raw_codec = {
     write_raw,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_raw_decode(struct mip_gnss_1_raw *value, const struct mip_field *field) {
@@ -899,6 +919,7 @@ const struct mip_codec mip_gnss_1_base_station_info_codec = {
     0, /* time-out */
     read_base_station_info,
     write_base_station_info,
+    NULL,
     NULL,
     NULL,
 };
@@ -951,6 +972,7 @@ const struct mip_codec mip_gnss_1_rtk_corrections_status_codec = {
     0, /* time-out */
     read_rtk_corrections_status,
     write_rtk_corrections_status,
+    NULL,
     NULL,
     NULL,
 };
@@ -1052,6 +1074,7 @@ const struct mip_codec mip_gnss_1_gps_ephemeris_codec = {
     write_gps_ephemeris,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_gps_ephemeris_decode(struct mip_gnss_1_gps_ephemeris *value,
@@ -1132,6 +1155,7 @@ const struct mip_codec mip_gnss_1_glonass_ephemeris_codec = {
     0, /* time-out */
     read_glonass_ephemeris,
     write_glonass_ephemeris,
+    NULL,
     NULL,
     NULL,
 };
@@ -1234,6 +1258,7 @@ const struct mip_codec mip_gnss_1_galileo_ephemeris_codec = {
     write_galileo_ephemeris,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_galileo_ephemeris_decode(struct mip_gnss_1_galileo_ephemeris *value,
@@ -1333,6 +1358,7 @@ const struct mip_codec mip_gnss_1_beidou_ephemeris_codec = {
     write_beidou_ephemeris,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_beidou_ephemeris_decode(struct mip_gnss_1_beidou_ephemeris *value,
@@ -1373,6 +1399,7 @@ const struct mip_codec mip_gnss_1_gps_iono_correction_codec = {
     0, /* time-out */
     read_gps_iono_correction,
     write_gps_iono_correction,
+    NULL,
     NULL,
     NULL,
 };
@@ -1418,6 +1445,7 @@ const struct mip_codec mip_gnss_1_galileo_iono_correction_codec = {
     write_galileo_iono_correction,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_galileo_iono_correction_decode(
@@ -1460,6 +1488,7 @@ const struct mip_codec mip_gnss_1_beidou_iono_correction_codec = {
     0, /* time-out */
     read_beidou_iono_correction,
     write_beidou_iono_correction,
+    NULL,
     NULL,
     NULL,
 };

@@ -23,6 +23,7 @@ const struct mip_codec mip_sensor_raw_accel_codec = {
     write_raw_accel,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_raw_accel_decode(struct mip_sensor_raw_accel *value,
@@ -53,6 +54,7 @@ const struct mip_codec mip_sensor_raw_gyro_codec = {
     0, /* time-out */
     read_raw_gyro,
     write_raw_gyro,
+    NULL,
     NULL,
     NULL,
 };
@@ -87,6 +89,7 @@ const struct mip_codec mip_sensor_raw_mag_codec = {
     write_raw_mag,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_raw_mag_decode(struct mip_sensor_raw_mag *value,
@@ -117,6 +120,7 @@ const struct mip_codec mip_sensor_scaled_accel_codec = {
     0, /* time-out */
     read_scaled_accel,
     write_scaled_accel,
+    NULL,
     NULL,
     NULL,
 };
@@ -152,6 +156,7 @@ const struct mip_codec mip_sensor_scaled_gyro_codec = {
     write_scaled_gyro,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_scaled_gyro_decode(struct mip_sensor_scaled_gyro *value,
@@ -183,6 +188,7 @@ const struct mip_codec mip_sensor_scaled_mag_codec = {
     0, /* time-out */
     read_scaled_mag,
     write_scaled_mag,
+    NULL,
     NULL,
     NULL,
 };
@@ -218,6 +224,7 @@ const struct mip_codec mip_sensor_delta_theta_codec = {
     write_delta_theta,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_delta_theta_decode(struct mip_sensor_delta_theta *value,
@@ -249,6 +256,7 @@ const struct mip_codec mip_sensor_delta_velocity_codec = {
     0, /* time-out */
     read_delta_velocity,
     write_delta_velocity,
+    NULL,
     NULL,
     NULL,
 };
@@ -284,6 +292,7 @@ const struct mip_codec mip_sensor_complementary_filter_orientation_matrix_codec 
     0, /* time-out */
     read_complementary_filter_orientation_matrix,
     write_complementary_filter_orientation_matrix,
+    NULL,
     NULL,
     NULL,
 };
@@ -325,6 +334,7 @@ const struct mip_codec mip_sensor_complementary_filter_quaternion_codec = {
     write_complementary_filter_quaternion,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_complementary_filter_quaternion_decode(
@@ -359,6 +369,7 @@ const struct mip_codec mip_sensor_comp_orientation_update_matrix_codec = {
     0, /* time-out */
     read_comp_orientation_update_matrix,
     write_comp_orientation_update_matrix,
+    NULL,
     NULL,
     NULL,
 };
@@ -401,6 +412,7 @@ const struct mip_codec mip_sensor_complementary_filter_euler_angles_codec = {
     write_complementary_filter_euler_angles,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_complementary_filter_euler_angles_decode(
@@ -436,6 +448,7 @@ const struct mip_codec mip_sensor_orientation_raw_temp_codec = {
     write_orientation_raw_temp,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_orientation_raw_temp_decode(struct mip_sensor_orientation_raw_temp *value,
@@ -468,6 +481,7 @@ const struct mip_codec mip_sensor_internal_timestamp_codec = {
     0, /* time-out */
     read_internal_timestamp,
     write_internal_timestamp,
+    NULL,
     NULL,
     NULL,
 };
@@ -505,6 +519,7 @@ const struct mip_codec mip_sensor_pps_timestamp_codec = {
     write_pps_timestamp,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_pps_timestamp_decode(struct mip_sensor_pps_timestamp *value,
@@ -539,6 +554,7 @@ const struct mip_codec mip_sensor_complementary_filter_stabilized_north_vector_c
     0, /* time-out */
     read_complementary_filter_stabilized_north_vector,
     write_complementary_filter_stabilized_north_vector,
+    NULL,
     NULL,
     NULL,
 };
@@ -579,6 +595,7 @@ const struct mip_codec mip_sensor_complementary_filter_stabilized_up_vector_code
     0, /* time-out */
     read_complementary_filter_stabilized_up_vector,
     write_complementary_filter_stabilized_up_vector,
+    NULL,
     NULL,
     NULL,
 };
@@ -622,6 +639,7 @@ const struct mip_codec mip_sensor_gps_timestamp_codec = {
     write_gps_timestamp,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_gps_timestamp_decode(struct mip_sensor_gps_timestamp *value,
@@ -660,6 +678,7 @@ const struct mip_codec mip_sensor_temperature_statistics_codec = {
     write_temperature_statistics,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_temperature_statistics_decode(struct mip_sensor_temperature_statistics *value,
@@ -691,6 +710,7 @@ const struct mip_codec mip_sensor_raw_pressure_codec = {
     0, /* time-out */
     read_raw_pressure,
     write_raw_pressure,
+    NULL,
     NULL,
     NULL,
 };
@@ -726,6 +746,7 @@ const struct mip_codec mip_sensor_scaled_pressure_codec = {
     write_scaled_pressure,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_scaled_pressure_decode(struct mip_sensor_scaled_pressure *value,
@@ -757,6 +778,7 @@ const struct mip_codec mip_sensor_overrange_status_codec = {
     0, /* time-out */
     read_overrange_status,
     write_overrange_status,
+    NULL,
     NULL,
     NULL,
 };
@@ -794,6 +816,7 @@ const struct mip_codec mip_sensor_odometer_codec = {
     0, /* time-out */
     read_odometer,
     write_odometer,
+    NULL,
     NULL,
     NULL,
 };

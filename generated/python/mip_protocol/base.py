@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClass, Structure
+from .field import Command, Field, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 _BASE_DEVICE_INFO_0 = codec.Block("H", "firmware_version")
@@ -659,10 +659,10 @@ class CommPortSpeed(Command):
         return cls(FunctionSelector.DEFAULT, port=port)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return CommPortSpeedResponse
-        return None
+            return (CommPortSpeedResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CommPortSpeed, int]:
@@ -767,12 +767,12 @@ class GpsTimeUpdate(Command):
         return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ and self.field_id == 1:
-            return GpsTimeUpdateWeekNumberResponse
+            return (GpsTimeUpdateWeekNumberResponse,)
         if self.function == FunctionSelector.READ and self.field_id == 2:
-            return GpsTimeUpdateTimeOfWeekResponse
-        return None
+            return (GpsTimeUpdateTimeOfWeekResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdate, int]:
@@ -847,7 +847,7 @@ GetDeviceDescriptorsExtendedResponse.COMMANDS = (GetDeviceDescriptorsExtended,)
 ContinuousBuiltInTestResponse.COMMANDS = (ContinuousBuiltInTest,)
 CommPortSpeedResponse.COMMANDS = (CommPortSpeed,)
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Ping,),
     0x02: (SetToIdle,),

@@ -66,7 +66,7 @@ class Field(Structure):
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        """Can this be its data? Looks at the constants that tell layouts of one descriptor apart."""
+        """Can this be its data? Looks at what tells the layouts of one descriptor apart: constants and size."""
         return True
 
     def packet(self) -> Packet:
@@ -94,7 +94,7 @@ class Response(Field):
 
 
 #: For where a field's own member is called `type`.
-ResponseClass: TypeAlias = "type[Response]"
+ResponseClasses: TypeAlias = "tuple[type[Response], ...]"
 
 
 class Command(Field):
@@ -113,9 +113,9 @@ class Command(Field):
         return True
 
     @property
-    def expected(self) -> ResponseClass | None:
-        """The response that it asks for, with these values."""
-        return self.RESPONSES[0] if self.RESPONSES else None
+    def expected(self) -> ResponseClasses:
+        """The response that it asks for, with these values: devices may have different layouts of it."""
+        return self.RESPONSES
 
 
 class Data(Field):

@@ -13,7 +13,7 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClass
+from .field import Command, Field, Response, ResponseClasses
 from .protocol import FunctionSelector
 
 
@@ -2192,10 +2192,10 @@ class VehicleDynamicsMode(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return VehicleDynamicsModeResponse
-        return None
+            return (VehicleDynamicsModeResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsMode, int]:
@@ -2297,10 +2297,10 @@ class SensorToVehicleFrameTransformation(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SensorToVehicleFrameTransformationResponse
-        return None
+            return (SensorToVehicleFrameTransformationResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformation, int]:
@@ -2412,10 +2412,10 @@ class SensorToVehicleOffset(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SensorToVehicleOffsetResponse
-        return None
+            return (SensorToVehicleOffsetResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffset, int]:
@@ -2508,10 +2508,10 @@ class GnssAntennaOffsetControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return GnssAntennaOffsetControlResponse
-        return None
+            return (GnssAntennaOffsetControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetControl, int]:
@@ -2598,10 +2598,10 @@ class EstimationControlFlags(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return EstimationControlFlagsResponse
-        return None
+            return (EstimationControlFlagsResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EstimationControlFlags, int]:
@@ -2691,10 +2691,10 @@ class GnssAidingSourceControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return GnssAidingSourceControlResponse
-        return None
+            return (GnssAidingSourceControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAidingSourceControl, int]:
@@ -2915,10 +2915,10 @@ class HeadingUpdateControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return HeadingUpdateControlResponse
-        return None
+            return (HeadingUpdateControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateControl, int]:
@@ -3007,10 +3007,10 @@ class AutoInitializationControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AutoInitializationControlResponse
-        return None
+            return (AutoInitializationControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoInitializationControl, int]:
@@ -3102,10 +3102,10 @@ class AccelerometerNoiseStandardDeviation(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AccelerometerNoiseStandardDeviationResponse
-        return None
+            return (AccelerometerNoiseStandardDeviationResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerNoiseStandardDeviation, int]:
@@ -3199,10 +3199,10 @@ class GyroscopeNoiseStandardDeviation(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return GyroscopeNoiseStandardDeviationResponse
-        return None
+            return (GyroscopeNoiseStandardDeviationResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeNoiseStandardDeviation, int]:
@@ -3298,10 +3298,10 @@ class AccelerometerBiasModelParameters(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AccelerometerBiasModelParametersResponse
-        return None
+            return (AccelerometerBiasModelParametersResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasModelParameters, int]:
@@ -3410,10 +3410,10 @@ class GyroscopeBiasModelParameters(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return GyroscopeBiasModelParametersResponse
-        return None
+            return (GyroscopeBiasModelParametersResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasModelParameters, int]:
@@ -3514,10 +3514,10 @@ class AutoZupt(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AutoZuptResponse
-        return None
+            return (AutoZuptResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoZupt, int]:
@@ -3683,10 +3683,10 @@ class ZeroAngularRateUpdateControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return ZeroAngularRateUpdateControlResponse
-        return None
+            return (ZeroAngularRateUpdateControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ZeroAngularRateUpdateControl, int]:
@@ -3785,10 +3785,10 @@ class TareOrientation(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return TareOrientationResponse
-        return None
+            return (TareOrientationResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TareOrientation, int]:
@@ -3947,10 +3947,10 @@ class SetReferencePosition(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SetReferencePositionResponse
-        return None
+            return (SetReferencePositionResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetReferencePosition, int]:
@@ -4119,10 +4119,10 @@ class GravityNoiseStandardDeviation(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return GravityNoiseStandardDeviationResponse
-        return None
+            return (GravityNoiseStandardDeviationResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseStandardDeviation, int]:
@@ -4211,10 +4211,10 @@ class PressureAltitudeNoise(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return PressureAltitudeNoiseResponse
-        return None
+            return (PressureAltitudeNoiseResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoise, int]:
@@ -4303,10 +4303,10 @@ class HardIronOffsetNoise(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return HardIronOffsetNoiseResponse
-        return None
+            return (HardIronOffsetNoiseResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoise, int]:
@@ -4395,10 +4395,10 @@ class SoftIronMatrixNoise(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SoftIronMatrixNoiseResponse
-        return None
+            return (SoftIronMatrixNoiseResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoise, int]:
@@ -4485,10 +4485,10 @@ class EnableDisableMeasurements(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return EnableDisableMeasurementsResponse
-        return None
+            return (EnableDisableMeasurementsResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EnableDisableMeasurements, int]:
@@ -4577,10 +4577,10 @@ class MagNoise(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return MagNoiseResponse
-        return None
+            return (MagNoiseResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagNoise, int]:
@@ -4678,10 +4678,10 @@ class MagneticFieldDeclinationSourceControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return MagneticFieldDeclinationSourceControlResponse
-        return None
+            return (MagneticFieldDeclinationSourceControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticFieldDeclinationSourceControl, int]:
@@ -4827,10 +4827,10 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return GravityMagnitudeErrorAdaptiveMeasurementResponse
-        return None
+            return (GravityMagnitudeErrorAdaptiveMeasurementResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityMagnitudeErrorAdaptiveMeasurement, int]:
@@ -5044,10 +5044,10 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return MagMagnitudeErrorAdaptiveMeasurementResponse
-        return None
+            return (MagMagnitudeErrorAdaptiveMeasurementResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurement, int]:
@@ -5239,10 +5239,10 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return MagDipAngleErrorAdaptiveMeasurementResponse
-        return None
+            return (MagDipAngleErrorAdaptiveMeasurementResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurement, int]:
@@ -5369,10 +5369,10 @@ class AltitudeAiding(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AltitudeAidingResponse
-        return None
+            return (AltitudeAidingResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAiding, int]:
@@ -5459,10 +5459,10 @@ class PitchRollAidingControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return PitchRollAidingControlResponse
-        return None
+            return (PitchRollAidingControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingControl, int]:
@@ -5556,10 +5556,10 @@ class InclinationSource(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return InclinationSourceResponse
-        return None
+            return (InclinationSourceResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InclinationSource, int]:
@@ -5663,10 +5663,10 @@ class MagFieldMagnitudeSource(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return MagFieldMagnitudeSourceResponse
-        return None
+            return (MagFieldMagnitudeSourceResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagFieldMagnitudeSource, int]:
@@ -5771,10 +5771,10 @@ class SensorToVehicleRotationDcm(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SensorToVehicleRotationDcmResponse
-        return None
+            return (SensorToVehicleRotationDcmResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcm, int]:
@@ -5867,10 +5867,10 @@ class SensorToVehicleRotationQuaternion(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SensorToVehicleRotationQuaternionResponse
-        return None
+            return (SensorToVehicleRotationQuaternionResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternion, int]:
@@ -5962,10 +5962,10 @@ class AidingMeasurementControl(Command):
         return cls(FunctionSelector.DEFAULT, aiding_source=aiding_source)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AidingMeasurementControlResponse
-        return None
+            return (AidingMeasurementControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementControl, int]:
@@ -6083,10 +6083,10 @@ class KinematicConstraint(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return KinematicConstraintResponse
-        return None
+            return (KinematicConstraintResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraint, int]:
@@ -6261,10 +6261,10 @@ class NavigationFilterInitialization(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return NavigationFilterInitializationResponse
-        return None
+            return (NavigationFilterInitializationResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NavigationFilterInitialization, int]:
@@ -6443,10 +6443,10 @@ class AdaptiveFilterControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AdaptiveFilterControlResponse
-        return None
+            return (AdaptiveFilterControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterControl, int]:
@@ -6554,10 +6554,10 @@ class GnssMultiAntennaOffsetControl(Command):
         return cls(FunctionSelector.DEFAULT, receiver_id=receiver_id)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return GnssMultiAntennaOffsetControlResponse
-        return None
+            return (GnssMultiAntennaOffsetControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssMultiAntennaOffsetControl, int]:
@@ -6679,10 +6679,10 @@ class RelativePositionConfiguration(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return RelativePositionConfigurationResponse
-        return None
+            return (RelativePositionConfigurationResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfiguration, int]:
@@ -6805,10 +6805,10 @@ class ReferencePointLeverArm(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return ReferencePointLeverArmResponse
-        return None
+            return (ReferencePointLeverArmResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArm, int]:
@@ -6959,10 +6959,10 @@ class MeasurementSpeedLeverArm(Command):
         return cls(FunctionSelector.DEFAULT, source=1)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return MeasurementSpeedLeverArmResponse
-        return None
+            return (MeasurementSpeedLeverArmResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MeasurementSpeedLeverArm, int]:
@@ -7062,10 +7062,10 @@ class VerticalGyroConstraintControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return VerticalGyroConstraintControlResponse
-        return None
+            return (VerticalGyroConstraintControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControl, int]:
@@ -7155,10 +7155,10 @@ class WheeledVehicleConstraintControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return WheeledVehicleConstraintControlResponse
-        return None
+            return (WheeledVehicleConstraintControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[WheeledVehicleConstraintControl, int]:
@@ -7255,10 +7255,10 @@ class GnssAntennaOffsetCalibrationControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return GnssAntennaOffsetCalibrationControlResponse
-        return None
+            return (GnssAntennaOffsetCalibrationControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetCalibrationControl, int]:
@@ -7345,7 +7345,7 @@ VerticalGyroConstraintControlResponse.COMMANDS = (VerticalGyroConstraintControl,
 WheeledVehicleConstraintControlResponse.COMMANDS = (WheeledVehicleConstraintControl,)
 GnssAntennaOffsetCalibrationControlResponse.COMMANDS = (GnssAntennaOffsetCalibrationControl,)
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (ResetNavigationFilter,),
     0x02: (SetInitialAttitude,),

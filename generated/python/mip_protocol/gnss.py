@@ -12,7 +12,7 @@ from enum import IntFlag
 
 from . import codec
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClass, Structure
+from .field import Command, Field, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 _RECEIVER_INFO_ENTRY_0 = codec.Block("BB", "receiver_id", "mip_data_descriptor_set")
@@ -436,10 +436,10 @@ class SignalConfiguration(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SignalConfigurationResponse
-        return None
+            return (SignalConfigurationResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SignalConfiguration, int]:
@@ -567,10 +567,10 @@ class RtkDongleConfiguration(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return RtkDongleConfigurationResponse
-        return None
+            return (RtkDongleConfigurationResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfiguration, int]:
@@ -722,10 +722,10 @@ class SpartnConfiguration(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SpartnConfigurationResponse
-        return None
+            return (SpartnConfigurationResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfiguration, int]:
@@ -837,7 +837,7 @@ SignalConfigurationResponse.COMMANDS = (SignalConfiguration,)
 RtkDongleConfigurationResponse.COMMANDS = (RtkDongleConfiguration,)
 SpartnConfigurationResponse.COMMANDS = (SpartnConfiguration,)
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (ReceiverInfo,),
     0x02: (SignalConfiguration,),

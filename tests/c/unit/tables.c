@@ -14,11 +14,20 @@ static bool is(const char *a, const char *b) {
 
 static void registry(void) {
     size_t count;
-    struct mip_field field = field_of(1, 0x90, "126702");
-    CHECK(is(mip_registry_find(&field)->name, "tools.status_long"));
-    field = field_of(1, 0x90, "1267");
+    /* Layouts are told apart by constants, as far as the data reach, then by size. */
+    struct mip_field field = field_of(1, 0x90, "1267");
+    CHECK(is(mip_registry_find(&field)->name, "tools.status_short"));
+    field = field_of(1, 0x90, "126703");
     CHECK(mip_registry_find(&field) == NULL);
-    CHECK(mip_registry_candidates(1, 0x90, &count) != NULL && count == 2);
+    static const uint8_t data[253] = {0x12, 0x67, 0x02};
+    for (uint8_t size = 3; size <= 253; size++) {
+        field.data = data;
+        field.size = size;
+        CHECK(is(mip_registry_find(&field)->name, size < 15    ? "tools.status_old"
+                                                  : size == 15 ? "tools.status_long"
+                                                               : "tools.status_full"));
+    }
+    CHECK(mip_registry_candidates(1, 0x90, &count) != NULL && count == 4);
     CHECK(mip_registry_candidates(1, 0x7F, &count) == NULL && count == 0);
     field = field_of(0x55, 0xF1, "");
     CHECK(mip_registry_find(&field)->codec == &mip_protocol_acknowledge_codec);
@@ -85,7 +94,7 @@ static void reflection(void) {
     CHECK(mip_names_find("tools.shape")->count == 5 && mip_names_find("nothing") == NULL);
     r = mip_reflect(&mip_tools_status_short_codec);
     CHECK(is(r->record->parameters[2].readings[1].device, "model-b"));
-    static const struct mip_codec other = {0, 0, 0, 0, 0, NULL, NULL, NULL, NULL};
+    static const struct mip_codec other = {0, 0, 0, 0, 0, NULL, NULL, NULL, NULL, NULL};
     CHECK(mip_reflect(&other) == NULL);
 }
 

@@ -52,6 +52,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "groups": members.groups,
         "answered": members.answered,
         "expected": lambda f: members.expected(f, model),
+        "matches": lambda f: members.matches(f, model),
         "readings": members.readings,
         # codecs
         "plan": steps.plan,

@@ -20,7 +20,7 @@ __all__ = ["MODULES", "SHARED_SET", "all_types", "decode", "decode_packet", "typ
 def types(set: int, descriptor: int) -> tuple[type[Field], ...]:
     """The types that a descriptor has inside a packet of that set; empty if it is unknown.
 
-    Several mean that constants in the data tell them apart.
+    Several mean that constants in the data, or their size, tell them apart.
     """
     if set < 0x80 and descriptor == Acknowledge.DESCRIPTOR:
         return (Acknowledge,)

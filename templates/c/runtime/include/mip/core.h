@@ -45,7 +45,9 @@ typedef enum mip_error {
     /** The number of present parameters ends between a counter and its array, or exceeds them. */
     MIP_ERROR_MISSING,
     /** The field does not stand in packets of this descriptor set. */
-    MIP_ERROR_SET
+    MIP_ERROR_SET,
+    /** The data have another layout of the descriptor than the caller expects. */
+    MIP_ERROR_LAYOUT
 } mip_error;
 
 /** The error as one word in lower case: "truncated"; "ok" if there is none. */
@@ -177,6 +179,22 @@ struct mip_response {
     bool (*asked)(const void *command);
 };
 
+/** A value at a fixed place. */
+struct mip_constant {
+    uint8_t offset;
+    uint8_t size;
+    uint64_t value;
+};
+
+/** What tells one of several layouts of a descriptor from the others. */
+struct mip_layout {
+    /** Bytes of data that it may have. */
+    uint8_t shortest;
+    uint8_t longest;
+    uint8_t constant_count;
+    const struct mip_constant *constants;
+};
+
 /** All that generic code needs to handle a type of field; the client and the registry use it. */
 struct mip_codec {
     uint8_t descriptor_set;
@@ -193,7 +211,12 @@ struct mip_codec {
     bool (*silent)(const void *value);
     /** What this command is answered with, up to an entry without a codec; NULL if with nothing. */
     const struct mip_response *responses;
+    /** NULL if it is the only layout of its descriptor. */
+    const struct mip_layout *layout;
 };
+
+/** Do the data of a field have this layout of their descriptor, as far as they reach? */
+bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *field);
 
 /**
  * Decodes a field of any type. On an error `value` is all zero. `trailing` may be NULL; it gets the

@@ -6,6 +6,6 @@ MODULES: dict[int, str] = {
     0x0C: "mip_3d",
     0x80: "measurements",
     0x81: "more",
-    0x82: "copy",
+    0x92: "copy",
     0xFF: "shared",
 }

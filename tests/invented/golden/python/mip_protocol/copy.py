@@ -1,4 +1,4 @@
-"""Copied measurements (0x82).
+"""Copied measurements (0x92).
 
 All the fields of another set.
 """
@@ -10,7 +10,7 @@ from .field import Field
 
 
 class Accel(measurements.Accel):
-    """Third acceleration (0x82,0x01).
+    """Third acceleration (0x92,0x01).
 
     A vector whose elements are valid together.
 
@@ -21,7 +21,7 @@ class Accel(measurements.Accel):
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.accel"
 
     scaled_accel: types.Vector3f
@@ -32,7 +32,7 @@ class Accel(measurements.Accel):
 
 
 class Numbers(measurements.Numbers):
-    """Numbers (0x82,0x02).
+    """Numbers (0x92,0x02).
 
     One of each.
 
@@ -43,12 +43,12 @@ class Numbers(measurements.Numbers):
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.numbers"
 
 
 class Strings(measurements.Strings):
-    """Strings (0x82,0x03).
+    """Strings (0x92,0x03).
 
     Fixed, counted, and to the end.
 
@@ -59,12 +59,12 @@ class Strings(measurements.Strings):
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.strings"
 
 
 class Health(measurements.Health):
-    """Health (0x82,0x04).
+    """Health (0x92,0x04).
 
     The wide bitfield.
 
@@ -75,12 +75,12 @@ class Health(measurements.Health):
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.health"
 
 
 class Arrays(measurements.Arrays):
-    """Arrays (0x82,0x05).
+    """Arrays (0x92,0x05).
 
     Arrays of all that can stand in one.
 
@@ -91,12 +91,12 @@ class Arrays(measurements.Arrays):
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.arrays"
 
 
 class Growing(measurements.Growing):
-    """Growing (0x82,0x06).
+    """Growing (0x92,0x06).
 
     Newer devices send more of it.
 
@@ -107,12 +107,12 @@ class Growing(measurements.Growing):
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.growing"
 
 
 class Radio(measurements.Radio):
-    """Radio (0x82,0x07).
+    """Radio (0x92,0x07).
 
     A bool vouches for values; one source has no layout that agrees with it.
 
@@ -124,12 +124,12 @@ class Radio(measurements.Radio):
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.radio"
 
 
 class Cloud(measurements.Cloud):
-    """Cloud (0x82,0x08).
+    """Cloud (0x92,0x08).
 
     The count can exceed what a field holds beside the value behind the array.
 
@@ -140,11 +140,11 @@ class Cloud(measurements.Cloud):
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.cloud"
 
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Accel,),
     0x02: (Numbers,),

@@ -82,5 +82,5 @@ class Strings(measurements.Strings):
     NAME = "more.strings"
 
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {0x01: (Accel,), 0x03: (Strings,), 0x07: (Own,)}

@@ -10,7 +10,7 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClass, Structure
+from .field import Command, Field, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 
@@ -545,7 +545,7 @@ class StatusShort(Response):
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x12g" and data[2:3] == b"\x01"
+        return b"\x12g".startswith(data[0:2]) and b"\x01".startswith(data[2:3])
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[StatusShort, int]:
@@ -576,7 +576,8 @@ _STATUS_LONG_2 = codec.Block("IQ", "flags", "uptime")
 class StatusLong(Response):
     """Status response (0x01,0x90).
 
-    Answers `Status`. Sent if `selector` is 2. Supported by Model A and Model B.
+    Answers `Status`. Told from `StatusOld` and `StatusFull` by the size of its data. Sent if
+    `selector` is 2. Supported by Model A and Model B.
 
     - guide: Status
     """
@@ -600,7 +601,11 @@ class StatusLong(Response):
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x12g" and data[2:3] == b"\x02"
+        return (
+            15 <= len(data) < 16
+            and b"\x12g".startswith(data[0:2])
+            and b"\x02".startswith(data[2:3])
+        )
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[StatusLong, int]:
@@ -620,6 +625,113 @@ class StatusLong(Response):
         out = _STATUS_LONG_0.write(4711)
         out += _STATUS_LONG_1.write(2)
         out += _STATUS_LONG_2.write(self.flags, self.uptime)
+        return codec.finished(out)
+
+
+_STATUS_OLD_0 = codec.Block("H", "model")
+_STATUS_OLD_1 = codec.Block("B", "selector")
+_STATUS_OLD_2 = codec.Block("I", "uptime")
+
+
+@dataclass(slots=True)
+class StatusOld(Response):
+    """Status response (0x01,0x90).
+
+    The long layout of old devices. Its size tells it from the others.
+
+    Answers `Status`. Told from `StatusLong` and `StatusFull` by the size of its data. Sent if
+    `selector` is 2. Supported by Model A and Model B.
+
+    - guide: Status
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x90
+    NAME = "tools.status_old"
+    ROLE = "response"
+
+    # On the wire: model. The model. Always 4711.
+    # On the wire: selector. The long layout. Always 2.
+    uptime: int
+    """Since start. Unit: s."""
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return len(data) < 15 and b"\x12g".startswith(data[0:2]) and b"\x02".startswith(data[2:3])
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[StatusOld, int]:
+        v = _STATUS_OLD_0.read(raw, at)
+        at += 2
+        codec.constant(v[0], 4711)
+        v = _STATUS_OLD_1.read(raw, at)
+        at += 1
+        codec.constant(v[0], 2)
+        v = _STATUS_OLD_2.read(raw, at)
+        at += 4
+        uptime = v[0]
+        return cls(uptime), at
+
+    def _write(self) -> bytes:
+        out = _STATUS_OLD_0.write(4711)
+        out += _STATUS_OLD_1.write(2)
+        out += _STATUS_OLD_2.write(self.uptime)
+        return codec.finished(out)
+
+
+_STATUS_FULL_0 = codec.Block("H", "model")
+_STATUS_FULL_1 = codec.Block("B", "selector")
+_STATUS_FULL_2 = codec.Block("QB", "uptime", "mode")
+
+
+@dataclass(slots=True)
+class StatusFull(Response):
+    """Status response (0x01,0x90).
+
+    Answers `Status`. Told from `StatusLong` and `StatusOld` by the size of its data. Sent if
+    `selector` is 2. Supported by Model A and Model B.
+
+    - guide: Status
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x90
+    NAME = "tools.status_full"
+    ROLE = "response"
+
+    # On the wire: model. The model. Always 4711.
+    # On the wire: selector. The long layout. Always 2.
+    place: types.Point
+    """Where it is."""
+    uptime: int
+    """Since start. Unit: s."""
+    mode: types.Mode
+    """What it does."""
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return 16 <= len(data) and b"\x12g".startswith(data[0:2]) and b"\x02".startswith(data[2:3])
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[StatusFull, int]:
+        v = _STATUS_FULL_0.read(raw, at)
+        at += 2
+        codec.constant(v[0], 4711)
+        v = _STATUS_FULL_1.read(raw, at)
+        at += 1
+        codec.constant(v[0], 2)
+        place, at = types.Point._read(raw, at)
+        v = _STATUS_FULL_2.read(raw, at)
+        at += 9
+        uptime = v[0]
+        mode = types.Mode(v[1])
+        return cls(place, uptime, mode), at
+
+    def _write(self) -> bytes:
+        out = _STATUS_FULL_0.write(4711)
+        out += _STATUS_FULL_1.write(2)
+        out += codec.structure("place", self.place, types.Point)
+        out += _STATUS_FULL_2.write(self.uptime, self.mode)
         return codec.finished(out)
 
 
@@ -768,10 +880,10 @@ class Settings(Command):
         return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SettingsResponse
-        return None
+            return (SettingsResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Settings, int]:
@@ -893,12 +1005,12 @@ class SetTime(Command):
         return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ and self.part == 1:
-            return SetTimeFastResponse
+            return (SetTimeFastResponse,)
         if self.function == FunctionSelector.READ and self.part == 2:
-            return SetTimeSlowResponse
-        return None
+            return (SetTimeSlowResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetTime, int]:
@@ -947,10 +1059,10 @@ _STATUS_1 = codec.Block("B", "selector")
 class Status(Command):
     """Status (0x01,0x04).
 
-    Two layouts of one response, told apart by constants.
+    Layouts of one response, told apart by constants and by size.
 
-    For advanced use. Answered by `StatusShort` or `StatusLong`. The device may take 2.5 s to
-    answer. Supported by Model A and Model B.
+    For advanced use. Answered by `StatusShort`, `StatusLong`, `StatusOld` or `StatusFull`. The
+    device may take 2.5 s to answer. Supported by Model A and Model B.
 
     - guide: Status
     """
@@ -959,7 +1071,7 @@ class Status(Command):
     DESCRIPTOR = 0x04
     NAME = "tools.status"
     ROLE = "command"
-    RESPONSES = (StatusShort, StatusLong)
+    RESPONSES = (StatusShort, StatusLong, StatusOld, StatusFull)
     TIMEOUT = 2.5
 
     # On the wire: model. The model that the layouts belong to. Always 4711.
@@ -968,15 +1080,15 @@ class Status(Command):
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x12g"
+        return b"\x12g".startswith(data[0:2])
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.selector == 1:
-            return StatusShort
+            return (StatusShort,)
         if self.selector == 2:
-            return StatusLong
-        return None
+            return (StatusLong, StatusOld, StatusFull)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Status, int]:
@@ -1051,10 +1163,10 @@ class Bias(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return BiasVector
-        return None
+            return (BiasVector,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Bias, int]:
@@ -1227,10 +1339,10 @@ class Choice(Command):
         return cls(FunctionSelector.READ, instance=instance)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return ChoiceResponse
-        return None
+            return (ChoiceResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Choice, int]:
@@ -1351,10 +1463,10 @@ class List(Command):
         return cls(FunctionSelector.SAVE)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return ListResponse
-        return None
+            return (ListResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[List, int]:
@@ -1462,10 +1574,10 @@ class Pin(Command):
         return cls(FunctionSelector.READ, drive=drive)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return PinResponse
-        return None
+            return (PinResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Pin, int]:
@@ -1574,9 +1686,11 @@ PinResponse.COMMANDS = (Pin,)
 HelloResponse.COMMANDS = (Hello,)
 StatusShort.COMMANDS = (Status,)
 StatusLong.COMMANDS = (Status,)
+StatusOld.COMMANDS = (Status,)
+StatusFull.COMMANDS = (Status,)
 BiasVector.COMMANDS = (Bias, CaptureBias)
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Ping,),
     0x02: (Settings,),
@@ -1598,6 +1712,6 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x8A: (InventoryResponse,),
     0x8B: (PinResponse,),
     0x8C: (HelloResponse,),
-    0x90: (StatusShort, StatusLong),
+    0x90: (StatusShort, StatusLong, StatusOld, StatusFull),
     0x9B: (BiasVector,),
 }

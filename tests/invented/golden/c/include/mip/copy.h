@@ -1,7 +1,7 @@
 /**
  * @file
  *
- * Copied measurements (0x82). All the fields of another set.
+ * Copied measurements (0x92). All the fields of another set.
  */
 #ifndef MIP_COPY_H
 #define MIP_COPY_H
@@ -18,10 +18,10 @@ extern "C" {
 #endif
 
 /** Descriptor set of these fields. */
-#define MIP_COPY_SET 0x82
+#define MIP_COPY_SET 0x92
 
 /**
- * Third acceleration: data (0x82,0x01).
+ * Third acceleration: data (0x92,0x01).
  *
  * A vector whose elements are valid together.
  *
@@ -37,7 +37,7 @@ extern "C" {
 #define MIP_COPY_ACCEL_NAME "copy.accel"
 
 /**
- * Numbers: data (0x82,0x02).
+ * Numbers: data (0x92,0x02).
  *
  * One of each.
  *
@@ -53,7 +53,7 @@ extern "C" {
 #define MIP_COPY_NUMBERS_NAME "copy.numbers"
 
 /**
- * Strings: data (0x82,0x03).
+ * Strings: data (0x92,0x03).
  *
  * Fixed, counted, and to the end.
  *
@@ -69,7 +69,7 @@ extern "C" {
 #define MIP_COPY_STRINGS_NAME "copy.strings"
 
 /**
- * Health: data (0x82,0x04).
+ * Health: data (0x92,0x04).
  *
  * The wide bitfield.
  *
@@ -85,7 +85,7 @@ extern "C" {
 #define MIP_COPY_HEALTH_NAME "copy.health"
 
 /**
- * Arrays: data (0x82,0x05).
+ * Arrays: data (0x92,0x05).
  *
  * Arrays of all that can stand in one.
  *
@@ -101,7 +101,7 @@ extern "C" {
 #define MIP_COPY_ARRAYS_NAME "copy.arrays"
 
 /**
- * Growing: data (0x82,0x06).
+ * Growing: data (0x92,0x06).
  *
  * Newer devices send more of it.
  *
@@ -121,7 +121,7 @@ extern "C" {
 #define MIP_COPY_GROWING_WITH_THIRD 3
 
 /**
- * Radio: data (0x82,0x07).
+ * Radio: data (0x92,0x07).
  *
  * A bool vouches for values; one source has no layout that agrees with it.
  *
@@ -138,7 +138,7 @@ extern "C" {
 #define MIP_COPY_RADIO_NAME "copy.radio"
 
 /**
- * Cloud: data (0x82,0x08).
+ * Cloud: data (0x92,0x08).
  *
  * The count can exceed what a field holds beside the value behind the array.
  *

@@ -306,10 +306,10 @@ mip_error mip_tools_set_time_slow_response_encode(
 /**
  * Status: command (0x01,0x04).
  *
- * Two layouts of one response, told apart by constants.
+ * Layouts of one response, told apart by constants and by size.
  *
- * For advanced use. Answered by mip_tools_status_short or mip_tools_status_long. The device may
- * take 2.5 s to answer. Supported by Model A and Model B.
+ * For advanced use. Answered by mip_tools_status_short, mip_tools_status_long, mip_tools_status_old
+ * or mip_tools_status_full. The device may take 2.5 s to answer. Supported by Model A and Model B.
  *
  * On the wire only, without a member:
  * - model: The model that the layouts belong to. Always 4711.
@@ -362,7 +362,8 @@ mip_error mip_tools_status_short_encode(const struct mip_tools_status_short *val
 /**
  * Status response: response (0x01,0x90).
  *
- * Answers mip_tools_status. Sent if selector is 2. Supported by Model A and Model B.
+ * Answers mip_tools_status. Told from mip_tools_status_old and mip_tools_status_full by the size of
+ * its data. Sent if selector is 2. Supported by Model A and Model B.
  *
  * On the wire only, without a member:
  * - model: The model. Always 4711.
@@ -387,6 +388,64 @@ extern const struct mip_codec mip_tools_status_long_codec;
 mip_error mip_tools_status_long_decode(struct mip_tools_status_long *value,
                                        const struct mip_field *field);
 mip_error mip_tools_status_long_encode(const struct mip_tools_status_long *value,
+                                       struct mip_builder *builder);
+
+/**
+ * Status response: response (0x01,0x90).
+ *
+ * The long layout of old devices. Its size tells it from the others.
+ *
+ * Answers mip_tools_status. Told from mip_tools_status_long and mip_tools_status_full by the size
+ * of its data. Sent if selector is 2. Supported by Model A and Model B.
+ *
+ * On the wire only, without a member:
+ * - model: The model. Always 4711.
+ * - selector: The long layout. Always 2.
+ *
+ * - guide: Status
+ */
+struct mip_tools_status_old {
+    /** Since start. Unit: s. */
+    uint32_t uptime;
+};
+
+#define MIP_TOOLS_STATUS_OLD_DESCRIPTOR 0x90
+#define MIP_TOOLS_STATUS_OLD_NAME "tools.status_old"
+
+extern const struct mip_codec mip_tools_status_old_codec;
+mip_error mip_tools_status_old_decode(struct mip_tools_status_old *value,
+                                      const struct mip_field *field);
+mip_error mip_tools_status_old_encode(const struct mip_tools_status_old *value,
+                                      struct mip_builder *builder);
+
+/**
+ * Status response: response (0x01,0x90).
+ *
+ * Answers mip_tools_status. Told from mip_tools_status_long and mip_tools_status_old by the size of
+ * its data. Sent if selector is 2. Supported by Model A and Model B.
+ *
+ * On the wire only, without a member:
+ * - model: The model. Always 4711.
+ * - selector: The long layout. Always 2.
+ *
+ * - guide: Status
+ */
+struct mip_tools_status_full {
+    /** Where it is. */
+    struct mip_point place;
+    /** Since start. Unit: s. */
+    uint64_t uptime;
+    /** What it does. */
+    mip_mode mode;
+};
+
+#define MIP_TOOLS_STATUS_FULL_DESCRIPTOR 0x90
+#define MIP_TOOLS_STATUS_FULL_NAME "tools.status_full"
+
+extern const struct mip_codec mip_tools_status_full_codec;
+mip_error mip_tools_status_full_decode(struct mip_tools_status_full *value,
+                                       const struct mip_field *field);
+mip_error mip_tools_status_full_encode(const struct mip_tools_status_full *value,
                                        struct mip_builder *builder);
 
 /**
