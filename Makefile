@@ -69,7 +69,7 @@ audit: $(VENV)/generator.stamp ## compare the specification with its sources: ma
 	@$(MIPGEN) audit --spec $(SPEC) $(addprefix --manual ,$(MANUALS)) $(addprefix --sdk ,$(SDK))
 
 # Each ends with a line that says what was run and what was left out; nothing is skipped in between.
-PYTEST = $(RUN) -m pytest -n $(JOBS)
+PYTEST = $(RUN) -m pytest -n $(JOBS) --dist loadgroup
 
 .PHONY: test
 test: tools $(VENV)/development.stamp ## run the tests of all languages that need a C compiler and cargo only
@@ -81,12 +81,13 @@ test-all: tools-all test ## these, and those that need other compilers, machines
 
 .PHONY: quick
 quick: $(VENV)/development.stamp ## run the tests of the generator alone, in less than a minute
-	@$(PYTEST) -m "not heavy and not slow" tests/generator tests/bad_specs
+	@$(PYTEST) -m "not heavy" tests/generator
 
 .PHONY: check
 check: tools-check $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
 	@$(MIPGEN) check --spec $(SPEC) --out $(OUT)
 	@$(MIPGEN) check --spec tests/invented/spec --out tests/invented/golden
+	@$(MIPGEN) diff --release --spec $(SPEC)
 	@$(VENV)/bin/ruff check --quiet .
 	@$(VENV)/bin/ruff format --quiet --check .
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/ruff check --quiet . && $(abspath $(VENV))/bin/ruff format --quiet --check .

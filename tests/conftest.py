@@ -24,6 +24,13 @@ def needs(items: Iterable[pytest.Item]) -> Iterator[str]:
             yield mark.args[0]
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """What waits for cargo anyway, as it uses one target folder, waits in one process and not in all."""
+    for item in items:
+        if item.path.parent.name == "rust":
+            item.add_marker(pytest.mark.xdist_group("cargo"))
+
+
 def pytest_deselected(items: list[pytest.Item]) -> None:
     left_out.update(needs(items))
 

@@ -117,6 +117,8 @@ def driver(language: str, spec: str) -> Driver:
     environment = {"PYTHON": os.environ.get("PYTHON", "") or need("python3")}
     if language == "c":
         environment |= {"MIP_SANITIZE": "1", "ASAN_OPTIONS": "detect_leaks=0", "UBSAN_OPTIONS": "halt_on_error=1"}
+    if language == "rust":  # optimizing takes longer than all tests
+        environment |= {"CARGO_PROFILE_RELEASE_OPT_LEVEL": "0"}
     script = ROOT / "tests" / language / "build_driver.sh"
     build = BUILD / f"conformance-{spec}-{language}"
     with locked(build):

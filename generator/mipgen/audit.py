@@ -1,6 +1,6 @@
 """Reads the text of a manual and lists what the specification does not account for.
 
-The manuals are no part of the project; whoever has them can check the specification against them.
+The manuals are not part of the project; whoever has them can check the specification against them.
 Three kinds of things are looked for: headings of descriptors, printed packets, and references to
 descriptors such as (0x0C,0x28). The other way round, each section that may be cited must be in the manual.
 """

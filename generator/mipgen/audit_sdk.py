@@ -1,9 +1,9 @@
 """Compares the specification with what another source knows of the layouts, field by field.
 
-The facts are no part of the project. They are two files in one folder: `layouts.yaml`, which gives layouts
+The facts are not part of the project. They are two files in one folder: `layouts.yaml`, which gives layouts
 by set and descriptor, and `names.yaml`, which gives the names that the other source has for fields. Names
 of parameters, values and bits are free; all that decides what bytes mean is compared: types, order, counts,
-functions, values, bits, units, frames, ranges, defaults, what vouches for a value, and the responses.
+functions, values, bits, units, frames, ranges, defaults, what says that a value is valid, and the responses.
 What the facts call uncertain must be so in the specification too.
 """
 
@@ -130,7 +130,7 @@ class _Layouts:
         return next((e.id for e in wrong if e.section in sections), None)
 
     def about(self, f: m.Field, node: Node) -> Iterator[str]:
-        """What differs beside the parameters."""
+        """What differs besides the parameters."""
         answers = {r.descriptor for r in self.model.fields if r.set == f.set and r.name in f.responses}
         wanted = {node["response"].value} if "response" in node else set()
         if f.role == m.COMMAND and answers != wanted:

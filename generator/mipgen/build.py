@@ -23,7 +23,8 @@ class Output:
 
 def check_names(model: Model, sources: Sequence[Source]) -> None:
     """Raises SpecError if two things of the model become one name in one of the languages."""
-    _raise([found for source in sources for found in _collisions(model, source)])
+    found = parallel.each(lambda source: _collisions(model, source), sources)
+    _raise([problem for problems in found for problem in problems])
 
 
 def make(model: Model, sources: Sequence[Source]) -> list[Output]:

@@ -16,7 +16,7 @@ SHARED_DESCRIPTORS = range(0xD0, 0x100)
 
 
 def check_definitions(model: m.Model, problems: Problems) -> None:
-    for check in (set_numbers, descriptors, named, names, enumerations, bitfields, replies):
+    for check in (set_numbers, descriptors, named, names, words, enumerations, bitfields, replies):
         check(model, problems)
 
 
@@ -91,7 +91,7 @@ def named(model: m.Model, problems: Problems) -> None:
                 problems.add(
                     x.position,
                     f"'{x.name}' has the descriptor 0x{x.descriptor:02X} of '{seen[x.descriptor]}'; "
-                    "drop it from the named ones",
+                    "remove it from the named ones",
                 )
             seen.setdefault(x.descriptor, x.name)
 
@@ -107,6 +107,42 @@ def names(model: m.Model, problems: Problems) -> None:
                 if name in used:
                     problems.add(place, f"the name '{name}' is used twice in the set '{s.name}'; rename one")
                 used.add(name)
+
+
+def words(model: m.Model, problems: Problems) -> None:
+    """Names say the same thing by the same word, that of the vocabulary."""
+    usual = {other: usage.word for usage in model.protocol.vocabulary for other in usage.instead_of}
+    if not usual:
+        return
+    unusual = re.compile(rf"(?<![^_])({'|'.join(map(re.escape, usual))})(?![^_])")
+    for name, place in _all_names(model):
+        for found in unusual.finditer(name):
+            right = usual[found[1]]
+            problems.add(place, f"the name '{name}': the vocabulary has '{right}' for '{found[1]}'; write '{right}'")
+
+
+def _all_names(model: m.Model) -> Iterator[tuple[str, m.Position | None]]:
+    """Every name that an author has chosen."""
+    for t in _all_types(model):
+        yield t.name, getattr(t, "position", None)
+        match t:
+            case m.Enum():
+                yield from ((v.name, v.position) for v in t.values)
+            case m.Bitfield():
+                yield from ((b.name, b.position) for b in t.bits)
+            case m.Struct():
+                yield from _names_of(t.parameters)
+    for s in model.sets:
+        yield s.name, s.position
+        for f in s.own_fields:
+            yield f.name, f.position
+            yield from _names_of(f.parameters)
+
+
+def _names_of(parameters: tuple[m.Parameter, ...]) -> Iterator[tuple[str, m.Position | None]]:
+    for p in parameters:
+        yield p.name, p.position
+        yield from _names_of(tuple(c.parameter for c in p.cases if c.parameter is not None))
 
 
 # --------------------------------------------------------------------------- types

@@ -21,7 +21,8 @@ examples:
   mipgen generate --spec spec --spec mine   with fields of your own laid over it
   mipgen check                              is ./generated what ./spec gives?
 
-'mipgen COMMAND --help' says more about a command.
+'mipgen COMMAND --help' says more about a command. What is costly to make is kept in ~/.cache/mipgen;
+MIPGEN_CACHE names another folder, and turns that off if it is empty.
 """
 DIFF = """\
 verdicts:

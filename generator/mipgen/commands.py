@@ -31,10 +31,10 @@ def validate(options: Namespace) -> int:
         return 0
     from . import build
 
-    model = _load(options)
+    model, summary = _load(options)
     build.check_names(model, sources)
-    print(_summary(model))
-    _remember(options, key, model, [])
+    print(summary)
+    _remember(options, key, summary, [])
     return 0
 
 
@@ -47,11 +47,11 @@ def generate(options: Namespace) -> int:
     else:
         from . import build, render
 
-        model = _load(options)
+        model, summary = _load(options)
         outputs = build.make(model, sources)
-        print(_summary(model))
+        print(summary)
         rows = [(o.name, o.title, len(o.files), len(render.write(o.files, options.out / o.name))) for o in outputs]
-        _remember(options, key, model, outputs)
+        _remember(options, key, summary, outputs)
     for name, title, files, changed in rows:
         print(f"{name:10} {files:4} files, {changed} changed  ({title})")
     others = discovery.sources(options.target_path).keys() - {source.name for source in sources}
@@ -64,9 +64,9 @@ def check(options: Namespace) -> int:
     from . import build, render
 
     sources, _ = _asked(options)
-    model = _load(options)
+    model, summary = _load(options)
     outputs = build.make(model, sources)
-    print(_summary(model))
+    print(summary)
     found = 0
     for output in outputs:
         for difference in render.compare(output.files, options.out / output.name):
@@ -101,23 +101,17 @@ def _specs(options: Namespace) -> list[Path]:
     return specs
 
 
-def _load(options: Namespace) -> Model:
-    """The specification, or the part of it that is asked for."""
+def _load(options: Namespace) -> tuple[Model, str]:
+    """The specification, or the part of it that is asked for, and what to say of it."""
     from . import subset
     from .resolve import load_model
 
     whole = load_model(*_specs(options))
     asked = subset.Selection(*(tuple(getattr(options, name, ())) for name in PARTS))
     if not asked:
-        return whole
+        return whole, _summary(whole)
     part = subset.select(whole, asked)
-    print(subset.left_out(whole, part))
-    return part
-
-
-def _remember(options: Namespace, key: str | None, model: Model, outputs: list[Output]) -> None:
-    if key == _asked(options)[1]:  # nothing was changed meanwhile
-        stamp.remember(key, _summary(model), {output.name: (output.title, output.files) for output in outputs})
+    return part, f"{subset.left_out(whole, part)}\n{_summary(part)}"
 
 
 def _summary(model: Model) -> str:
@@ -130,6 +124,11 @@ def _summary(model: Model) -> str:
     )
 
 
+def _remember(options: Namespace, key: str | None, summary: str, outputs: list[Output]) -> None:
+    if key == _asked(options)[1]:  # nothing was changed meanwhile
+        stamp.remember(key, summary, {output.name: (output.title, output.files) for output in outputs})
+
+
 def diff(options: Namespace) -> int:
     """Prints what changed; the exit status tells the verdict."""
     import json
@@ -137,27 +136,36 @@ def diff(options: Namespace) -> int:
     from . import compare, revisions
 
     spec, *overlays = _specs(options)
-    old = options.old
     if options.release:
-        old = revisions.last_release(spec)
-        if old is None:
-            print("nothing is released yet, so there is nothing to compare with")
-            return 0
-    elif old is None:
+        return _since_release(spec, overlays)
+    if options.old is None:
         raise Failure("name what to compare with: a folder, a revision, or --release")
-    with revisions.folder(old, spec) as before:
+    with revisions.folder(options.old, spec) as before:
         if options.new is None:
-            report = compare.compare(_of_another_time(old, before), _of_another_time(str(spec), spec, *overlays))
+            new = _of_another_time(str(spec), spec, *overlays)
         else:
             with revisions.folder(options.new, spec) as after:
-                report = compare.compare(_of_another_time(old, before), _of_another_time(options.new, after))
-    if options.json:
-        print(json.dumps(report.plain(), indent=2))
-    else:
-        print("".join(f"{change}\n" for change in report.changes), end="")
-        print(f"{old} (version {report.old}) -> version {report.new}: {report.verdict}")
-    if not options.release:
-        return EXIT_STATUS[report.verdict]
+                new = _of_another_time(options.new, after)
+        report = compare.compare(_of_another_time(options.old, before), new)
+    print(json.dumps(report.plain(), indent=2) if options.json else report.text(options.old))
+    return EXIT_STATUS[report.verdict]
+
+
+def _since_release(spec: Path, overlays: list[Path]) -> int:
+    """Compares with the last release; fails if the version number says less than what changed."""
+    from . import compare, revisions
+
+    tag = revisions.last_release(spec)
+    if tag is None:
+        print("nothing is released yet, so there is nothing to compare with")
+        return 0
+    new = _of_another_time(str(spec), spec, *overlays)
+    with revisions.folder(tag, spec) as before:
+        try:
+            report = compare.compare(_of_another_time(tag, before), new)
+        except Failure:
+            report = compare.unreadable(tag.removeprefix("v"), new)
+    print(report.text(tag))
     if compare.enough(report):
         return 0
     print(f"mipgen: the version {report.new} says less than that; raise it in protocol.yaml", file=sys.stderr)
@@ -182,7 +190,7 @@ def audit(options: Namespace) -> int:
 
     if not options.manual and options.sdk is None:
         raise Failure("nothing to compare with; give --manual ID=FILE, --sdk FOLDER or both")
-    model = _load(options)
+    model, _ = _load(options)
     known = [x.id for x in model.protocol.manuals]
     findings = []
     for argument in options.manual:

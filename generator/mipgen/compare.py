@@ -40,6 +40,11 @@ class Report:
     verdict: Verdict
     changes: tuple[Change, ...]
 
+    def text(self, name: str) -> str:
+        """A line for each change, and one for the whole; `name` is what the old specification is called."""
+        whole = f"{name} (version {self.old}) -> version {self.new}: {self.verdict}"
+        return "\n".join([*map(str, self.changes), whole])
+
     def plain(self) -> dict[str, Any]:
         """As JSON has it."""
         return asdict(self)
@@ -52,6 +57,12 @@ def compare(old: m.Model, new: m.Model) -> Report:
     )
     worst = max((c.verdict for c in changes), key=VERDICTS.index, default=VERDICTS[0])
     return Report(old.protocol.version, new.protocol.version, worst, tuple(changes))
+
+
+def unreadable(version: str, new: m.Model) -> Report:
+    """About an old specification that is written in a language that is read no more: anything may have changed."""
+    change = Change("wire", "the specification", "the old one is in a language that this mipgen cannot read")
+    return Report(version, new.protocol.version, change.verdict, (change,))
 
 
 def enough(report: Report) -> bool:

@@ -68,7 +68,7 @@ def topics(facts: Iterable[Fact], *wanted: str) -> list[Fact]:
 
 
 def field(f: m.Field, model: m.Model) -> list[Fact]:
-    """What there is to say of a field beside its description."""
+    """What there is to say of a field besides its description."""
     found: list[Fact] = []
     if f.deprecated:
         found.append(_fact("deprecated", prose(f.deprecated.rstrip("."), model), "Deprecated: {}."))
@@ -148,7 +148,7 @@ def _setting(c: m.Condition, model: m.Model) -> Text:
 
 
 def parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
-    """What there is to say of a parameter, or of the parameter of a union's case, beside its description."""
+    """What there is to say of a parameter, or of the parameter of a union's case, besides its description."""
     beside = {q.name: q for q in record.parameters}
     found: list[Fact] = []
     if p.deprecated:
@@ -220,7 +220,7 @@ def default(value: object, p: m.Parameter) -> Text:
 
 
 def _valid(p: m.Parameter, beside: dict[str, m.Parameter], record: Record) -> Fact:
-    """The bit that vouches for a value, or one for each element."""
+    """The bit that says that a value is valid, or one for each element."""
     refs = [_bit(path, beside, record) for path in dict.fromkeys(p.valid)]
     if len(refs) == 1:
         return _fact("valid", (refs[0],), "Valid if {} is set." if "." in refs[0].words else "Valid if {} is true.")
@@ -253,7 +253,7 @@ def case(c: m.Case, union: m.Parameter, record: Record) -> Fact:
 
 
 def variant(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Fact:
-    """What is different on a device, or beside a value."""
+    """What is different on a device, or with a value of a sibling."""
     parts: list[Text] = []
     if v.type is not None:
         parts.append(("values of ", Ref(v.type, v.type.name)))
@@ -289,7 +289,7 @@ def bits_place(b: m.Bits) -> str:
 
 
 def type(t: m.Type, model: m.Model) -> list[Fact]:
-    """What there is to say of a type beside its description."""
+    """What there is to say of a type besides its description."""
     return uncertain(t, model)
 
 

@@ -45,7 +45,7 @@ def _variants(node: Node, model: m.Model, types: Types, problems: Problems) -> I
         if f is None:
             known = [x.full_name for x in (*model.fields, model.protocol.acknowledge)]
             problems.add(
-                spec.keys[path], f"'{path}' names no set.field.parameter: no field '{name}'{nearest(name, known)}"
+                spec.keys[path], f"'{path}' is not a set.field.parameter: unknown field '{name}'{nearest(name, known)}"
             )
             continue
         p = next((p for p in f.parameters if p.name == last), None)

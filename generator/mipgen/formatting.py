@@ -7,7 +7,6 @@ itself, so that whoever runs the same tool in the output changes nothing.
 from __future__ import annotations
 
 import importlib
-import importlib.metadata
 import subprocess
 import tempfile
 from collections.abc import Callable, Mapping
@@ -28,7 +27,12 @@ class Formatter:
     steps: tuple[tuple[str, ...], ...]  # arguments of each run; the files follow
 
     def version(self) -> str:
-        return importlib.metadata.version(self.package)
+        from importlib.metadata import PackageNotFoundError, version  # takes long to load
+
+        try:
+            return version(self.package)
+        except PackageNotFoundError:
+            raise FormatError(f"{self.package} is missing; pip install {self.package}") from None
 
 
 class FormatError(Failure):
@@ -68,10 +72,7 @@ def formatted(formatter: Formatter, made: Mapping[str, bytes]) -> dict[str, byte
     """The files of an output, those of the formatter's language formatted."""
     if formatter.style not in made:
         raise FormatError(f"{formatter.package} needs {formatter.style} in the output, to know the style")
-    try:
-        how = cache.key(formatter.package, formatter.version(), repr(formatter.steps), made[formatter.style])
-    except importlib.metadata.PackageNotFoundError:
-        raise FormatError(f"{formatter.package} is missing; pip install {formatter.package}") from None
+    how = cache.key(formatter.package, formatter.version(), repr(formatter.steps), made[formatter.style])
     keys = {path: cache.key(how, path, made[path]) for path in made if path.endswith(formatter.suffixes)}
     known = {path: cache.get("formatted", name) for path, name in keys.items()}
     done = {path: text for path, text in known.items() if text is not None}

@@ -18,7 +18,7 @@ from .problems import Problems, nearest
 from .variation import Scope
 from .vocabulary import Vocabulary, sentences, sources
 
-#: How deep structures may stand in structures: far beyond need, and short of Python's own limit.
+#: How deep structures may be nested: far beyond need, and short of Python's own limit.
 MAX_NESTING = 16
 
 
@@ -355,7 +355,7 @@ class _Build:
             any_unit="unit" in node and node["unit"].value is None,
             frame=meaning.frame(node, words.frames, self.problem),
             default=meaning.default(node, p, self.problem),
-            valid=meaning.valid(node),  # judged in `finish`, because the flags usually stand last
+            valid=meaning.valid(node),  # judged in `finish`, because the flags usually come last
             required_for=self.presence(node, p),
             optional=self.may_be_absent(node, p),
             by_device=variation.differs_by_device(node, p, self.problem),

@@ -94,7 +94,7 @@ def open_limits(
             continue
         entry = node[key]
         if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char"):
-            problem(node.keys[key], f"'{p.name}' is no number, so it has no bounds; remove '{key}'")
+            problem(node.keys[key], f"'{p.name}' is not a number, so it has no bounds; remove '{key}'")
         elif closed is not None:
             problem(node.keys[key], f"'{p.name}' has this bound twice; write ~ in its place in the range")
         elif _fits(entry, scalar, f"'{p.name}': {key}", problem):

@@ -98,7 +98,7 @@ class Enum:
     scalar: Scalar
     values: tuple[EnumValue, ...]
     description: str
-    owner: str | None  # the set that defines it, None when it stands in spec/types
+    owner: str | None  # the set that defines it, None if it is defined in spec/types
     sources: tuple[Source, ...] = ()
     uncertain: tuple[str, ...] = ()
     kind: Literal["enum"] = "enum"
@@ -167,7 +167,7 @@ class Vector:
 
 @dataclass(frozen=True, slots=True)
 class Struct:
-    """A named group of parameters that stands inside fields."""
+    """A named group of parameters, used inside fields."""
 
     name: str
     parameters: tuple[Parameter, ...]
@@ -222,7 +222,7 @@ class Case:
 
 @dataclass(frozen=True, slots=True)
 class Variant:
-    """What a value is on one device, or beside one value of a sibling. What it does not say stays as it is."""
+    """What a value is on one device, or with one value of a sibling. What it does not give is unchanged."""
 
     by: str  # "device", or the name of a parameter of the same record
     key: str  # a device id, or a value name of that parameter's enumeration
@@ -261,7 +261,9 @@ class Parameter:
     above: float | int | None = None  # open bounds: the value is greater than `above`, less than `below`
     below: float | int | None = None
     default: object = None
-    valid: tuple[str, ...] = ()  # what vouches for it: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
+    valid: tuple[
+        str, ...
+    ] = ()  # what says that it is valid: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
     variants: tuple[Variant, ...] = ()
     constant: int | None = None
     reserved: int | float | None = None  # the value to send; any value may come
@@ -652,7 +654,7 @@ class ExampleField:
     data: bytes
     values: dict[str, object] | None
     trailing: int
-    stated: dict[str, object] | None  # what the manual says beside the bytes
+    stated: dict[str, object] | None  # what the manual says besides the bytes
 
 
 @dataclass(frozen=True, slots=True)
@@ -717,6 +719,14 @@ class Word:
 
 
 @dataclass(frozen=True, slots=True)
+class Usage:
+    """The word that names use for a thing, and those that they do not use."""
+
+    word: str
+    instead_of: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Protocol:
     name: str
     version: str
@@ -729,6 +739,7 @@ class Protocol:
     units: tuple[Word, ...]
     frames: tuple[Word, ...]
     manuals: tuple[Manual, ...]
+    vocabulary: tuple[Usage, ...] = ()
 
 
 @dataclass(frozen=True)

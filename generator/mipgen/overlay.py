@@ -78,5 +78,5 @@ def _joined(base: Node, more: Node, problems: Problems) -> Node:
         elif isinstance(node.value, list) and isinstance(value[key].value, list):
             value[key] = _joined(value[key], node, problems)
         else:
-            problems.add(more.keys[key], f"'{key}' is given at {value[key].position} already; an overlay adds only")
+            problems.add(more.keys[key], f"'{key}' is already given at {value[key].position}; an overlay can only add")
     return replace(base, value=value, keys=keys)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import os
 import pickle
 import sys
@@ -20,14 +19,12 @@ Result = TypeVar("Result")
 
 def each(function: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
     """The results in the order of the items; what the first one that fails raises, is raised here."""
-    one = len(items) < 2 or (os.cpu_count() or 1) < 2
+    one = len(items) < 2 or _processors() < 2
     unsafe = not hasattr(os, "fork") or sys.platform == "darwin"
     archive = not isinstance(resources.root(), Path)  # copies of a process cannot read one open file at once
     if one or unsafe or archive:
         return [function(item) for item in items]
-    gc.freeze()  # a collection in a child would copy the memory of the parent
     children = [_start(function, item) for item in items]
-    gc.unfreeze()
     answers = [_finish(*child) for child in children]
     for kind, value in answers:
         if kind == "failure":
@@ -35,6 +32,11 @@ def each(function: Callable[[Item], Result], items: Sequence[Item]) -> list[Resu
         if kind == "crash":
             raise RuntimeError(f"in another process:\n{value}")
     return [value for _, value in answers]
+
+
+def _processors() -> int:
+    """Those that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _start(function: Callable[[Item], Result], item: Item) -> tuple[int, int]:

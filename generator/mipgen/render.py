@@ -6,17 +6,14 @@ earlier run that are no longer made are removed, so a failing run leaves nothing
 
 from __future__ import annotations
 
-import sys
-import traceback
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
 
-import jinja2
 import yaml
 
-from . import cache, discovery, formatting, resources
+from . import discovery, formatting, resources
 from .discovery import Source
 from .errors import Failure
 from .model import Model
@@ -24,14 +21,6 @@ from .naming import Identifier
 
 MANIFEST = ".manifest"
 RUNTIME = "runtime"
-
-_SETTINGS: dict[str, Any] = {
-    "trim_blocks": True,
-    "lstrip_blocks": True,
-    "keep_trailing_newline": True,
-    "autoescape": False,
-    "extensions": ["jinja2.ext.do"],
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +57,7 @@ def target(name: str) -> Target:
 def language(name: str) -> dict[str, Any]:
     """The facts of a language that are data: templates/<name>/language.yaml."""
     text = (resources.root() / "templates" / name / "language.yaml").read_text("utf-8")
-    found: dict[str, Any] = yaml.safe_load(text)
+    found: dict[str, Any] = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
     return found
 
 
@@ -76,83 +65,21 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
     """All files of a target, by path."""
     if isinstance(source, str):
         source = discovery.sources()[source]
+    from .templating import Templates  # loads Jinja, which whoever only checks names does not need
+
     module: Target = source.load()
-    environment = _environment(source, module.filters(model))
-    environment.globals.update(model=model, version=model.protocol.version)
+    templates = Templates(source, module.filters(model), {"model": model, "version": model.protocol.version})
     made = _runtime(source)
     made["LICENSE"] = (resources.root() / "LICENSE").read_bytes()
     for file in module.files(model):
         if file.path in made:
             raise Failure(f"{file.path} is made twice", f"target {source.name}")
-        made[file.path] = _rendered(environment, file, source).encode("utf-8")
+        made[file.path] = templates.render(file.template, file.context, file.path).encode("utf-8")
     formatter = getattr(module, "FORMATTER", None)
     if formatter is not None:
         made = formatting.formatted(formatter, made)
     made[MANIFEST] = "".join(f"{path}\n" for path in sorted(made)).encode("utf-8")
     return made
-
-
-def _environment(source: Source, filters: Mapping[str, Callable[..., Any]]) -> jinja2.Environment:
-    def load(name: str) -> tuple[str, str, Callable[[], bool]] | None:
-        for folder in source.folders:
-            path = folder / name
-            if path.is_file():
-                return path.read_text("utf-8"), str(path), lambda: True
-        return None
-
-    environment = jinja2.Environment(
-        loader=jinja2.FunctionLoader(load),
-        undefined=jinja2.StrictUndefined,
-        bytecode_cache=_Compiled([*sorted(filters)]),
-        **_SETTINGS,
-    )
-    environment.filters.update({name: _at_run_time(function) for name, function in filters.items()})
-    return environment
-
-
-class _Compiled(jinja2.BytecodeCache):
-    """Keeps templates compiled. What they are compiled to depends on the names of the filters too."""
-
-    def __init__(self, filters: list[str]) -> None:
-        self.how = repr((jinja2.__version__, sys.version, sorted(_SETTINGS.items()), filters))
-
-    def load_bytecode(self, bucket: Any) -> None:
-        data = cache.get("templates", cache.key(self.how, bucket.key, bucket.checksum))
-        if data is not None:
-            bucket.bytecode_from_string(data)
-
-    def dump_bytecode(self, bucket: Any) -> None:
-        cache.put("templates", {cache.key(self.how, bucket.key, bucket.checksum): bucket.bytecode_to_string()})
-
-
-def _at_run_time(function: Callable[..., Any]) -> Callable[..., Any]:
-    """The filter, never called while a template is compiled: Jinja would put its answer into what is kept."""
-    if hasattr(function, "jinja_pass_arg"):
-        return function
-
-    @jinja2.pass_context
-    def call(_: Any, *arguments: Any, **named: Any) -> Any:
-        return function(*arguments, **named)
-
-    return call
-
-
-def _rendered(environment: jinja2.Environment, file: File, source: Source) -> str:
-    try:
-        return environment.get_template(file.template).render(file.context)
-    except jinja2.TemplateNotFound as error:
-        raise Failure(f"there is no template {error.name} (for {file.path})", f"target {source.name}") from None
-    except jinja2.TemplateSyntaxError as error:
-        raise Failure(f"{error.message} (for {file.path})", f"{error.filename}:{error.lineno}") from None
-    except jinja2.TemplateRuntimeError as error:
-        raise Failure(f"{error.message} (for {file.path})", _place(error, source)) from None
-
-
-def _place(error: BaseException, source: Source) -> str:
-    """The line of a template where it happened."""
-    folders = tuple(map(str, source.folders))
-    frames = reversed(traceback.extract_tb(error.__traceback__))
-    return next((f"{f.filename}:{f.lineno}" for f in frames if f.filename.startswith(folders)), source.name)
 
 
 def _runtime(source: Source) -> dict[str, bytes]:
@@ -185,7 +112,7 @@ def compare(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
 
 
 def write(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
-    """Makes the folder hold these files. What a user put beside them stays."""
+    """Makes the folder hold these files. Files that a user added are kept."""
     done = []
     for d in compare(made, folder):
         path = folder / d.path

@@ -12,7 +12,7 @@ from .layout import Types
 from .nodes import Node
 from .problems import Problems, nearest
 from .sets import Sets
-from .vocabulary import Vocabulary, sources
+from .vocabulary import Vocabulary, sentences, sources
 
 
 def load_model(spec: Path, *overlays: Path) -> m.Model:
@@ -125,6 +125,9 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
         units=_words(root["units"]),
         frames=_words(root["frames"]),
         manuals=tuple(types.vocabulary.manuals.values()),
+        vocabulary=tuple(m.Usage(word, sentences(root["vocabulary"], word)) for word in root["vocabulary"].value)
+        if "vocabulary" in root
+        else (),
     )
 
 

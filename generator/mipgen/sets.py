@@ -210,7 +210,8 @@ class Sets:
             return []
         if "fields" not in node["repeats"] and not self.whole(node):
             self.problems.add(
-                node.keys["repeats"], "say which fields are repeated, by 'fields', or all of them, by their 'sources'"
+                node.keys["repeats"],
+                "list the fields that are repeated in 'fields', or give 'sources' to repeat them all",
             )
         known = {f.name: f for f in origin.own_fields if f.role == m.DATA}
         found: dict[str, m.Field] = {}

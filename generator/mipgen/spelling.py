@@ -52,6 +52,8 @@ SYNONYMS = {
     "day": ("days",),
     "cycle": ("cycles",),
     "dB-Hz": ("dbhz", "db hz", "db*hz"),
+    "kg/m^3": ("kg/m3", "kg/m³"),
+    "V": ("volt", "volts"),
     # keys
     "description": ("desc", "doc", "docs", "comment", "summary"),
     "range": ("min", "max", "minimum", "maximum", "limits"),

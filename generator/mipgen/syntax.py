@@ -73,7 +73,7 @@ def _explain(text: str, error: yaml.MarkedYAMLError) -> Fault:
         return found
     if "could not find expected ':'" in problem:
         return _fault(began, "a key without its colon; write 'key: value', with a space after the colon")
-    if "mapping values are not allowed" in problem:
+    if "mapping values are not allowed" in problem or "expected <document start>" in problem:
         return _misplaced_colon(text, mark)
     if sign := re.search(r"[ \[{]([*&!])\S* *$", _line(text, mark.line)[: mark.column]):
         return _fault(mark, f"a text cannot begin with {sign[1]}; put it in quotes")
@@ -128,10 +128,10 @@ def _unclosed(text: str, bracket: Any, where: str = "") -> Fault:
 
 def _misplaced_colon(text: str, mark: Any) -> Fault:
     """A colon where no key can be: in a text, below a line without a colon, or in a line that is indented too far."""
-    if not re.fullmatch(_KEY, _line(text, mark.line)[: mark.column]):
+    if mark.column and not re.fullmatch(_KEY, _line(text, mark.line)[: mark.column]):
         return _fault(mark, "a text that holds ': ' must be in quotes")
     above = mark.line - 1
-    while above > 0 and not _line(text, above).strip():
+    while above > 0 and _line(text, above).lstrip()[:1] in ("", "#"):
         above -= 1
     line = _line(text, above)
     column = len(line) - len(line.lstrip())

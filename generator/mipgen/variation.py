@@ -1,4 +1,4 @@
-"""What differs: by device, or beside one value of a sibling.
+"""What differs: by device, or with one value of a sibling.
 
 A variant says the same things as a parameter (unit, frame, range, default, description), and it may
 name the type that gives a plain number its meaning. Those by sibling are given in the set file,

@@ -3,7 +3,7 @@ import time
 from mip_protocol import Answer, Client, TimedOut, base
 
 client = Client()
-port.write(client.send(base.GetDeviceInformation(), now=time.monotonic()))
+port.write(client.send(base.GetDeviceInfo(), now=time.monotonic()))
 while client.pending:
     for event in client.receive(port.read(256), now=time.monotonic()):
         if isinstance(event, Answer) and event.response:

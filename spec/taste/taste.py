@@ -2,7 +2,7 @@
 
 from mip_protocol import Parser, base, sensor
 
-print(bytes(base.GetDeviceInformation().packet()).hex(" "))
+print(bytes(base.GetDeviceInfo().packet()).hex(" "))
 
 parser = Parser()
 stream = b"$GPGGA noise\r\n" + bytes.fromhex("7565800e0e04 3e7a63a0 bb8e3b29 7fe5bf7f 84ee")

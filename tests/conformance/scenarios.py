@@ -514,7 +514,7 @@ def part(w: Words, number: int, waiting: list[Waiting], commands: list[m.Field])
 @st.composite
 def reply(draw: Any, w: Words, command: m.Field, wanted: m.Field | None) -> list[Wire]:
     """The right answer, or one with a fault."""
-    fault = draw(st.sampled_from(["none"] * 6 + ["code", "missing", "other", "cut", "between", "foreign"]))
+    fault = draw(st.sampled_from(["none"] * 6 + ["code", "missing", "other", "cut", "cut", "between", "foreign"]))
     ack = w.ack(command, draw(st.sampled_from([1, 3, 200])) if fault == "code" else 0)
     known = [r for r in w.of.fields if r.role == m.RESPONSE and r.set == command.set]
     if fault == "other" or (wanted is None and draw(st.booleans())):

@@ -34,7 +34,7 @@ def test_silence_by_parameters_and_by_settings() -> None:
 def test_echo_control() -> None:
     """All aiding measurements are silent by the same setting, and nothing else is."""
     silent = {f.full_name for f in REAL.fields if f.silenced_by}
-    settings = {"aiding.frame_configuration", "aiding.echo_control"}
+    settings = {"aiding.frame_config", "aiding.echo_control"}
     commands = {f.full_name for f in REAL.fields if f.set_name == "aiding" and f.role == m.COMMAND}
     assert silent == commands - settings and len(silent) == 9
     wanted = ["Not acknowledged if <mode> of <aiding.echo_control> is <suppress_ack>."]

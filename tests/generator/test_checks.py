@@ -38,6 +38,15 @@ def test_computed_length(parameters: str, wire: str, scalars: str) -> None:
     assert (computed_length(f, "wire"), computed_length(f, "scalars")) == (wire, scalars)
 
 
+def test_the_vocabulary_stands_in_the_readme() -> None:
+    root = Path(__file__).parents[2]
+    vocabulary = load_model(root / "spec").protocol.vocabulary
+    assert len(vocabulary) > 40
+    readme = (root / "spec/README.md").read_text("utf-8")
+    for usage in vocabulary:
+        assert f"| `{usage.word}` | {', '.join(f'`{x}`' for x in usage.instead_of)} |\n" in readme
+
+
 def test_the_selector_counts() -> None:
     f = field("[{name: a, type: u16, for: W}]", functions="W")
     assert computed_length(f, "wire") == "5"

@@ -14,7 +14,7 @@ import pytest
 from mipgen import __version__, cli, discovery, parallel, stamp
 from mipgen.errors import Failure
 from mipgen.resolve import load_model
-from support import ROOT, SPECS
+from support import ROOT, SPECS, need
 
 INVENTED, GOLDEN = SPECS["invented"]
 
@@ -60,7 +60,7 @@ def test_what_the_new_specification_generates_is_usable(tmp_path: Path) -> None:
     c = tmp_path / "generated/c"
     sources = map(str, sorted((c / "src").glob("*.c")))
     flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only", f"-I{c / 'include'}"]
-    subprocess.run(["cc", *flags, *sources], check=True)
+    subprocess.run([need("cc"), *flags, *sources], check=True)
     code = """if True:
         from mip_protocol import Parser, measurements, tools
         import mip_protocol.devices, mip_protocol.reflection, mip_protocol.registry
@@ -141,7 +141,8 @@ def completed(script: Path, words: str, folder: Path) -> list[str]:
         $(complete -p mipgen | sed 's/.*-F \\([^ ]*\\).*/\\1/') mipgen "${{COMP_WORDS[COMP_CWORD]}}"
         printf '%s\\n' "${{COMPREPLY[@]}}"
     """
-    done = subprocess.run(["bash", "-c", program], capture_output=True, text=True, cwd=folder)
+    environment = {**os.environ, "PATH": f"{script.parent / 'bin'}:{os.environ['PATH']}"}
+    done = subprocess.run(["bash", "-c", program], capture_output=True, text=True, cwd=folder, env=environment)
     return done.stdout.split()
 
 
@@ -149,11 +150,16 @@ def test_completion_in_bash(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert cli.main(["completion", "bash"]) == 0
     script = tmp_path / "mipgen.bash"
     script.write_text(capsys.readouterr().out)
+    program = tmp_path / "bin/mipgen"
+    program.parent.mkdir()
+    program.write_text(f'#!/bin/sh\nPYTHONPATH={ROOT}/generator exec {sys.executable} -m mipgen "$@"\n')
+    program.chmod(0o755)
     (tmp_path / "folder").mkdir()
+    assert completed(script, "mipgen generate --target p", tmp_path) == ["python"]
     assert completed(script, "mipgen gen", tmp_path) == ["generate"]
     assert completed(script, "mipgen generate --targ", tmp_path) == ["--target", "--target-path"]
     assert completed(script, "mipgen new f", tmp_path) == ["folder"]
-    assert completed(script, "mipgen generate --spec ", tmp_path) == ["folder"]
+    assert sorted(completed(script, "mipgen generate --spec ", tmp_path)) == ["bin", "folder"]
     assert completed(script, "mipgen completion z", tmp_path) == ["zsh"]
 
 
@@ -240,6 +246,12 @@ def test_the_last_line_says_what_was_made_and_what_was_left_out(work: Path) -> N
         count = len(tree(GOLDEN / "c")) + len(tree(GOLDEN / "rust"))
         assert done.stdout.splitlines()[-1] == f"generated: {count} files, 0 changed; left out: markdown, python"
     assert mipgen("generate", cwd=work).stdout.endswith("nothing was left out\n")
+
+
+def test_another_part_of_the_specification_is_other_work(work: Path) -> None:
+    shown = [mipgen("generate", "--set", "tools", cwd=work).stdout for _ in range(2)]
+    assert shown[0].splitlines()[0] == shown[1].splitlines()[0] != mipgen("generate", cwd=work).stdout.splitlines()[0]
+    assert tree(work / "generated") == tree(GOLDEN)
 
 
 def test_other_targets_are_other_work(work: Path) -> None:

@@ -84,6 +84,18 @@ def test_a_release_needs_a_version_number_that_says_enough(
     assert ("raise it in protocol.yaml" in capsys.readouterr().err) == bool(status)
 
 
+@pytest.mark.parametrize(("version", "status"), [("0.1.1", 1), ("0.2.0", 0)])
+def test_a_release_in_an_older_language_counts_as_the_worst(
+    repository: Path, capsys: pytest.CaptureFixture[str], version: str, status: int
+) -> None:
+    change("sets/tools.yaml", "title: Ping", "heading: Ping")
+    release("v0.1.1")
+    change("sets/tools.yaml", "heading: Ping", "title: Ping")
+    change("protocol.yaml", "version: 0.1.0", f"version: {version}")
+    assert cli.main(["diff", "--release"]) == status
+    assert "a language that this mipgen cannot read" in capsys.readouterr().out
+
+
 def test_before_the_first_release(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -33,6 +33,7 @@ def parse(text: str | bytes, folder: Path) -> tuple[Node | None, list[str]]:
         ("1.5", 1.5), ("1e3", 1000.0), ("-2.5E-1", -0.25), ("1e999", "1e999"), (".", "."), ("_1", "_1"),
         (".inf", ".inf"), (".nan", ".nan"), ("2026-01-01", "2026-01-01"), ("=", "="), ("<<", "<<"),
         ("'1'", "1"), ('"true"', "true"), ("''", ""), ("9" * 41, "9" * 41), ("9" * 40, int("9" * 40)),
+        ("0" * 41, "0" * 41),
     ],
 )  # fmt: skip
 def test_scalars(text: str, value: object, tmp_path: Path) -> None:
@@ -90,6 +91,24 @@ def test_all_duplicates_of_a_file(tmp_path: Path) -> None:
     assert [p.split(" error: ")[0] for p in problems] == ["file.yaml:1:11:", "file.yaml:3:1:", "file.yaml:4:1:"]
 
 
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ("\ufeffa: [1\n", "1:4: error: not YAML: the '[' that opens here is not closed"),
+        ('a: "x\r\n  y"\r\nb: [1\r\n', "3:4: error: not YAML: the '[' that opens here is not closed"),
+        ("a: [{b: 1\n", "1:5: error: not YAML: the '{' that opens here is not closed"),
+        ("a\n\nb: 1\n", "1:1: error: not YAML: a key without its colon; write 'key: value'"),
+        ("a\n# A remark.\n\nb: 1\n", "1:1: error: not YAML: a key without its colon; write 'key: value'"),
+    ],
+)
+def test_where_the_mistake_is(text: str, problem: str, tmp_path: Path) -> None:
+    assert parse(text, tmp_path)[1] == [f"file.yaml:{problem}"]
+
+
+def test_manuals_come_in_the_order_of_their_numbers() -> None:
+    assert [x.id for x in model("real").protocol.manuals][:2] == ["3dm-gx5-15", "3dm-cv7-gnss-ins"]
+
+
 def test_a_folder_in_place_of_a_file(tmp_path: Path) -> None:
     for name in ("protocol.yaml",):
         (tmp_path / name).write_bytes((BASE / name).read_bytes())
@@ -129,6 +148,11 @@ def test_many_choices_are_cut() -> None:
     whole, many = ([f"a{i:03}" for i in range(n)] for n in (MANY, 3 * MANY))
     assert nearest("zzz", whole) == f"; known: {', '.join(whole)}"
     assert nearest("zzz", many) == f"; known: {', '.join(many[:MANY])}, … ({3 * MANY} in all)"
+
+
+def test_characters_of_the_choices_are_not_strange() -> None:
+    assert nearest("An “excample”", ["An “example”"]) == ", did you mean 'An “example”'?"
+    assert "U+201C" in nearest("An “excample”", ["An example"])
 
 
 def test_choices_keep_their_order() -> None:

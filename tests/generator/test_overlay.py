@@ -49,8 +49,12 @@ MODE = "extend: tools\ntypes:\n  mode: {enum: u8, description: A., values: {a: {
         (A, PONG, ":3:5: error: 'pong' has the descriptor 0x01 of 'ping'; give it another"),
         (A, MODE, ":3:3: error: the type 'mode' is already defined"),
         (DEVICE, "extend: model-x\n", ":1:9: error: no device 'model-x' to extend, did you mean 'model-a'?"),
-        (DEVICE, "extend: model-a\nbase_rates: {measurements: 5}\n", ":2:14: error: 'measurements' is given at "),
-        ("overlay.yaml", "units:\n  m: {title: mile}\n", ":2:3: error: 'm' is given at "),
+        (
+            DEVICE,
+            "extend: model-a\nbase_rates: {measurements: 5}\n",
+            ":2:14: error: 'measurements' is already given at ",
+        ),
+        ("overlay.yaml", "units:\n  m: {title: mile}\n", ":2:3: error: 'm' is already given at "),
         ("protocol.yaml", "name: MIP\n", ":1:1: error: this file is not read"),
         (
             "sets/a.txt",

@@ -136,7 +136,7 @@ def test_counts_agree(first: Path) -> None:
     each = len(own) + 1  # and the acknowledge field
     assert count(r"^    DESCRIPTOR = ", "python", "*.py") == each
     assert count(r"^mip_error mip_\w+_decode\(\s*struct mip_", "c/include/mip", "*.h") == each
-    assert count(r"^impl Field for ", "rust/src", "*.rs") == each
+    assert count(r"^field! \{", "rust/src/", "*.rs") == each
     anchors = "|".join(re.escape(f'<a id="{f.full_name}">') for f in all_fields(of))
     assert count(anchors, "markdown/docs", "*.md") == len(all_fields(of)) == len(of.fields) + 1
     assert len(all_fields(of)) - each == sum(f.definition is not None for f in of.fields)

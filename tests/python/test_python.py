@@ -473,7 +473,7 @@ class Port:
 port = Port()
 """
     printed = user(REAL, port + program).splitlines()
-    assert printed[0].startswith("data: Packet(7565800e") and printed[1].startswith("GetDeviceInformationResponse(")
+    assert printed[0].startswith("data: Packet(7565800e") and printed[1].startswith("GetDeviceInfoResponse(")
 
 
 def test_client_refuses_what_does_not_fit_and_waits_for_nothing() -> None:

@@ -38,13 +38,13 @@ def test_the_way_of_a_fact() -> None:
     python = (ROOT / "generated/python/mip_protocol/base.py").read_text("utf-8")
     rust = (ROOT / "generated/rust/src/sets/base.rs").read_text("utf-8")
     markdown = (ROOT / "generated/markdown/docs/sets/base.md").read_text("utf-8")
-    assert re.search(r"mip_base_comm_port_speed_write\(uint8_t port, uint32_t baud\)", c)
-    assert re.search(r"mip_base_comm_port_speed_read\(uint8_t port\)", c)
-    own = python.partition("\nclass CommPortSpeed(")[2].partition("\nclass ")[0]
+    assert re.search(r"mip_base_comm_speed_write\(uint8_t port, uint32_t baud\)", c)
+    assert re.search(r"mip_base_comm_speed_read\(uint8_t port\)", c)
+    own = python.partition("\nclass CommSpeed(")[2].partition("\nclass ")[0]
     assert "def write(cls, port: int, baud: int)" in own and "def read(cls, port: int)" in own
     assert "\n    REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}" in own and "Required for `write`." in own
-    own = rust.partition("pub struct CommPortSpeed ")[2].partition("record!")[0]
+    own = rust.partition("pub struct CommSpeed ")[2].partition("record!")[0]
     assert "[baud for WRITE]" in own and "fn write(port: u8, baud: u32)" in own and "fn read(port: u8)" in own
-    own = markdown.partition('<a id="base.comm_port_speed"></a>')[2]
+    own = markdown.partition('<a id="base.comm_speed"></a>')[2]
     assert "| `W` `write` | 1 | `08 09 01` | `port`, `baud` | 8 | acknowledge |" in own
     assert "| 2 | 4 | `baud` | `u32` | `write` | Bd |" in own

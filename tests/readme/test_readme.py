@@ -13,10 +13,18 @@ from support import BUILD, ROOT, locked, need
 README = (ROOT / "README.md").read_text("utf-8")
 
 
-def block(language: str) -> str:
-    found = re.findall(rf"```{language}\n(.*?)```", README, re.S)
-    assert len(found) == 1, language
+def block(language: str, section: str = "") -> str:
+    """The one example in a language; of a section, if several have one."""
+    text = README.partition(f"## {section}\n")[2].partition("\n## ")[0] if section else README
+    found = re.findall(rf"```{language}\n(.*?)```", text, re.S)
+    assert len(found) == 1, (language, section)
     return str(found[0])
+
+
+def commands(section: str) -> list[list[str]]:
+    """The commands of a section, without comments."""
+    text = README.partition(f"## {section}\n")[2].partition("\n## ")[0]
+    return [line.partition("#")[0].split() for line in re.findall(r"^    (mipgen .*)$", text, re.M)]
 
 
 def run(*command: str | Path, **environment: str) -> str:
@@ -49,7 +57,7 @@ def test_python() -> None:
 
 
 def test_rust() -> None:
-    source = (ROOT / "tests/readme/taste.rs").read_text("utf-8")
+    source = (ROOT / "generated/rust/examples/taste.rs").read_text("utf-8")
     assert source == block("rust")
     crate = BUILD / "readme-rust"
     with locked(crate):
@@ -87,6 +95,52 @@ def test_every_path_is_there() -> None:
 
 def test_the_field_that_it_shows_is_in_the_specification() -> None:
     """Whole, as it stands there: from its descriptor to the next one."""
-    shown = block("yaml")
+    shown = block("yaml", "Write a field")
     fields = re.split(r"^(?=  - command: )", (ROOT / "spec/sets/base.yaml").read_text("utf-8"), flags=re.M)
     assert shown.rstrip() in [f.rstrip() for f in fields]
+
+
+def mipgen(folder: Path, command: list[str]) -> str:
+    """A command of the README, in a folder that has the specification."""
+    if not (folder / "spec").exists():
+        (folder / "spec").symlink_to(ROOT / "spec")
+    assert command[0] == "mipgen"
+    done = subprocess.run(
+        [sys.executable, "-m", "mipgen", *command[1:]],
+        capture_output=True, text=True, cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT / "generator")},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_own_fields(tmp_path: Path) -> None:
+    (own,) = commands("Add your own fields")
+    file = tmp_path / "my_fields/sets/sensor.yaml"
+    file.parent.mkdir(parents=True)
+    file.write_text(block("yaml", "Add your own fields"))
+    mipgen(tmp_path, own)
+    out = tmp_path / "with_my_fields"
+    code = "from mip_protocol import sensor; print(sensor.AmbientLight.SET, sensor.AmbientLight.DESCRIPTOR)"
+    assert run(sys.executable, "-c", code, PYTHONPATH=str(out / "python")) == "128 122\n"
+    assert "struct mip_sensor_ambient_light {" in (out / "c/include/mip/sensor.h").read_text()
+    run(need("cc"), "-std=c99", f"-I{out}/c/include", "-fsyntax-only", *sorted((out / "c/src").glob("*.c")))
+
+
+def test_a_part(tmp_path: Path) -> None:
+    device, few = commands("Generate a part")
+    assert mipgen(tmp_path, device).startswith("a part of the specification; left out: ")
+    code = "from mip_protocol import registry; print(len(registry.all_types()))"
+    whole = int(run(sys.executable, "-c", code, PYTHONPATH=str(ROOT / "generated/python")))
+    part = int(run(sys.executable, "-c", code, PYTHONPATH=str(tmp_path / "for_gx5/python")))
+    assert 0 < part < whole
+    mipgen(tmp_path, few)
+    out = tmp_path / "few"
+    assert sorted(p.stem for p in (out / "markdown/docs/sets").iterdir()) == ["3dm", "base"]
+    run(need("cc"), "-std=c99", f"-I{out}/c/include", "-fsyntax-only", *sorted((out / "c/src").glob("*.c")))
+
+
+def test_differences(tmp_path: Path) -> None:
+    release, folders = commands("See what changed")
+    assert release == ["mipgen", "diff", "v0.1.0"]  # tests/generator/test_diff.py has releases
+    (tmp_path / "old_spec").symlink_to(ROOT / "spec")
+    assert mipgen(tmp_path, folders).endswith(": same\n")

@@ -14,7 +14,8 @@ from typing import Any
 from conformance.client_model import wanted_response
 from mipgen import codec
 from mipgen import model as m
-from mipgen.targets import rust
+from mipgen.targets.rust import names as rust
+from mipgen.targets.rust.records import Constructor, Records
 from support import sent
 
 HEAD = """//! Made by everything.py.
@@ -64,9 +65,9 @@ ERRORS = {"truncated": -1, "count": -2, "constant": -3}
 def source(model: m.Model) -> str:
     writer = _Writer(model)
     parts = [HEAD]
-    types = [*model.types, *(t for s in model.sets for t in s.types)]
-    parts.append(test("enumerations", (line for t in types if isinstance(t, m.Enum) for line in enumeration(t))))
-    for t in types:
+    enumerations = [t for t in model.all_types if isinstance(t, m.Enum)]
+    parts.append(test("enumerations", (line for t in enumerations for line in enumeration(t))))
+    for t in model.all_types:
         if isinstance(t, m.Bitfield):
             parts.append(test(f"bits_of_{rust.home(t)}_{t.name}", bitfield(t)))
     for f in (*(f for s in model.sets for f in s.own_fields), model.protocol.acknowledge):
@@ -141,20 +142,19 @@ def bitfield(t: m.Bitfield) -> Iterator[str]:
 class _Writer:
     def __init__(self, model: m.Model) -> None:
         self.model = model
-        self.names = rust.Names(model)
+        self.records = Records(model)
         self.chance = random.Random(1)
 
     def field(self, f: m.Field) -> Iterator[str]:
         of = path(f)
-        sets = [f.set, *(x.set for x in self.model.fields if x.definition == f.full_name)]
+        sets = [f.set, *(x.set for x in self.model.repeats(f))]
         if f.set in (0, 0xFF):
             sets = list(range(0x01, 0x80)) if f.set == 0 else list(range(0x80, 0x100))
         yield f'named::<{of}>({f.set}, {f.descriptor}, "{f.full_name}", &{sorted(sets)});'
-        if f.functions:
-            for function in f.functions:
-                yield from self.constructed(f, of, function)
-        elif f.role == m.COMMAND:
-            yield from self.constructed(f, of, None)
+        yield f"assert_eq!(<{of} as mip_protocol::Wire>::SIZE, {f.max_size});"
+        if f.role == m.COMMAND:
+            for call, constructor in zip(f.calls, self.records.constructors(f), strict=True):
+                yield from self.constructed(f, call, constructor)
         literal, values = self.literal(f)
         data = codec.encode(f, values)
         yield f"same({literal}, {data_literal(data)});"
@@ -164,14 +164,13 @@ class _Writer:
         if f.role == m.COMMAND:
             timeout = f"Some({int(f.timeout * 1000)})" if f.timeout else "None"
             yield f"assert_eq!({of}::TIMEOUT_MS, {timeout});"
-        for name in f.responses:
-            response = self.model.field(f"{f.set_name}.{name}")
-            assert response is not None
+        for response in self.model.responses(f):
             yield f"answers::<{of}, {path(response)}>();"
 
-    def constructed(self, f: m.Field, of: str, function: m.Function | None) -> Iterator[str]:
+    def constructed(self, f: m.Field, call: m.Call, constructor: Constructor) -> Iterator[str]:
         """A constructor must make the shortest form that the function allows."""
-        expression, values = self.call(f, function)
+        function = call.function
+        expression, values = self.call(f, call.required, constructor)
         if function is not None:
             values = {"function": function.value, **values}
         data = codec.encode(f, values)
@@ -192,14 +191,15 @@ class _Writer:
                 found.append(ERRORS[error.kind])
         return found
 
-    def call(self, record: rust.Record, function: m.Function | None) -> tuple[str, codec.Values]:
+    def call(
+        self, record: rust.Record, required: tuple[m.Parameter, ...], constructor: Constructor
+    ) -> tuple[str, codec.Values]:
         """The call of a constructor, and the values that it must make."""
-        arguments = {x.parameter.name: x for x in self.names.arguments(record, function)}
-        needed = {x.parameter.name for x in self.names.required(record, function)}
+        arguments = [x.parameter.name for x in constructor.given]
         values: codec.Values = {}
         written = {}
-        for p in record.parameters:
-            if p.selector or p.constant is not None or (p.name not in needed and p.counts not in needed):
+        for p in required:
+            if p.constant is not None:
                 continue
             if p.reserved is not None:
                 values[p.name] = sent(p)
@@ -216,12 +216,11 @@ class _Writer:
             counter = next((q.name for q in record.parameters if q.counts == p.name), None)
             if counter is not None:
                 values[counter] = len(values[p.name])
-        name = rust.constructor(function) if function else "new"
-        return f"{path(record)}::{name}({', '.join(written[n] for n in arguments)})", values
+        return f"{path(record)}::{constructor.name}({', '.join(written[n] for n in arguments)})", values
 
     def literal(self, record: rust.Record) -> tuple[str, codec.Values]:
         """A structure with all members, and its values."""
-        members = {x.parameter.name: x for x in self.names.members(record)}
+        members = {x.parameter.name: x for x in self.records.members(record)}
         values: codec.Values = {}
         written = []
         for p in record.parameters:
@@ -233,7 +232,7 @@ class _Writer:
             x = members[p.name]
             if p.selector and isinstance(record, m.Field):
                 # The function that needs the most: an empty union that is not needed is as good as absent.
-                values[p.name] = max(record.required, key=lambda pair: pair[1])[0]
+                values[p.name] = max((f.value for f in record.functions), key=record.required)
                 written.append(f"{x.name}: {path(self.model.protocol.function_selector)}({values[p.name]})")
                 continue
             expression, values[p.name] = self.value(p.operation, record, values)
@@ -268,11 +267,12 @@ class _Writer:
                     array = f"List::from({array})"
                 return array, [v for _, v in items]
             case m.StructOp():
-                return self.call(op.struct, None)
+                (constructor,) = self.records.constructors(op.struct)
+                return self.call(op.struct, op.struct.parameters, constructor)
             case m.SwitchOp():
                 case = next((c for c in op.cases if c.tag.value == values[op.tag]), None)
                 home = rust.home(record)
-                union = f"mip_protocol::{home}::{self.names.find_union(home, op)}"
+                union = f"mip_protocol::{home}::{self.records.union(op, home).name}"
                 if case is None:
                     return f"{union}::Other({path(op.tag_type)}({values[op.tag]}))", {}
                 if case.operation is None:
@@ -306,39 +306,39 @@ class _Writer:
 
     def device(self, d: m.Device) -> Iterator[str]:
         of = f"devices::{rust.constant(d.name)}"
-        letters = dict(d.functions)
-        for name in d.fields:
-            f = self.model.field(name)
-            assert f is not None
-            functions = [x.value for x in f.functions if x.letter in letters.get(name, x.letter)]
-            yield f"let field = {of}.supports({f.set}, {f.descriptor}).unwrap();"
-            yield f'assert_eq!(field.name, "{name}");'
+        for s in d.supports:
+            functions = [x.value for x in s.functions]
+            yield f"let field = {of}.supports({s.field.set}, {s.field.descriptor}).unwrap();"
+            yield f'assert_eq!(field.name, "{s.field.full_name}");'
             yield f"assert_eq!(field.functions.iter().map(|f| f.0).collect::<Vec<u8>>(), {functions});"
-        yield f"assert_eq!({of}.fields.len(), {len(d.fields)});"
+        yield f"assert_eq!({of}.fields.len(), {len(d.supports)});"
         number = "None" if d.model_number is None else f"Some({d.model_number})"
         yield f"assert_eq!(({of}.id, {of}.title, {of}.model_number), ({text(d.id)}, {text(d.title)}, {number}));"
         yield f"assert_eq!({of}.description, {text(d.description)});"
-        rates = dict(d.base_rates)
+        rates = {r.set.number: f"Some({float(r.hertz)!r})" for r in d.base_rates}
         for s in self.model.sets:
-            rate = f"Some({float(rates[s.name])!r})" if s.name in rates else "None"
-            yield f"assert_eq!({of}.base_rate({s.number}), {rate});"
+            yield f"assert_eq!({of}.base_rate({s.number}), {rates.get(s.number)});"
         for i, port in enumerate(d.ports):
-            yield f"let port = &{of}.ports[{i}];"
             identity = "None" if port.id is None else f"Some({port.id})"
+            protocols = ", ".join(map(text, port.protocols))
+            yield f"let port = &{of}.ports[{i}];"
             yield f"assert_eq!((port.name, port.id), ({text(port.name)}, {identity}));"
             yield f"assert_eq!(port.baud_rates, [{', '.join(map(str, port.baud_rates))}]);"
-            protocols = ", ".join(map(text, port.protocols))
             yield f"assert_eq!(port.protocols, [{protocols}] as [&str; {len(port.protocols)}]);"
         for i, x in enumerate(d.limits):
             unit = f"Some({text(x.unit)})" if x.unit else "None"
             yield f"let limit = &{of}.limits[{i}];"
             yield f"assert_eq!((limit.unit, limit.description), ({unit}, {text(x.description)}));"
             yield f'assert_eq!({of}.limit("{x.name}"), Some({float(x.value)!r}));'
-        read = ", ".join(f"({text(name)}, {text(t.name)})" for name, t in d.readings)
-        pairs = f"{of}.readings.iter().map(|r| (r.of, r.read_as)).collect::<Vec<(&str, &str)>>()"
-        yield f"assert_eq!({pairs}, [{read}] as [(&str, &str); {len(d.readings)}]);"
-        counts = [len(d.base_rates), len(d.ports), len(d.limits)]
-        yield f"assert_eq!([{of}.base_rates.len(), {of}.ports.len(), {of}.limits.len()], {counts});"
+        for i, v in enumerate(d.variants):
+            read_as = f"Some({text(v.variant.type.name)})" if v.variant.type else "None"
+            yield f"let variant = &{of}.variants[{i}];"
+            yield f"assert_eq!((variant.parameter, variant.read_as), ({text(v.path)}, {read_as}));"
+            for fact in (*v.variant.units, v.variant.frame, v.variant.description):
+                yield f"assert!(variant.difference.contains({text((fact or '').rstrip('.'))}));"
+        counts = [len(d.base_rates), len(d.ports), len(d.limits), len(d.variants)]
+        tables = ", ".join(f"{of}.{name}.len()" for name in ("base_rates", "ports", "limits", "variants"))
+        yield f"assert_eq!([{tables}], {counts});"
         codes = list(d.ack_codes)
         yield f"assert_eq!({of}.ack_codes.iter().map(|c| c.0).collect::<Vec<u8>>(), {codes});"
 

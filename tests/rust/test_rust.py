@@ -24,6 +24,7 @@ from mipgen import model as m
 from mipgen import render
 from mipgen.resolve import load_model
 from support import BUILD, ROOT, SPECS, heavy, locked, model, need
+from support import driver as conformance_driver
 
 HERE = Path(__file__).parent
 WORK = BUILD / "rust"
@@ -290,11 +291,11 @@ def test_attributes(spec: str) -> None:
 
 
 def test_every_set_is_a_module() -> None:
-    lib = rendered("real")["src/lib.rs"].decode("utf-8")
+    sets = rendered("real")["src/sets.rs"].decode("utf-8")
     for s in specification("real").sets:
         name = s.name if not s.name[0].isdigit() else f"mip_{s.name}"
-        assert f"\npub mod {name};\n" in lib
-        assert f"pub const SET: u8 = 0x{s.number:02X};" in rendered("real")[f"src/{name}.rs"].decode("utf-8")
+        assert f"\npub mod {name};\n" in sets
+        assert f"pub const SET: u8 = 0x{s.number:02X};" in rendered("real")[f"src/sets/{name}.rs"].decode("utf-8")
 
 
 # --------------------------------------------------------------------------- the driver
@@ -326,8 +327,7 @@ def test_the_driver_is_built_from_any_folder_and_only_once() -> None:
 
 @pytest.fixture(scope="module")
 def driver() -> str:
-    with locked(WORK / "driver-invented"):
-        return build_driver(crate("invented"), WORK / "driver-invented")
+    return conformance_driver("rust", "invented").command[0]
 
 
 def test_what_is_no_request_is_refused_and_the_driver_goes_on(driver: str) -> None:

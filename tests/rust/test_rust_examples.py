@@ -7,7 +7,8 @@ from typing import Any
 import everything
 import pytest
 from mipgen import model as m
-from mipgen.targets import rust
+from mipgen.targets.rust import names as rust
+from mipgen.targets.rust.records import Records
 from support import SPECS, model
 from test_rust import passes, project
 
@@ -34,7 +35,7 @@ def test_examples_built_by_hand(spec: str) -> None:
 class _Writer:
     def __init__(self, of: m.Model) -> None:
         self.model = of
-        self.names = rust.Names(of)
+        self.records = Records(of)
 
     def example(self, e: m.Example) -> Any:
         yield f"let mut b = PacketBuilder::new({e.set});"
@@ -43,16 +44,14 @@ class _Writer:
             if field is None or f.trailing:
                 yield f"b.push_raw({f.descriptor}, {everything.data_literal(f.data)}).unwrap();"
             else:
-                own = self.model.field(field.definition) if field.definition else field
-                assert own is not None
-                yield f"b.push(&{self.record(own, f.values or {})}).unwrap();"
+                yield f"b.push(&{self.record(self.model.original(field), f.values or {})}).unwrap();"
         yield f"assert_eq!(b.bytes(), {everything.data_literal(e.packet)});"
 
     def record(self, record: rust.Record, values: dict[str, Any]) -> str:
-        members = {x.parameter.name: x for x in self.names.members(record)}
+        members = {x.parameter.name: x for x in self.records.members(record)}
         written = []
         for p in record.parameters:
-            if p.constant is not None or p.counts is not None:
+            if p.derived:
                 continue
             x = members[p.name]
             if p.name not in values:
@@ -83,7 +82,7 @@ class _Writer:
             case m.SwitchOp():
                 case = next((c for c in op.cases if c.tag.value == siblings[op.tag]), None)
                 home = rust.home(record)
-                union = f"mip_protocol::{home}::{self.names.find_union(home, op)}"
+                union = f"mip_protocol::{home}::{self.records.union(op, home).name}"
                 assert case is not None
                 if case.operation is None:
                     return f"{union}::{rust.variant(case.tag.name)}"

@@ -7,76 +7,76 @@
 
 static const struct mip_device_field cv7_gnss_ins_fields[] = {
     {0x01, 0x01, ""},      /* base.ping */
-    {0x01, 0x02, ""},      /* base.set_to_idle */
-    {0x01, 0x03, ""},      /* base.get_device_information */
+    {0x01, 0x02, ""},      /* base.set_idle */
+    {0x01, 0x03, ""},      /* base.get_device_info */
     {0x01, 0x04, ""},      /* base.get_device_descriptors */
     {0x01, 0x05, ""},      /* base.built_in_test */
     {0x01, 0x06, ""},      /* base.resume */
-    {0x01, 0x07, ""},      /* base.get_device_descriptors_extended */
+    {0x01, 0x07, ""},      /* base.get_extended_descriptors */
     {0x01, 0x08, ""},      /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD"}, /* base.comm_port_speed */
+    {0x01, 0x09, "WRSLD"}, /* base.comm_speed */
     {0x01, 0x72, "W"},     /* base.gps_time_update */
-    {0x01, 0x7E, ""},      /* base.reset_device */
+    {0x01, 0x7E, ""},      /* base.soft_reset */
     {0x0C, 0x04, ""},      /* 3dm.poll_nmea_data */
     {0x0C, 0x0C, "WRSLD"}, /* 3dm.nmea_message_format */
     {0x0C, 0x0D, ""},      /* 3dm.poll_data */
-    {0x0C, 0x0E, ""},      /* 3dm.get_data_base_rate */
+    {0x0C, 0x0E, ""},      /* 3dm.get_base_rate */
     {0x0C, 0x0F, "WRSLD"}, /* 3dm.message_format */
     {0x0C, 0x10, ""},      /* 3dm.factory_streaming */
     {0x0C, 0x11, "WRSLD"}, /* 3dm.data_stream_control */
     {0x0C, 0x22, "WRSLD"}, /* 3dm.gnss_sbas_settings */
     {0x0C, 0x28, "WRSLD"}, /* 3dm.pps_source_control */
-    {0x0C, 0x2A, ""},      /* 3dm.get_supported_events */
+    {0x0C, 0x2A, ""},      /* 3dm.get_event_support */
     {0x0C, 0x2B, "WRSLD"}, /* 3dm.event_control */
     {0x0C, 0x2C, ""},      /* 3dm.get_event_trigger_status */
     {0x0C, 0x2D, ""},      /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD"}, /* 3dm.event_trigger_configuration */
-    {0x0C, 0x2F, "WRSLD"}, /* 3dm.event_action_configuration */
-    {0x0C, 0x30, "SLD"},   /* 3dm.device_start_up_settings */
-    {0x0C, 0x31, "WRSLD"}, /* 3dm.sensor_to_vehicle_frame_transformation_euler */
-    {0x0C, 0x32, "WRSLD"}, /* 3dm.sensor_to_vehicle_frame_transformation_quaternion */
-    {0x0C, 0x33, "WRSLD"}, /* 3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix */
-    {0x0C, 0x37, "WRSLD"}, /* 3dm.accelerometer_bias_configuration */
-    {0x0C, 0x38, "WRSLD"}, /* 3dm.gyroscope_bias_configuration */
-    {0x0C, 0x39, ""},      /* 3dm.capture_gyroscope_bias */
-    {0x0C, 0x3A, "WRSLD"}, /* 3dm.magnetometer_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLD"}, /* 3dm.magnetometer_soft_iron_matrix */
+    {0x0C, 0x2E, "WRSLD"}, /* 3dm.event_trigger_config */
+    {0x0C, 0x2F, "WRSLD"}, /* 3dm.event_action_config */
+    {0x0C, 0x30, "SLD"},   /* 3dm.device_settings */
+    {0x0C, 0x31, "WRSLD"}, /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x32, "WRSLD"}, /* 3dm.sensor_to_vehicle_transform_quaternion */
+    {0x0C, 0x33, "WRSLD"}, /* 3dm.sensor_to_vehicle_transform_dcm */
+    {0x0C, 0x37, "WRSLD"}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLD"}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, ""},      /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLD"}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLD"}, /* 3dm.mag_soft_iron_matrix */
     {0x0C, 0x40, "WRSLD"}, /* 3dm.uart_baud_rate */
-    {0x0C, 0x41, "WRSLD"}, /* 3dm.gpio_configuration */
+    {0x0C, 0x41, "WRSLD"}, /* 3dm.gpio_config */
     {0x0C, 0x42, "WR"},    /* 3dm.gpio_state */
-    {0x0C, 0x43, "WRSLD"}, /* 3dm.odometer_configuration */
-    {0x0C, 0x50, "WRSLD"}, /* 3dm.advanced_low_pass_filter_settings */
-    {0x0C, 0x51, "WRSLD"}, /* 3dm.complementary_filter_configuration */
+    {0x0C, 0x43, "WRSLD"}, /* 3dm.odometer_config */
+    {0x0C, 0x50, "WRSLD"}, /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD"}, /* 3dm.complementary_filter */
     {0x0C, 0x52, "WRSLD"}, /* 3dm.sensor_range */
     {0x0C, 0x53, ""},      /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD"}, /* 3dm.low_pass_anti_aliasing_filter */
-    {0x0D, 0x01, ""},      /* filter.reset_navigation_filter */
-    {0x0D, 0x03, ""},      /* filter.set_initial_heading_control */
-    {0x0D, 0x05, ""},      /* filter.run_navigation_filter */
-    {0x0D, 0x13, "WRSLD"}, /* filter.gnss_antenna_offset_control */
-    {0x0D, 0x15, "WRSLD"}, /* filter.gnss_aiding_source_control */
+    {0x0C, 0x54, "WRSLD"}, /* 3dm.low_pass_filter */
+    {0x0D, 0x01, ""},      /* filter.reset */
+    {0x0D, 0x03, ""},      /* filter.set_initial_heading */
+    {0x0D, 0x05, ""},      /* filter.run */
+    {0x0D, 0x13, "WRSLD"}, /* filter.antenna_offset */
+    {0x0D, 0x15, "WRSLD"}, /* filter.gnss_source */
     {0x0D, 0x17, ""},      /* filter.external_heading_update */
-    {0x0D, 0x1A, "WRSLD"}, /* filter.accelerometer_noise_standard_deviation */
-    {0x0D, 0x1B, "WRSLD"}, /* filter.gyroscope_noise_standard_deviation */
-    {0x0D, 0x1C, "WRSLD"}, /* filter.accelerometer_bias_model_parameters */
-    {0x0D, 0x1D, "WRSLD"}, /* filter.gyroscope_bias_model_parameters */
+    {0x0D, 0x1A, "WRSLD"}, /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD"}, /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD"}, /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD"}, /* filter.gyro_bias_model */
     {0x0D, 0x1F, ""},      /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD"}, /* filter.zero_angular_rate_update_control */
-    {0x0D, 0x28, "WRSLD"}, /* filter.gravity_noise_standard_deviation */
-    {0x0D, 0x43, "WRSLD"}, /* filter.magnetic_field_declination_source_control */
-    {0x0D, 0x50, "WRSLD"}, /* filter.aiding_measurement_control */
-    {0x0D, 0x52, "WRSLD"}, /* filter.navigation_filter_initialization */
-    {0x0D, 0x53, "WRSLD"}, /* filter.adaptive_filter_control */
-    {0x0D, 0x54, "WRSLD"}, /* filter.gnss_multi_antenna_offset_control */
-    {0x0D, 0x55, "WRSLD"}, /* filter.relative_position_configuration */
+    {0x0D, 0x20, "WRSLD"}, /* filter.auto_angular_zupt */
+    {0x0D, 0x28, "WRSLD"}, /* filter.gravity_noise */
+    {0x0D, 0x43, "WRSLD"}, /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD"}, /* filter.aiding_measurement_enable */
+    {0x0D, 0x52, "WRSLD"}, /* filter.initialization_config */
+    {0x0D, 0x53, "WRSLD"}, /* filter.adaptive_filter_options */
+    {0x0D, 0x54, "WRSLD"}, /* filter.multi_antenna_offset */
+    {0x0D, 0x55, "WRSLD"}, /* filter.relative_position_config */
     {0x0D, 0x56, "WRSLD"}, /* filter.reference_point_lever_arm */
-    {0x0D, 0x61, "WRSLD"}, /* filter.measurement_speed_lever_arm */
+    {0x0D, 0x61, "WRSLD"}, /* filter.speed_lever_arm */
     {0x0D, 0x63, "WRSLD"}, /* filter.wheeled_vehicle_constraint_control */
-    {0x0D, 0x64, "WRSLD"}, /* filter.gnss_antenna_offset_calibration_control */
+    {0x0D, 0x64, "WRSLD"}, /* filter.gnss_antenna_calibration_control */
     {0x0E, 0x01, ""},      /* gnss.receiver_info */
-    {0x0E, 0x02, "WRSLD"}, /* gnss.signal_configuration */
-    {0x0E, 0x20, "WRSLD"}, /* gnss.spartn_configuration */
-    {0x13, 0x01, "WRSLD"}, /* aiding.frame_configuration */
+    {0x0E, 0x02, "WRSLD"}, /* gnss.signal_config */
+    {0x0E, 0x20, "WRSLD"}, /* gnss.spartn_config */
+    {0x13, 0x01, "WRSLD"}, /* aiding.frame_config */
     {0x13, 0x1F, "WRSLD"}, /* aiding.echo_control */
     {0x13, 0x21, ""},      /* aiding.ecef_position */
     {0x13, 0x22, ""},      /* aiding.llh_position */
@@ -92,16 +92,16 @@ static const struct mip_device_field cv7_gnss_ins_fields[] = {
     {0x80, 0x06, ""},      /* sensor.scaled_mag */
     {0x80, 0x07, ""},      /* sensor.delta_theta */
     {0x80, 0x08, ""},      /* sensor.delta_velocity */
-    {0x80, 0x09, ""},      /* sensor.complementary_filter_orientation_matrix */
-    {0x80, 0x0A, ""},      /* sensor.complementary_filter_quaternion */
-    {0x80, 0x0C, ""},      /* sensor.complementary_filter_euler_angles */
+    {0x80, 0x09, ""},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, ""},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, ""},      /* sensor.comp_euler_angles */
     {0x80, 0x12, ""},      /* sensor.gps_timestamp */
     {0x80, 0x14, ""},      /* sensor.temperature_statistics */
     {0x80, 0x17, ""},      /* sensor.scaled_pressure */
     {0x80, 0x18, ""},      /* sensor.overrange_status */
     {0x80, 0x40, ""},      /* sensor.odometer */
     {0x82, 0x01, ""},      /* filter_data.llh_position */
-    {0x82, 0x02, ""},      /* filter_data.velocity_ned */
+    {0x82, 0x02, ""},      /* filter_data.ned_velocity */
     {0x82, 0x03, ""},      /* filter_data.attitude_quaternion */
     {0x82, 0x04, ""},      /* filter_data.attitude_dcm */
     {0x82, 0x05, ""},      /* filter_data.euler_angles */
@@ -119,7 +119,7 @@ static const struct mip_device_field cv7_gnss_ins_fields[] = {
     {0x82, 0x12, ""},      /* filter_data.quaternion_attitude_uncertainty */
     {0x82, 0x13, ""},      /* filter_data.gravity_vector */
     {0x82, 0x15, ""},      /* filter_data.magnetic_model */
-    {0x82, 0x1C, ""},      /* filter_data.compensated_acceleration */
+    {0x82, 0x1C, ""},      /* filter_data.comp_accel */
     {0x82, 0x21, ""},      /* filter_data.pressure_altitude */
     {0x82, 0x34, ""},      /* filter_data.multi_antenna_offset_correction */
     {0x82, 0x35, ""},      /* filter_data.multi_antenna_offset_correction_uncertainty */
@@ -133,17 +133,17 @@ static const struct mip_device_field cv7_gnss_ins_fields[] = {
     {0x82, 0x47, ""},      /* filter_data.odometer_scale_factor_error */
     {0x82, 0x48, ""},      /* filter_data.odometer_scale_factor_error_uncertainty */
     {0x82, 0x49, ""},      /* filter_data.gnss_dual_antenna_status */
-    {0x82, 0x50, ""},      /* filter_data.aiding_frame_configuration_error */
-    {0x82, 0x51, ""},      /* filter_data.aiding_frame_configuration_error_uncertainty */
-    {0x91, 0x03, ""},      /* gnss_1.gnss_llh_position */
-    {0x91, 0x04, ""},      /* gnss_1.gnss_ecef_position */
+    {0x82, 0x50, ""},      /* filter_data.aiding_frame_config_error */
+    {0x82, 0x51, ""},      /* filter_data.aiding_frame_config_error_uncertainty */
+    {0x91, 0x03, ""},      /* gnss_1.llh_position */
+    {0x91, 0x04, ""},      /* gnss_1.ecef_position */
     {0x91, 0x05, ""},      /* gnss_1.ned_velocity */
-    {0x91, 0x06, ""},      /* gnss_1.gnss_ecef_velocity */
+    {0x91, 0x06, ""},      /* gnss_1.ecef_velocity */
     {0x91, 0x07, ""},      /* gnss_1.dop */
     {0x91, 0x08, ""},      /* gnss_1.utc_time */
     {0x91, 0x09, ""},      /* gnss_1.gps_time */
     {0x91, 0x0B, ""},      /* gnss_1.fix_info */
-    {0x91, 0x0D, ""},      /* gnss_1.gnss_hardware_status */
+    {0x91, 0x0D, ""},      /* gnss_1.hardware_status */
     {0x91, 0x10, ""},      /* gnss_1.clock_info_2 */
     {0x91, 0x11, ""},      /* gnss_1.gps_leap_seconds */
     {0x91, 0x12, ""},      /* gnss_1.sbas_info */
@@ -153,15 +153,15 @@ static const struct mip_device_field cv7_gnss_ins_fields[] = {
     {0x91, 0x62, ""},      /* gnss_1.glonass_ephemeris */
     {0x91, 0x63, ""},      /* gnss_1.galileo_ephemeris */
     {0x91, 0x64, ""},      /* gnss_1.beidou_ephemeris */
-    {0x92, 0x03, ""},      /* gnss_2.gnss_llh_position */
-    {0x92, 0x04, ""},      /* gnss_2.gnss_ecef_position */
+    {0x92, 0x03, ""},      /* gnss_2.llh_position */
+    {0x92, 0x04, ""},      /* gnss_2.ecef_position */
     {0x92, 0x05, ""},      /* gnss_2.ned_velocity */
-    {0x92, 0x06, ""},      /* gnss_2.gnss_ecef_velocity */
+    {0x92, 0x06, ""},      /* gnss_2.ecef_velocity */
     {0x92, 0x07, ""},      /* gnss_2.dop */
     {0x92, 0x08, ""},      /* gnss_2.utc_time */
     {0x92, 0x09, ""},      /* gnss_2.gps_time */
     {0x92, 0x0B, ""},      /* gnss_2.fix_info */
-    {0x92, 0x0D, ""},      /* gnss_2.gnss_hardware_status */
+    {0x92, 0x0D, ""},      /* gnss_2.hardware_status */
     {0x92, 0x10, ""},      /* gnss_2.clock_info_2 */
     {0x92, 0x11, ""},      /* gnss_2.gps_leap_seconds */
     {0x92, 0x12, ""},      /* gnss_2.sbas_info */
@@ -173,7 +173,7 @@ static const struct mip_device_field cv7_gnss_ins_fields[] = {
     {0x92, 0x64, ""},      /* gnss_2.beidou_ephemeris */
     {0x93, 0x30, ""},      /* gnss_corrections.base_station_info */
     {0x93, 0x31, ""},      /* gnss_corrections.rtk_corrections_status */
-    {0x94, 0x03, ""},      /* gnss_external.gnss_llh_position */
+    {0x94, 0x03, ""},      /* gnss_external.llh_position */
     {0x94, 0x05, ""},      /* gnss_external.ned_velocity */
     {0x94, 0x08, ""},      /* gnss_external.utc_time */
     {0x94, 0x0B, ""},      /* gnss_external.fix_info */
@@ -514,60 +514,60 @@ const struct mip_device mip_device_cv7_gnss_ins = {
 
 static const struct mip_device_field gx5_15_fields[] = {
     {0x01, 0x01, ""},       /* base.ping */
-    {0x01, 0x02, ""},       /* base.set_to_idle */
-    {0x01, 0x03, ""},       /* base.get_device_information */
+    {0x01, 0x02, ""},       /* base.set_idle */
+    {0x01, 0x03, ""},       /* base.get_device_info */
     {0x01, 0x04, ""},       /* base.get_device_descriptors */
     {0x01, 0x05, ""},       /* base.built_in_test */
     {0x01, 0x06, ""},       /* base.resume */
-    {0x01, 0x07, ""},       /* base.get_device_descriptors_extended */
+    {0x01, 0x07, ""},       /* base.get_extended_descriptors */
     {0x01, 0x72, "WRA"},    /* base.gps_time_update */
-    {0x01, 0x7E, ""},       /* base.reset_device */
+    {0x01, 0x7E, ""},       /* base.soft_reset */
     {0x0C, 0x01, ""},       /* 3dm.poll_imu_data */
-    {0x0C, 0x03, ""},       /* 3dm.poll_estimation_filter_data */
-    {0x0C, 0x06, ""},       /* 3dm.get_imu_data_base_rate */
+    {0x0C, 0x03, ""},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, ""},       /* 3dm.get_imu_base_rate */
     {0x0C, 0x08, "WRSLD"},  /* 3dm.imu_message_format */
-    {0x0C, 0x0A, "WRSLD"},  /* 3dm.estimation_filter_message_format */
-    {0x0C, 0x0B, ""},       /* 3dm.get_estimation_filter_data_base_rate */
+    {0x0C, 0x0A, "WRSLD"},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, ""},       /* 3dm.get_filter_base_rate */
     {0x0C, 0x11, "WRSLD"},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD"},    /* 3dm.device_start_up_settings */
-    {0x0C, 0x37, "WRSLDA"}, /* 3dm.accelerometer_bias_configuration */
-    {0x0C, 0x38, "WRSLDA"}, /* 3dm.gyroscope_bias_configuration */
-    {0x0C, 0x39, ""},       /* 3dm.capture_gyroscope_bias */
-    {0x0C, 0x3E, "WRSLD"},  /* 3dm.coning_and_sculling_enable */
+    {0x0C, 0x30, "SLD"},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA"}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA"}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, ""},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3E, "WRSLD"},  /* 3dm.coning_sculling_enable */
     {0x0C, 0x40, "WRSLD"},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD"},  /* 3dm.advanced_low_pass_filter_settings */
-    {0x0C, 0x51, "WRSLD"},  /* 3dm.complementary_filter_configuration */
+    {0x0C, 0x50, "WRSLD"},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD"},  /* 3dm.complementary_filter */
     {0x0C, 0x64, ""},       /* 3dm.device_status */
-    {0x0D, 0x01, ""},       /* filter.reset_navigation_filter */
+    {0x0D, 0x01, ""},       /* filter.reset */
     {0x0D, 0x02, ""},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, ""},       /* filter.set_initial_heading_control */
-    {0x0D, 0x11, "WRSLD"},  /* filter.sensor_to_vehicle_frame_transformation */
-    {0x0D, 0x14, "WRSLD"},  /* filter.estimation_control_flags */
+    {0x0D, 0x03, ""},       /* filter.set_initial_heading */
+    {0x0D, 0x11, "WRSLD"},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x14, "WRSLD"},  /* filter.estimation_control */
     {0x0D, 0x17, ""},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD"},  /* filter.heading_update_control */
+    {0x0D, 0x18, "WRSLD"},  /* filter.heading_source */
     {0x0D, 0x19, "WRSLD"},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD"},  /* filter.accelerometer_noise_standard_deviation */
-    {0x0D, 0x1B, "WRSLD"},  /* filter.gyroscope_noise_standard_deviation */
-    {0x0D, 0x1D, "WRSLD"},  /* filter.gyroscope_bias_model_parameters */
+    {0x0D, 0x1A, "WRSLD"},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD"},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD"},  /* filter.gyro_bias_model */
     {0x0D, 0x1F, ""},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD"},  /* filter.zero_angular_rate_update_control */
+    {0x0D, 0x20, "WRSLD"},  /* filter.auto_angular_zupt */
     {0x0D, 0x21, "WSLD"},   /* filter.tare_orientation */
-    {0x0D, 0x23, ""},       /* filter.commanded_zero_angular_rate_update */
-    {0x0D, 0x26, "WRSLD"},  /* filter.set_reference_position */
-    {0x0D, 0x28, "WRSLD"},  /* filter.gravity_noise_standard_deviation */
-    {0x0D, 0x41, "WRSLD"},  /* filter.enable_disable_measurements */
-    {0x0D, 0x44, "WRSLD"},  /* filter.gravity_magnitude_error_adaptive_measurement */
-    {0x0D, 0x4B, "WRSLD"},  /* filter.pitch_roll_aiding_control */
-    {0x7F, 0x10, "WRSLD"},  /* system.communication_mode */
+    {0x0D, 0x23, ""},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x26, "WRSLD"},  /* filter.reference_position */
+    {0x0D, 0x28, "WRSLD"},  /* filter.gravity_noise */
+    {0x0D, 0x41, "WRSLD"},  /* filter.enable_measurements */
+    {0x0D, 0x44, "WRSLD"},  /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x4B, "WRSLD"},  /* filter.pitch_roll_aiding */
+    {0x7F, 0x10, "WRSLD"},  /* system.comm_mode */
     {0x80, 0x04, ""},       /* sensor.scaled_accel */
     {0x80, 0x05, ""},       /* sensor.scaled_gyro */
     {0x80, 0x07, ""},       /* sensor.delta_theta */
     {0x80, 0x08, ""},       /* sensor.delta_velocity */
-    {0x80, 0x09, ""},       /* sensor.complementary_filter_orientation_matrix */
-    {0x80, 0x0A, ""},       /* sensor.complementary_filter_quaternion */
-    {0x80, 0x0C, ""},       /* sensor.complementary_filter_euler_angles */
-    {0x80, 0x10, ""},       /* sensor.complementary_filter_stabilized_north_vector */
-    {0x80, 0x11, ""},       /* sensor.complementary_filter_stabilized_up_vector */
+    {0x80, 0x09, ""},       /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, ""},       /* sensor.comp_quaternion */
+    {0x80, 0x0C, ""},       /* sensor.comp_euler_angles */
+    {0x80, 0x10, ""},       /* sensor.north_vector */
+    {0x80, 0x11, ""},       /* sensor.up_vector */
     {0x80, 0x12, ""},       /* sensor.gps_timestamp */
     {0x80, 0x17, ""},       /* sensor.scaled_pressure */
     {0x82, 0x03, ""},       /* filter_data.attitude_quaternion */
@@ -578,13 +578,13 @@ static const struct mip_device_field gx5_15_fields[] = {
     {0x82, 0x0B, ""},       /* filter_data.gyro_bias_uncertainty */
     {0x82, 0x0D, ""},       /* filter_data.linear_accel */
     {0x82, 0x0E, ""},       /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, ""},       /* filter_data.wgs84_local_gravity_magnitude */
+    {0x82, 0x0F, ""},       /* filter_data.wgs84_gravity_magnitude */
     {0x82, 0x10, ""},       /* filter_data.status */
     {0x82, 0x11, ""},       /* filter_data.timestamp */
     {0x82, 0x12, ""},       /* filter_data.quaternion_attitude_uncertainty */
     {0x82, 0x13, ""},       /* filter_data.gravity_vector */
-    {0x82, 0x14, ""},       /* filter_data.heading_update_source_state */
-    {0x82, 0x1C, ""},       /* filter_data.compensated_acceleration */
+    {0x82, 0x14, ""},       /* filter_data.heading_update_state */
+    {0x82, 0x1C, ""},       /* filter_data.comp_accel */
     {0x82, 0x21, ""},       /* filter_data.pressure_altitude */
 };
 
@@ -645,8 +645,8 @@ static const struct mip_device_note gx5_15_notes[] = {
 
 static const struct mip_device_reading gx5_15_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
-    {"3dm.data_stream_control.desc_set", "3dm.legacy_data_stream"},
-    {"3dm.data_stream_control_response.desc_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
     {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
     {"filter_data.status.filter_state", "filter_data.gx5_filter_state"},
     {"filter_data.status.dynamics_mode", "filter_data.gx5_dynamics_mode"},

@@ -24,9 +24,9 @@ class Gx5BuiltInTest(IntFlag):
 
     WATCHDOG_RESET = 1 << 0
     """The watchdog has reset the processor; cleared by the first commanded test. Bit 0."""
-    IMU_COMMUNICATION_FAULT = 1 << 8
+    IMU_COMM_FAULT = 1 << 8
     """No communication with the inertial sensor. Bit 8."""
-    MAGNETOMETER_FAULT = 1 << 9
+    MAG_FAULT = 1 << 9
     """Magnetometer fault, on devices that have one. Bit 9."""
     PRESSURE_SENSOR_FAULT = 1 << 10
     """Pressure sensor fault, on devices that have one. Bit 10."""
@@ -49,11 +49,11 @@ class Cv7BuiltInTest(IntFlag):
     """The processor cannot keep up; cleared by reading the result. Bit 2."""
     BUFFER_OVERRUN = 1 << 3
     """A data buffer was full, mostly because too much is streamed. Bit 3."""
-    ACCELEROMETER_FAULT = 1 << 12
+    ACCEL_FAULT = 1 << 12
     """The accelerometer is damaged or does not work. Bit 12."""
-    GYROSCOPE_FAULT = 1 << 13
+    GYRO_FAULT = 1 << 13
     """The gyroscope is damaged or does not work. Bit 13."""
-    MAGNETOMETER_FAULT = 1 << 14
+    MAG_FAULT = 1 << 14
     """The magnetometer is damaged or does not work. Bit 14."""
     PRESSURE_SENSOR_FAULT = 1 << 15
     """The pressure sensor is damaged or does not work. Bit 15."""
@@ -111,33 +111,33 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     """No data from internal receiver 1 in time. Bit 25."""
     GNSS_RECEIVER_2_STALL = 1 << 26
     """No data from internal receiver 2 in time. Bit 26."""
-    IMU_COMMUNICATION_FAULT = 1 << 33
+    IMU_COMM_FAULT = 1 << 33
     """No communication with the inertial sensors. Bit 33."""
     IMU_TIMING_OVERRUN = 1 << 34
     """Inertial sensor processes take longer than their time. Bit 34."""
-    IMU_CALIBRATION_ERROR_ACCELEROMETER = 1 << 36
+    IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
     """Fault of the accelerometer calibration. Bit 36."""
-    IMU_CALIBRATION_ERROR_GYROSCOPE = 1 << 37
+    IMU_CALIBRATION_ERROR_GYRO = 1 << 37
     """Fault of the gyroscope calibration. Bit 37."""
-    IMU_CALIBRATION_ERROR_MAGNETOMETER = 1 << 38
+    IMU_CALIBRATION_ERROR_MAG = 1 << 38
     """Fault of the magnetometer calibration. Bit 38."""
-    ACCELEROMETER_GENERAL_FAULT = 1 << 40
+    ACCEL_GENERAL_FAULT = 1 << 40
     """The accelerometer does not initialize. Bit 40."""
-    ACCELEROMETER_OVER_RANGE = 1 << 41
+    ACCEL_OVER_RANGE = 1 << 41
     """An axis is near or outside the selected range. Bit 41."""
-    ACCELEROMETER_SELF_TEST_FAIL = 1 << 42
+    ACCEL_SELF_TEST_FAIL = 1 << 42
     """The self test failed; updated by the commanded test. Bit 42."""
-    GYROSCOPE_GENERAL_FAULT = 1 << 44
+    GYRO_GENERAL_FAULT = 1 << 44
     """The gyroscope does not initialize. Bit 44."""
-    GYROSCOPE_OVER_RANGE = 1 << 45
+    GYRO_OVER_RANGE = 1 << 45
     """An axis is near or outside the selected range. Bit 45."""
-    GYROSCOPE_SELF_TEST_FAIL = 1 << 46
+    GYRO_SELF_TEST_FAIL = 1 << 46
     """The self test failed; updated by the commanded test. Bit 46."""
-    MAGNETOMETER_GENERAL_FAULT = 1 << 48
+    MAG_GENERAL_FAULT = 1 << 48
     """The magnetometer does not initialize. Bit 48."""
-    MAGNETOMETER_OVER_RANGE = 1 << 49
+    MAG_OVER_RANGE = 1 << 49
     """An axis is near or outside the supported range. Bit 49."""
-    MAGNETOMETER_SELF_TEST_FAIL = 1 << 50
+    MAG_SELF_TEST_FAIL = 1 << 50
     """The self test failed; updated by the commanded test. Bit 50."""
     PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
     """The pressure sensor does not initialize. Bit 52."""
@@ -305,16 +305,16 @@ class EventTriggerGpio(Structure):
         return out
 
 
-_EVENT_THRESHOLD_WINDOW_0 = codec.Block("dd", "low_thres", "high_thres")
+_EVENT_THRESHOLD_WINDOW_0 = codec.Block("dd", "low_threshold", "high_threshold")
 
 
 @dataclass(slots=True)
 class EventThresholdWindow(Structure):
     """Two thresholds with a window between them."""
 
-    low_thres: float
+    low_threshold: float
     """Lower threshold, in the unit of the watched value."""
-    high_thres: float
+    high_threshold: float
     """Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger
     is active outside of the window.
     """
@@ -323,44 +323,46 @@ class EventThresholdWindow(Structure):
     def _read(cls, raw: bytes, at: int) -> tuple[EventThresholdWindow, int]:
         v = _EVENT_THRESHOLD_WINDOW_0.read(raw, at)
         at += 16
-        low_thres = v[0]
-        high_thres = v[1]
-        return cls(low_thres, high_thres), at
+        low_threshold = v[0]
+        high_threshold = v[1]
+        return cls(low_threshold, high_threshold), at
 
     def _write(self) -> bytes:
-        out = _EVENT_THRESHOLD_WINDOW_0.write(self.low_thres, self.high_thres)
+        out = _EVENT_THRESHOLD_WINDOW_0.write(self.low_threshold, self.high_threshold)
         return out
 
 
-_EVENT_THRESHOLD_INTERVAL_0 = codec.Block("dd", "int_thres", "interval")
+_EVENT_THRESHOLD_INTERVAL_0 = codec.Block("dd", "interval_threshold", "interval")
 
 
 @dataclass(slots=True)
 class EventThresholdInterval(Structure):
     """A threshold inside a repeating interval."""
 
-    int_thres: float
+    interval_threshold: float
     """The trigger is active while the remainder is at most this, in the unit of the watched value.
     """
     interval: float
     """Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the
-    two swap roles: the trigger is active while the value modulo int_thres is above this.
+    two swap roles: the trigger is active while the value modulo interval_threshold is above this.
     """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventThresholdInterval, int]:
         v = _EVENT_THRESHOLD_INTERVAL_0.read(raw, at)
         at += 16
-        int_thres = v[0]
+        interval_threshold = v[0]
         interval = v[1]
-        return cls(int_thres, interval), at
+        return cls(interval_threshold, interval), at
 
     def _write(self) -> bytes:
-        out = _EVENT_THRESHOLD_INTERVAL_0.write(self.int_thres, self.interval)
+        out = _EVENT_THRESHOLD_INTERVAL_0.write(self.interval_threshold, self.interval)
         return out
 
 
-_EVENT_TRIGGER_THRESHOLD_0 = codec.Block("BBBB", "desc_set", "field_desc", "param_id", "type")
+_EVENT_TRIGGER_THRESHOLD_0 = codec.Block(
+    "BBBB", "descriptor_set", "field_descriptor", "parameter_id", "type"
+)
 
 
 @dataclass(slots=True)
@@ -371,11 +373,11 @@ class EventTriggerThreshold(Structure):
     - 3dm-cv7-gnss-ins: ThresholdParams
     """
 
-    desc_set: int
+    descriptor_set: int
     """Data descriptor set of the watched value."""
-    field_desc: int
+    field_descriptor: int
     """Field descriptor of the watched value."""
-    param_id: int
+    parameter_id: int
     """Number of the value in its field, counted from 1; each element of a vector counts. Range: at
     least 1.
     """
@@ -393,19 +395,19 @@ class EventTriggerThreshold(Structure):
         thresholds: EventThresholdWindow | EventThresholdInterval | None = None
         v = _EVENT_TRIGGER_THRESHOLD_0.read(raw, at)
         at += 4
-        desc_set = v[0]
-        field_desc = v[1]
-        param_id = v[2]
+        descriptor_set = v[0]
+        field_descriptor = v[1]
+        parameter_id = v[2]
         type = EventThresholdType(v[3])
         if type == 1:
             thresholds, at = EventThresholdWindow._read(raw, at)
         elif type == 2:
             thresholds, at = EventThresholdInterval._read(raw, at)
-        return cls(desc_set, field_desc, param_id, type, thresholds), at
+        return cls(descriptor_set, field_descriptor, parameter_id, type, thresholds), at
 
     def _write(self) -> bytes:
         out = _EVENT_TRIGGER_THRESHOLD_0.write(
-            self.desc_set, self.field_desc, self.param_id, self.type
+            self.descriptor_set, self.field_descriptor, self.parameter_id, self.type
         )
         if self.type == 1:
             if not isinstance(self.thresholds, EventThresholdWindow):
@@ -483,7 +485,7 @@ class EventActionGpio(Structure):
         return out
 
 
-_EVENT_ACTION_MESSAGE_0 = codec.Block("BHB", "desc_set", "decimation", "num_fields")
+_EVENT_ACTION_MESSAGE_0 = codec.Block("BHB", "descriptor_set", "decimation", "num_fields")
 
 
 @dataclass(slots=True)
@@ -493,7 +495,7 @@ class EventActionMessage(Structure):
     - 3dm-cv7-gnss-ins: MessageParams
     """
 
-    desc_set: int
+    descriptor_set: int
     """Data descriptor set of the packet."""
     decimation: int
     """0 sends one packet per activation. Any other value streams while the trigger is active, at
@@ -508,17 +510,17 @@ class EventActionMessage(Structure):
     def _read(cls, raw: bytes, at: int) -> tuple[EventActionMessage, int]:
         v = _EVENT_ACTION_MESSAGE_0.read(raw, at)
         at += 4
-        desc_set = v[0]
+        descriptor_set = v[0]
         decimation = v[1]
         num_fields = v[2]
         n = codec.counted(raw, at, num_fields, 1, 249)
         descriptors = codec.read_numbers("B", raw, at, n)
         at += n
-        return cls(desc_set, decimation, descriptors), at
+        return cls(descriptor_set, decimation, descriptors), at
 
     def _write(self) -> bytes:
         out = _EVENT_ACTION_MESSAGE_0.write(
-            self.desc_set, self.decimation, codec.count("descriptors", self.descriptors, 249)
+            self.descriptor_set, self.decimation, codec.count("descriptors", self.descriptors, 249)
         )
         out += codec.write_numbers(
             "descriptors", "B", codec.at_most("descriptors", self.descriptors, 249)
@@ -857,7 +859,9 @@ class NmeaTalkerId(codec.OpenEnum):
     """GL."""
 
 
-_NMEA_MESSAGE_0 = codec.Block("BBBH", "message_id", "talker_id", "source_desc_set", "decimation")
+_NMEA_MESSAGE_0 = codec.Block(
+    "BBBH", "message_id", "talker_id", "source_descriptor_set", "decimation"
+)
 
 
 @dataclass(slots=True)
@@ -871,7 +875,7 @@ class NmeaMessage(Structure):
     """The sentence."""
     talker_id: NmeaTalkerId
     """The talker that the sentence names."""
-    source_desc_set: int
+    source_descriptor_set: int
     """Data descriptor set that the contents are taken from."""
     decimation: int
     """Base rate of the source descriptor set divided by the wanted rate; a poll ignores it."""
@@ -882,13 +886,13 @@ class NmeaMessage(Structure):
         at += 5
         message_id = NmeaMessageId(v[0])
         talker_id = NmeaTalkerId(v[1])
-        source_desc_set = v[2]
+        source_descriptor_set = v[2]
         decimation = v[3]
-        return cls(message_id, talker_id, source_desc_set, decimation), at
+        return cls(message_id, talker_id, source_descriptor_set, decimation), at
 
     def _write(self) -> bytes:
         out = _NMEA_MESSAGE_0.write(
-            self.message_id, self.talker_id, self.source_desc_set, self.decimation
+            self.message_id, self.talker_id, self.source_descriptor_set, self.decimation
         )
         return out
 

@@ -20,12 +20,14 @@ extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;
 
+#[macro_use]
+mod macros;
+
 mod bits;
 pub mod client;
 pub mod codec;
 pub mod field;
 mod list;
-mod macros;
 pub mod packet;
 mod parser;
 #[cfg(feature = "std")]
@@ -37,30 +39,15 @@ pub mod devices;
 pub mod dynamic;
 pub mod protocol;
 pub mod registry;
+mod sets;
 pub mod types;
 
-pub mod aiding;
-pub mod base;
-pub mod filter;
-pub mod filter_data;
-pub mod gnss;
-pub mod gnss_1;
-pub mod gnss_2;
-pub mod gnss_corrections;
-pub mod gnss_data;
-pub mod gnss_external;
-pub mod gnss_external_2;
-pub mod mip_3dm;
-pub mod rtk;
-pub mod sensor;
-pub mod shared;
-pub mod system;
-pub mod system_data;
+pub use sets::*;
 
 pub use bits::Bits;
-pub use client::{Answer, Client, Event, RequestError, Ticket};
+pub use client::{Answer, Client, Event, Outcome, RequestError, Ticket};
 pub use codec::{Bool, DecodeError, EncodeError, Reader, Union, Wire, Writer};
-pub use field::{Command, Field, RawField, Response, ResponseOf, Role};
+pub use field::{Command, Field, RawField, Response, ResponseCheck, ResponseOf, Role};
 pub use list::{CapacityError, List};
 pub use packet::{checksum, FieldLengthError, Packet, PacketBuilder, PacketError};
 pub use parser::Parser;

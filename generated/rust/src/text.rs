@@ -2,7 +2,8 @@
 
 use core::{fmt, str};
 
-use crate::{DecodeError, EncodeError, List, Reader, Wire, Writer};
+use crate::codec::{Counted, DecodeError, EncodeError, Reader, Wire, Writer};
+use crate::List;
 
 /// Exactly `N` characters.
 ///
@@ -76,11 +77,6 @@ impl<const N: usize> VarText<N> {
     pub fn chars(&self) -> impl DoubleEndedIterator<Item = char> + '_ {
         self.0.iter().map(|b| char::from(*b))
     }
-
-    /// Writes the characters; what counts them is another value of the field.
-    pub fn encode_items(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.put(&self.0)
-    }
 }
 
 fn trimmed(bytes: &[u8]) -> &[u8] {
@@ -139,6 +135,25 @@ impl<const N: usize> Wire for Text<N> {
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         writer.put(&self.0)
+    }
+}
+
+/// The characters alone. What counts them, if anything does, is another value of the field.
+impl<const N: usize> Wire for VarText<N> {
+    const SIZE: usize = N;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        reader.read().map(Self)
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.put(&self.0)
+    }
+}
+
+impl<const N: usize> Counted for VarText<N> {
+    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        reader.counted(u64::try_from(count).unwrap_or(u64::MAX)).map(Self)
     }
 }
 

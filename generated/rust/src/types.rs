@@ -1,8 +1,5 @@
 //! Types that several descriptor sets share.
 
-use crate::macros::{bitfield, open_enum, vector};
-use crate::{DecodeError, EncodeError, Reader, Union, Wire, Writer};
-
 open_enum! {
     /// What a settings command is asked to do.
     FunctionSelector: u8 {
@@ -24,77 +21,67 @@ open_enum! {
 bitfield! {
     /// Result of the built-in test of the 3DM-GX5-15: processor board, sensor board, filter.
     ///
-    /// - Manual 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
+    /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05).
     Gx5BuiltInTest: u32 {
-        /// The watchdog has reset the processor; cleared by the first commanded test.
+        /// The watchdog has reset the processor; cleared by the first commanded test. Bit 0.
         WATCHDOG_RESET: bool = 0,
-            "watchdog_reset", watchdog_reset, set_watchdog_reset, with_watchdog_reset;
-        /// No communication with the inertial sensor.
-        IMU_COMMUNICATION_FAULT: bool = 8,
-            "imu_communication_fault", imu_communication_fault, set_imu_communication_fault,
-            with_imu_communication_fault;
-        /// Magnetometer fault, on devices that have one.
-        MAGNETOMETER_FAULT: bool = 9,
-            "magnetometer_fault", magnetometer_fault, set_magnetometer_fault,
-            with_magnetometer_fault;
-        /// Pressure sensor fault, on devices that have one.
+            watchdog_reset, set_watchdog_reset, with_watchdog_reset;
+        /// No communication with the inertial sensor. Bit 8.
+        IMU_COMM_FAULT: bool = 8,
+            imu_comm_fault, set_imu_comm_fault, with_imu_comm_fault;
+        /// Magnetometer fault, on devices that have one. Bit 9.
+        MAG_FAULT: bool = 9,
+            mag_fault, set_mag_fault, with_mag_fault;
+        /// Pressure sensor fault, on devices that have one. Bit 10.
         PRESSURE_SENSOR_FAULT: bool = 10,
-            "pressure_sensor_fault", pressure_sensor_fault, set_pressure_sensor_fault,
-            with_pressure_sensor_fault;
-        /// Fault of the estimation filter solution.
+            pressure_sensor_fault, set_pressure_sensor_fault, with_pressure_sensor_fault;
+        /// Fault of the estimation filter solution. Bit 24.
         SOLUTION_FAULT: bool = 24,
-            "solution_fault", solution_fault, set_solution_fault, with_solution_fault;
+            solution_fault, set_solution_fault, with_solution_fault;
     }
 }
 
 bitfield! {
     /// Result of the commanded built-in test of the 3DM-CV7-GNSS/INS.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: Commanded Built-in Test
+    /// Source: 3dm-cv7-gnss-ins: Commanded Built-in Test.
     Cv7BuiltInTest: u32 {
-        /// A vital part, such as the oscillator, has failed.
+        /// A vital part, such as the oscillator, has failed. Bit 0.
         GENERAL_HARDWARE_FAULT: bool = 0,
-            "general_hardware_fault", general_hardware_fault, set_general_hardware_fault,
-            with_general_hardware_fault;
-        /// The firmware met a serious or unexpected condition.
+            general_hardware_fault, set_general_hardware_fault, with_general_hardware_fault;
+        /// The firmware met a serious or unexpected condition. Bit 1.
         GENERAL_FIRMWARE_FAULT: bool = 1,
-            "general_firmware_fault", general_firmware_fault, set_general_firmware_fault,
-            with_general_firmware_fault;
-        /// The processor cannot keep up; cleared by reading the result.
+            general_firmware_fault, set_general_firmware_fault, with_general_firmware_fault;
+        /// The processor cannot keep up; cleared by reading the result. Bit 2.
         TIMING_OVERLOAD: bool = 2,
-            "timing_overload", timing_overload, set_timing_overload, with_timing_overload;
-        /// A data buffer was full, mostly because too much is streamed.
+            timing_overload, set_timing_overload, with_timing_overload;
+        /// A data buffer was full, mostly because too much is streamed. Bit 3.
         BUFFER_OVERRUN: bool = 3,
-            "buffer_overrun", buffer_overrun, set_buffer_overrun, with_buffer_overrun;
-        /// The accelerometer is damaged or does not work.
-        ACCELEROMETER_FAULT: bool = 12,
-            "accelerometer_fault", accelerometer_fault, set_accelerometer_fault,
-            with_accelerometer_fault;
-        /// The gyroscope is damaged or does not work.
-        GYROSCOPE_FAULT: bool = 13,
-            "gyroscope_fault", gyroscope_fault, set_gyroscope_fault, with_gyroscope_fault;
-        /// The magnetometer is damaged or does not work.
-        MAGNETOMETER_FAULT: bool = 14,
-            "magnetometer_fault", magnetometer_fault, set_magnetometer_fault,
-            with_magnetometer_fault;
-        /// The pressure sensor is damaged or does not work.
+            buffer_overrun, set_buffer_overrun, with_buffer_overrun;
+        /// The accelerometer is damaged or does not work. Bit 12.
+        ACCEL_FAULT: bool = 12,
+            accel_fault, set_accel_fault, with_accel_fault;
+        /// The gyroscope is damaged or does not work. Bit 13.
+        GYRO_FAULT: bool = 13,
+            gyro_fault, set_gyro_fault, with_gyro_fault;
+        /// The magnetometer is damaged or does not work. Bit 14.
+        MAG_FAULT: bool = 14,
+            mag_fault, set_mag_fault, with_mag_fault;
+        /// The pressure sensor is damaged or does not work. Bit 15.
         PRESSURE_SENSOR_FAULT: bool = 15,
-            "pressure_sensor_fault", pressure_sensor_fault, set_pressure_sensor_fault,
-            with_pressure_sensor_fault;
-        /// At least one calibration table of the sensors is invalid.
+            pressure_sensor_fault, set_pressure_sensor_fault, with_pressure_sensor_fault;
+        /// At least one calibration table of the sensors is invalid. Bit 18.
         CALIBRATION_ERROR: bool = 18,
-            "calibration_error", calibration_error, set_calibration_error, with_calibration_error;
-        /// A fault of the inertial sensor subsystem that no other bit names.
+            calibration_error, set_calibration_error, with_calibration_error;
+        /// A fault of the inertial sensor subsystem that no other bit names. Bit 19.
         GENERAL_IMU_FAULT: bool = 19,
-            "general_imu_fault", general_imu_fault, set_general_imu_fault, with_general_imu_fault;
-        /// The filter output is invalid (not a number); reset the filter.
+            general_imu_fault, set_general_imu_fault, with_general_imu_fault;
+        /// The filter output is invalid (not a number); reset the filter. Bit 22.
         FILTER_SOLUTION_FAULT: bool = 22,
-            "filter_solution_fault", filter_solution_fault, set_filter_solution_fault,
-            with_filter_solution_fault;
-        /// A fault of the filter subsystem that no other bit names.
+            filter_solution_fault, set_filter_solution_fault, with_filter_solution_fault;
+        /// A fault of the filter subsystem that no other bit names. Bit 23.
         GENERAL_FILTER_FAULT: bool = 23,
-            "general_filter_fault", general_filter_fault, set_general_filter_fault,
-            with_general_filter_fault;
+            general_filter_fault, set_general_filter_fault, with_general_filter_fault;
     }
 }
 
@@ -102,176 +89,142 @@ bitfield! {
     /// Flags of the continuous built-in test of the 3DM-CV7-GNSS/INS: bits 0-31 system, 32-63
     /// inertial sensors, 64-95 navigation, 96-127 GNSS.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: Continuous Built-in Test
+    /// Source: 3dm-cv7-gnss-ins: Continuous Built-in Test.
     Cv7ContinuousBuiltInTest: [u8; 16] {
-        /// The system clock does not work properly.
+        /// The system clock does not work properly. Bit 0.
         SYSTEM_CLOCK_FAILURE: bool = 0,
-            "system_clock_failure", system_clock_failure, set_system_clock_failure,
-            with_system_clock_failure;
-        /// The supply voltage is out of range, or an internal supply has failed.
+            system_clock_failure, set_system_clock_failure, with_system_clock_failure;
+        /// The supply voltage is out of range, or an internal supply has failed. Bit 1.
         POWER_FAULT: bool = 1,
-            "power_fault", power_fault, set_power_fault, with_power_fault;
-        /// The firmware met an unexpected condition.
+            power_fault, set_power_fault, with_power_fault;
+        /// The firmware met an unexpected condition. Bit 4.
         FIRMWARE_FAULT: bool = 4,
-            "firmware_fault", firmware_fault, set_firmware_fault, with_firmware_fault;
-        /// The processor cannot keep up.
+            firmware_fault, set_firmware_fault, with_firmware_fault;
+        /// The processor cannot keep up. Bit 5.
         TIMING_OVERLOAD: bool = 5,
-            "timing_overload", timing_overload, set_timing_overload, with_timing_overload;
-        /// A data buffer was full and data may be lost.
+            timing_overload, set_timing_overload, with_timing_overload;
+        /// A data buffer was full and data may be lost. Bit 6.
         BUFFER_OVERRUN: bool = 6,
-            "buffer_overrun", buffer_overrun, set_buffer_overrun, with_buffer_overrun;
-        /// The inertial sensor subsystem does not run or did not start.
+            buffer_overrun, set_buffer_overrun, with_buffer_overrun;
+        /// The inertial sensor subsystem does not run or did not start. Bit 16.
         IMU_PROCESS_FAULT: bool = 16,
-            "imu_process_fault", imu_process_fault, set_imu_process_fault, with_imu_process_fault;
-        /// The processing of sensor data took too long.
+            imu_process_fault, set_imu_process_fault, with_imu_process_fault;
+        /// The processing of sensor data took too long. Bit 17.
         IMU_DATA_PROCESS_TIME_EXCEEDED: bool = 17,
-            "imu_data_process_time_exceeded", imu_data_process_time_exceeded,
-            set_imu_data_process_time_exceeded, with_imu_data_process_time_exceeded;
-        /// Sensor data does not come at its base rate.
+            imu_data_process_time_exceeded, set_imu_data_process_time_exceeded, with_imu_data_process_time_exceeded;
+        /// Sensor data does not come at its base rate. Bit 18.
         IMU_DATA_RATE_ERROR: bool = 18,
-            "imu_data_rate_error", imu_data_rate_error, set_imu_data_rate_error,
-            with_imu_data_rate_error;
-        /// The inertial sensor subsystem produces no data.
+            imu_data_rate_error, set_imu_data_rate_error, with_imu_data_rate_error;
+        /// The inertial sensor subsystem produces no data. Bit 19.
         IMU_STALL: bool = 19,
-            "imu_stall", imu_stall, set_imu_stall, with_imu_stall;
-        /// Any of these: the filter does not work normally.
+            imu_stall, set_imu_stall, with_imu_stall;
+        /// Any of these: the filter does not work normally. Bits 20 to 23. Overlaps other bits.
         FILTER_PROCESS_FAULT: u8 = 20..=23,
-            "filter_process_fault", filter_process_fault, set_filter_process_fault,
-            with_filter_process_fault;
-        /// Major cycle of the filter; bits 22 and 23 say what.
+            filter_process_fault, set_filter_process_fault, with_filter_process_fault;
+        /// Major cycle of the filter; bits 22 and 23 say what. Bit 20.
         FILTER_MAJOR_CYCLE_FAULT: bool = 20,
-            "filter_major_cycle_fault", filter_major_cycle_fault, set_filter_major_cycle_fault,
-            with_filter_major_cycle_fault;
-        /// Minor cycle of the filter; bits 22 and 23 say what.
+            filter_major_cycle_fault, set_filter_major_cycle_fault, with_filter_major_cycle_fault;
+        /// Minor cycle of the filter; bits 22 and 23 say what. Bit 21.
         FILTER_MINOR_CYCLE_FAULT: bool = 21,
-            "filter_minor_cycle_fault", filter_minor_cycle_fault, set_filter_minor_cycle_fault,
-            with_filter_minor_cycle_fault;
-        /// A filter process misses its base rate; bits 20 and 21 say which.
+            filter_minor_cycle_fault, set_filter_minor_cycle_fault, with_filter_minor_cycle_fault;
+        /// A filter process misses its base rate; bits 20 and 21 say which. Bit 22.
         FILTER_DATA_RATE_ERROR: bool = 22,
-            "filter_data_rate_error", filter_data_rate_error, set_filter_data_rate_error,
-            with_filter_data_rate_error;
-        /// A filter process produces no data; bits 20 and 21 say which.
+            filter_data_rate_error, set_filter_data_rate_error, with_filter_data_rate_error;
+        /// A filter process produces no data; bits 20 and 21 say which. Bit 23.
         FILTER_PROCESS_STALL: bool = 23,
-            "filter_process_stall", filter_process_stall, set_filter_process_stall,
-            with_filter_process_stall;
-        /// Any of these: GNSS does not work normally.
+            filter_process_stall, set_filter_process_stall, with_filter_process_stall;
+        /// Any of these: GNSS does not work normally. Bits 24 to 27. Overlaps other bits.
         GNSS_SUBSYSTEM_FAULT: u8 = 24..=27,
-            "gnss_subsystem_fault", gnss_subsystem_fault, set_gnss_subsystem_fault,
-            with_gnss_subsystem_fault;
-        /// The main GNSS process did not run in time.
+            gnss_subsystem_fault, set_gnss_subsystem_fault, with_gnss_subsystem_fault;
+        /// The main GNSS process did not run in time. Bit 24.
         GNSS_MAIN_PROCESS_FAULT: bool = 24,
-            "gnss_main_process_fault", gnss_main_process_fault, set_gnss_main_process_fault,
-            with_gnss_main_process_fault;
-        /// No data from internal receiver 1 in time.
+            gnss_main_process_fault, set_gnss_main_process_fault, with_gnss_main_process_fault;
+        /// No data from internal receiver 1 in time. Bit 25.
         GNSS_RECEIVER_1_STALL: bool = 25,
-            "gnss_receiver_1_stall", gnss_receiver_1_stall, set_gnss_receiver_1_stall,
-            with_gnss_receiver_1_stall;
-        /// No data from internal receiver 2 in time.
+            gnss_receiver_1_stall, set_gnss_receiver_1_stall, with_gnss_receiver_1_stall;
+        /// No data from internal receiver 2 in time. Bit 26.
         GNSS_RECEIVER_2_STALL: bool = 26,
-            "gnss_receiver_2_stall", gnss_receiver_2_stall, set_gnss_receiver_2_stall,
-            with_gnss_receiver_2_stall;
-        /// No communication with the inertial sensors.
-        IMU_COMMUNICATION_FAULT: bool = 33,
-            "imu_communication_fault", imu_communication_fault, set_imu_communication_fault,
-            with_imu_communication_fault;
-        /// Inertial sensor processes take longer than their time.
+            gnss_receiver_2_stall, set_gnss_receiver_2_stall, with_gnss_receiver_2_stall;
+        /// No communication with the inertial sensors. Bit 33.
+        IMU_COMM_FAULT: bool = 33,
+            imu_comm_fault, set_imu_comm_fault, with_imu_comm_fault;
+        /// Inertial sensor processes take longer than their time. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
-            "imu_timing_overrun", imu_timing_overrun, set_imu_timing_overrun,
-            with_imu_timing_overrun;
-        /// Fault of the accelerometer calibration.
-        IMU_CALIBRATION_ERROR_ACCELEROMETER: bool = 36,
-            "imu_calibration_error_accelerometer", imu_calibration_error_accelerometer,
-            set_imu_calibration_error_accelerometer, with_imu_calibration_error_accelerometer;
-        /// Fault of the gyroscope calibration.
-        IMU_CALIBRATION_ERROR_GYROSCOPE: bool = 37,
-            "imu_calibration_error_gyroscope", imu_calibration_error_gyroscope,
-            set_imu_calibration_error_gyroscope, with_imu_calibration_error_gyroscope;
-        /// Fault of the magnetometer calibration.
-        IMU_CALIBRATION_ERROR_MAGNETOMETER: bool = 38,
-            "imu_calibration_error_magnetometer", imu_calibration_error_magnetometer,
-            set_imu_calibration_error_magnetometer, with_imu_calibration_error_magnetometer;
-        /// The accelerometer does not initialize.
-        ACCELEROMETER_GENERAL_FAULT: bool = 40,
-            "accelerometer_general_fault", accelerometer_general_fault,
-            set_accelerometer_general_fault, with_accelerometer_general_fault;
-        /// An axis is near or outside the selected range.
-        ACCELEROMETER_OVER_RANGE: bool = 41,
-            "accelerometer_over_range", accelerometer_over_range, set_accelerometer_over_range,
-            with_accelerometer_over_range;
-        /// The self test failed; updated by the commanded test.
-        ACCELEROMETER_SELF_TEST_FAIL: bool = 42,
-            "accelerometer_self_test_fail", accelerometer_self_test_fail,
-            set_accelerometer_self_test_fail, with_accelerometer_self_test_fail;
-        /// The gyroscope does not initialize.
-        GYROSCOPE_GENERAL_FAULT: bool = 44,
-            "gyroscope_general_fault", gyroscope_general_fault, set_gyroscope_general_fault,
-            with_gyroscope_general_fault;
-        /// An axis is near or outside the selected range.
-        GYROSCOPE_OVER_RANGE: bool = 45,
-            "gyroscope_over_range", gyroscope_over_range, set_gyroscope_over_range,
-            with_gyroscope_over_range;
-        /// The self test failed; updated by the commanded test.
-        GYROSCOPE_SELF_TEST_FAIL: bool = 46,
-            "gyroscope_self_test_fail", gyroscope_self_test_fail, set_gyroscope_self_test_fail,
-            with_gyroscope_self_test_fail;
-        /// The magnetometer does not initialize.
-        MAGNETOMETER_GENERAL_FAULT: bool = 48,
-            "magnetometer_general_fault", magnetometer_general_fault,
-            set_magnetometer_general_fault, with_magnetometer_general_fault;
-        /// An axis is near or outside the supported range.
-        MAGNETOMETER_OVER_RANGE: bool = 49,
-            "magnetometer_over_range", magnetometer_over_range, set_magnetometer_over_range,
-            with_magnetometer_over_range;
-        /// The self test failed; updated by the commanded test.
-        MAGNETOMETER_SELF_TEST_FAIL: bool = 50,
-            "magnetometer_self_test_fail", magnetometer_self_test_fail,
-            set_magnetometer_self_test_fail, with_magnetometer_self_test_fail;
-        /// The pressure sensor does not initialize.
+            imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
+        /// Fault of the accelerometer calibration. Bit 36.
+        IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
+            imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
+        /// Fault of the gyroscope calibration. Bit 37.
+        IMU_CALIBRATION_ERROR_GYRO: bool = 37,
+            imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
+        /// Fault of the magnetometer calibration. Bit 38.
+        IMU_CALIBRATION_ERROR_MAG: bool = 38,
+            imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
+        /// The accelerometer does not initialize. Bit 40.
+        ACCEL_GENERAL_FAULT: bool = 40,
+            accel_general_fault, set_accel_general_fault, with_accel_general_fault;
+        /// An axis is near or outside the selected range. Bit 41.
+        ACCEL_OVER_RANGE: bool = 41,
+            accel_over_range, set_accel_over_range, with_accel_over_range;
+        /// The self test failed; updated by the commanded test. Bit 42.
+        ACCEL_SELF_TEST_FAIL: bool = 42,
+            accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
+        /// The gyroscope does not initialize. Bit 44.
+        GYRO_GENERAL_FAULT: bool = 44,
+            gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
+        /// An axis is near or outside the selected range. Bit 45.
+        GYRO_OVER_RANGE: bool = 45,
+            gyro_over_range, set_gyro_over_range, with_gyro_over_range;
+        /// The self test failed; updated by the commanded test. Bit 46.
+        GYRO_SELF_TEST_FAIL: bool = 46,
+            gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
+        /// The magnetometer does not initialize. Bit 48.
+        MAG_GENERAL_FAULT: bool = 48,
+            mag_general_fault, set_mag_general_fault, with_mag_general_fault;
+        /// An axis is near or outside the supported range. Bit 49.
+        MAG_OVER_RANGE: bool = 49,
+            mag_over_range, set_mag_over_range, with_mag_over_range;
+        /// The self test failed; updated by the commanded test. Bit 50.
+        MAG_SELF_TEST_FAIL: bool = 50,
+            mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
+        /// The pressure sensor does not initialize. Bit 52.
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
-            "pressure_sensor_general_fault", pressure_sensor_general_fault,
-            set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
-        /// The pressure is outside the supported range.
+            pressure_sensor_general_fault, set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
+        /// The pressure is outside the supported range. Bit 53.
         PRESSURE_SENSOR_OVER_RANGE: bool = 53,
-            "pressure_sensor_over_range", pressure_sensor_over_range,
-            set_pressure_sensor_over_range, with_pressure_sensor_over_range;
-        /// The self test failed; updated by the commanded test.
+            pressure_sensor_over_range, set_pressure_sensor_over_range, with_pressure_sensor_over_range;
+        /// The self test failed; updated by the commanded test. Bit 54.
         PRESSURE_SENSOR_SELF_TEST_FAIL: bool = 54,
-            "pressure_sensor_self_test_fail", pressure_sensor_self_test_fail,
-            set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
-        /// The device has lost its factory configuration.
+            pressure_sensor_self_test_fail, set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
+        /// The device has lost its factory configuration. Bit 56.
         FACTORY_BITS_INVALID: bool = 56,
-            "factory_bits_invalid", factory_bits_invalid, set_factory_bits_invalid,
-            with_factory_bits_invalid;
-        /// Filter processes take longer than their time.
+            factory_bits_invalid, set_factory_bits_invalid, with_factory_bits_invalid;
+        /// Filter processes take longer than their time. Bit 66.
         FILTER_TIMING_OVERRUN: bool = 66,
-            "filter_timing_overrun", filter_timing_overrun, set_filter_timing_overrun,
-            with_filter_timing_overrun;
-        /// Filter processes are skipped.
+            filter_timing_overrun, set_filter_timing_overrun, with_filter_timing_overrun;
+        /// Filter processes are skipped. Bit 67.
         FILTER_TIMING_UNDERRUN: bool = 67,
-            "filter_timing_underrun", filter_timing_underrun, set_filter_timing_underrun,
-            with_filter_timing_underrun;
-        /// No communication with internal receiver 1.
+            filter_timing_underrun, set_filter_timing_underrun, with_filter_timing_underrun;
+        /// No communication with internal receiver 1. Bit 105.
         RECEIVER_1_FAULT: bool = 105,
-            "receiver_1_fault", receiver_1_fault, set_receiver_1_fault, with_receiver_1_fault;
-        /// Internal receiver 1 has no valid solution; mostly no sky view.
+            receiver_1_fault, set_receiver_1_fault, with_receiver_1_fault;
+        /// Internal receiver 1 has no valid solution; mostly no sky view. Bit 108.
         RECEIVER_1_NO_SOLUTION: bool = 108,
-            "receiver_1_no_solution", receiver_1_no_solution, set_receiver_1_no_solution,
-            with_receiver_1_no_solution;
-        /// No communication with internal receiver 2.
+            receiver_1_no_solution, set_receiver_1_no_solution, with_receiver_1_no_solution;
+        /// No communication with internal receiver 2. Bit 110.
         RECEIVER_2_FAULT: bool = 110,
-            "receiver_2_fault", receiver_2_fault, set_receiver_2_fault, with_receiver_2_fault;
-        /// Internal receiver 2 has no valid solution; mostly no sky view.
+            receiver_2_fault, set_receiver_2_fault, with_receiver_2_fault;
+        /// Internal receiver 2 has no valid solution; mostly no sky view. Bit 113.
         RECEIVER_2_NO_SOLUTION: bool = 113,
-            "receiver_2_no_solution", receiver_2_no_solution, set_receiver_2_no_solution,
-            with_receiver_2_no_solution;
+            receiver_2_no_solution, set_receiver_2_no_solution, with_receiver_2_no_solution;
     }
 }
 
 open_enum! {
     /// Kind of an event trigger.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
-    /// - Manual 3dm-cv7-gnss-ins: Types of triggers
+    /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E); 3dm-cv7-gnss-ins: Types
+    /// of triggers.
     EventTriggerType: u8 {
         /// The slot is free. It is never active and cannot be enabled.
         NONE = 0, "none";
@@ -287,8 +240,8 @@ open_enum! {
 open_enum! {
     /// Kind of an event action.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
-    /// - Manual 3dm-cv7-gnss-ins: Types of actions
+    /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F); 3dm-cv7-gnss-ins: Types of
+    /// actions.
     EventActionType: u8 {
         /// The slot is free.
         NONE = 0, "none";
@@ -302,8 +255,8 @@ open_enum! {
 open_enum! {
     /// Whether an event trigger works.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
-    /// - Manual 3dm-cv7-gnss-ins: Enabling & Disabling Triggers
+    /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B); 3dm-cv7-gnss-ins: Enabling & Disabling
+    /// Triggers.
     EventTriggerMode: u8 {
         /// The trigger is never active; so it is after configuration.
         DISABLED = 0, "disabled";
@@ -319,25 +272,25 @@ open_enum! {
 bitfield! {
     /// State of an event trigger.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
+    /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
     EventTriggerStatus: u8 {
-        /// Active now, by its condition or by a test mode.
+        /// Active now, by its condition or by a test mode. Bit 0.
         ACTIVE: bool = 0,
-            "active", active, set_active, with_active;
-        /// Enabled.
+            active, set_active, with_active;
+        /// Enabled. Bit 1.
         ENABLED: bool = 1,
-            "enabled", enabled, set_enabled, with_enabled;
-        /// In a test mode.
+            enabled, set_enabled, with_enabled;
+        /// In a test mode. Bit 2.
         TEST: bool = 2,
-            "test", test, set_test, with_test;
+            test, set_test, with_test;
     }
 }
 
 open_enum! {
     /// How a GPIO pin activates a trigger.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
-    /// - Manual 3dm-cv7-gnss-ins: Trigger: GPIO
+    /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E); 3dm-cv7-gnss-ins:
+    /// Trigger: GPIO.
     EventTriggerGpioMode: u8 {
         /// The trigger is never active.
         DISABLED = 0, "disabled";
@@ -354,7 +307,7 @@ open_enum! {
 open_enum! {
     /// How a threshold trigger compares.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: ThresholdParams
+    /// Source: 3dm-cv7-gnss-ins: ThresholdParams.
     EventThresholdType: u8 {
         /// The value lies between two thresholds.
         WINDOW = 1, "window";
@@ -366,8 +319,8 @@ open_enum! {
 open_enum! {
     /// How an action controls a GPIO pin.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
-    /// - Manual 3dm-cv7-gnss-ins: Action: GPIO
+    /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F); 3dm-cv7-gnss-ins: Action:
+    /// GPIO.
     EventActionGpioMode: u8 {
         /// The pin is left alone.
         DISABLED = 0, "disabled";
@@ -384,363 +337,211 @@ open_enum! {
     }
 }
 
-/// A trigger on a GPIO pin.
-///
-/// - Manual 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EventTriggerGpio {
-    /// GPIO pin, counted from 1.
+record! {
+    /// A trigger on a GPIO pin.
     ///
-    /// Range: at least 1.
-    pub pin: u8,
-    /// How the pin activates the trigger.
-    pub mode: EventTriggerGpioMode,
+    /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
+    #[derive(Default)]
+    pub struct EventTriggerGpio {
+        /// GPIO pin, counted from 1.
+        ///
+        /// Range: at least 1.
+        pub pin: u8,
+        /// How the pin activates the trigger.
+        pub mode: EventTriggerGpioMode,
+    }
 }
 
-impl EventTriggerGpio {
+constructors! {
+    EventTriggerGpio
+
     /// Puts the values together.
-    #[must_use]
-    pub fn new(pin: u8, mode: EventTriggerGpioMode) -> Self {
-        Self { pin, mode }
+    fn new(pin: u8, mode: EventTriggerGpioMode);
+}
+
+record! {
+    /// Two thresholds with a window between them.
+    #[derive(Default)]
+    pub struct EventThresholdWindow {
+        /// Lower threshold, in the unit of the watched value.
+        pub low_threshold: f64,
+        /// Upper threshold, in the unit of the watched value. If it is below the lower one, the
+        /// trigger is active outside of the window.
+        pub high_threshold: f64,
     }
 }
 
-impl Wire for EventTriggerGpio {
-    const SIZE: usize = 2;
+constructors! {
+    EventThresholdWindow
 
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let pin = reader.read()?;
-        let mode = reader.read()?;
-        Ok(Self { pin, mode })
-    }
-
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.pin)?;
-        writer.write(&self.mode)?;
-        Ok(())
-    }
-}
-
-/// Two thresholds with a window between them.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EventThresholdWindow {
-    /// Lower threshold, in the unit of the watched value.
-    pub low_thres: f64,
-    /// Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger
-    /// is active outside of the window.
-    pub high_thres: f64,
-}
-
-impl EventThresholdWindow {
     /// Puts the values together.
-    #[must_use]
-    pub fn new(low_thres: f64, high_thres: f64) -> Self {
-        Self { low_thres, high_thres }
+    fn new(low_threshold: f64, high_threshold: f64);
+}
+
+record! {
+    /// A threshold inside a repeating interval.
+    #[derive(Default)]
+    pub struct EventThresholdInterval {
+        /// The trigger is active while the remainder is at most this, in the unit of the watched
+        /// value.
+        pub interval_threshold: f64,
+        /// Divisor of the remainder, in the unit of the watched value. If it is below the
+        /// threshold, the two swap roles: the trigger is active while the value modulo
+        /// interval_threshold is above this.
+        pub interval: f64,
     }
 }
 
-impl Wire for EventThresholdWindow {
-    const SIZE: usize = 16;
+constructors! {
+    EventThresholdInterval
 
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let low_thres = reader.read()?;
-        let high_thres = reader.read()?;
-        Ok(Self { low_thres, high_thres })
-    }
-
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.low_thres)?;
-        writer.write(&self.high_thres)?;
-        Ok(())
-    }
-}
-
-/// A threshold inside a repeating interval.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EventThresholdInterval {
-    /// The trigger is active while the remainder is at most this, in the unit of the watched value.
-    pub int_thres: f64,
-    /// Divisor of the remainder, in the unit of the watched value. If it is below the threshold,
-    /// the two swap roles: the trigger is active while the value modulo int_thres is above this.
-    pub interval: f64,
-}
-
-impl EventThresholdInterval {
     /// Puts the values together.
-    #[must_use]
-    pub fn new(int_thres: f64, interval: f64) -> Self {
-        Self { int_thres, interval }
-    }
+    fn new(interval_threshold: f64, interval: f64);
 }
 
-impl Wire for EventThresholdInterval {
-    const SIZE: usize = 16;
-
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let int_thres = reader.read()?;
-        let interval = reader.read()?;
-        Ok(Self { int_thres, interval })
-    }
-
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.int_thres)?;
-        writer.write(&self.interval)?;
-        Ok(())
-    }
-}
-
-/// A trigger on one value of a data field. The value is converted to double before it is compared.
-///
-/// - Manual 3dm-cv7-gnss-ins: ThresholdParams
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EventTriggerThreshold {
-    /// Data descriptor set of the watched value.
-    pub desc_set: u8,
-    /// Field descriptor of the watched value.
-    pub field_desc: u8,
-    /// Number of the value in its field, counted from 1; each element of a vector counts.
+record! {
+    /// A trigger on one value of a data field. The value is converted to double before it is
+    /// compared.
     ///
-    /// Range: at least 1.
-    pub param_id: u8,
-    /// Kind of comparison.
-    pub type_: EventThresholdType,
-    /// What the value is compared with.
-    ///
-    /// Selected by `type`.
-    pub thresholds: EventTriggerThresholdThresholds,
+    /// Source: 3dm-cv7-gnss-ins: ThresholdParams.
+    #[derive(Default)]
+    pub struct EventTriggerThreshold {
+        /// Data descriptor set of the watched value.
+        pub descriptor_set: u8,
+        /// Field descriptor of the watched value.
+        pub field_descriptor: u8,
+        /// Number of the value in its field, counted from 1; each element of a vector counts.
+        ///
+        /// Range: at least 1.
+        pub parameter_id: u8,
+        /// Kind of comparison.
+        pub type_: EventThresholdType,
+        /// What the value is compared with.
+        ///
+        /// Selected by `type_`.
+        pub thresholds: EventTriggerThresholdThresholds,
+    }
+    wire 20 {
+        [descriptor_set]
+        [field_descriptor]
+        [parameter_id]
+        [type_ "type"]
+        [thresholds as type_]
+    }
 }
 
-impl EventTriggerThreshold {
+union! {
+    /// The alternatives of `thresholds` in [`EventTriggerThreshold`].
+    pub enum EventTriggerThresholdThresholds: EventThresholdType {
+        /// The value lies between two thresholds.
+        ///
+        /// If `type_` is [`EventThresholdType::WINDOW`].
+        WINDOW => Window(EventThresholdWindow) "window",
+        /// The remainder of the value by an interval is at most a threshold.
+        ///
+        /// If `type_` is [`EventThresholdType::INTERVAL`].
+        INTERVAL => Interval(EventThresholdInterval) "interval",
+    }
+    default EventTriggerThresholdThresholds::Other(EventThresholdType(0))
+}
+
+constructors! {
+    EventTriggerThreshold
+
     /// Puts the values together.
-    #[must_use]
-    pub fn new(
-        desc_set: u8,
-        field_desc: u8,
-        param_id: u8,
+    fn new(
+        descriptor_set: u8,
+        field_descriptor: u8,
+        parameter_id: u8,
         thresholds: EventTriggerThresholdThresholds,
-    ) -> Self {
-        Self { desc_set, field_desc, param_id, type_: thresholds.tag(), thresholds }
-    }
+    ), type_: thresholds.tag();
 }
 
-impl Wire for EventTriggerThreshold {
-    const SIZE: usize = 20;
-
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let desc_set = reader.read()?;
-        let field_desc = reader.read()?;
-        let param_id = reader.read()?;
-        let type_ = reader.read()?;
-        let thresholds = reader.union(type_)?;
-        Ok(Self { desc_set, field_desc, param_id, type_, thresholds })
-    }
-
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.desc_set)?;
-        writer.write(&self.field_desc)?;
-        writer.write(&self.param_id)?;
-        writer.write(&self.type_)?;
-        writer.union(self.type_, &self.thresholds)?;
-        Ok(())
-    }
-}
-
-/// The alternatives of `thresholds` in [`EventTriggerThreshold`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum EventTriggerThresholdThresholds {
-    /// The value lies between two thresholds.
-    Window(EventThresholdWindow),
-    /// The remainder of the value by an interval is at most a threshold.
-    Interval(EventThresholdInterval),
-    /// Nothing, for a tag that the specification does not know.
-    Other(EventThresholdType),
-}
-
-impl core::default::Default for EventTriggerThresholdThresholds {
-    fn default() -> Self {
-        Self::Other(EventThresholdType(0))
-    }
-}
-
-impl EventTriggerThresholdThresholds {
-    /// The tag that goes with it.
-    #[must_use]
-    pub const fn tag(&self) -> EventThresholdType {
-        match self {
-            Self::Window(_) => EventThresholdType::WINDOW,
-            Self::Interval(_) => EventThresholdType::INTERVAL,
-            Self::Other(tag) => *tag,
-        }
-    }
-}
-
-impl Union for EventTriggerThresholdThresholds {
-    type Tag = EventThresholdType;
-
-    fn decode_as(tag: Self::Tag, reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        Ok(match tag {
-            EventThresholdType::WINDOW => Self::Window(reader.read()?),
-            EventThresholdType::INTERVAL => Self::Interval(reader.read()?),
-            other => Self::Other(other),
-        })
-    }
-
-    fn encode_as(&self, tag: Self::Tag, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        if self.tag() != tag {
-            return Err(EncodeError::Tag);
-        }
-        match self {
-            Self::Window(value) => writer.write(value),
-            Self::Interval(value) => writer.write(value),
-            Self::Other(tag) if tag.name().is_some() => Err(EncodeError::Tag),
-            Self::Other(_) => Ok(()),
-        }
-    }
-}
-
-/// A trigger that combines up to four others.
-///
-/// - Manual 3dm-cv7-gnss-ins: CombinationParams
-/// - Manual 3dm-cv7-gnss-ins: Logical Truth Table
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EventTriggerCombination {
-    /// Bit n is the output when n = a + 2b + 4c + 8d, with a to d the states (0 or 1) of the four
-    /// inputs.
-    pub logic_table: u16,
-    /// Trigger instances for the inputs a to d; 0 is always inactive.
+record! {
+    /// A trigger that combines up to four others.
     ///
-    /// - An input may name the trigger itself; it is then the output of the event cycle before.
-    pub input_triggers: [u8; 4],
+    /// Source: 3dm-cv7-gnss-ins: CombinationParams; 3dm-cv7-gnss-ins: Logical Truth Table.
+    #[derive(Default)]
+    pub struct EventTriggerCombination {
+        /// Bit n is the output when n = a + 2b + 4c + 8d, with a to d the states (0 or 1) of the
+        /// four inputs.
+        pub logic_table: u16,
+        /// Trigger instances for the inputs a to d; 0 is always inactive.
+        ///
+        /// - An input may name the trigger itself; it is then the output of the event cycle before.
+        pub input_triggers: [u8; 4],
+    }
 }
 
-impl EventTriggerCombination {
+constructors! {
+    EventTriggerCombination
+
     /// Puts the values together.
-    #[must_use]
-    pub fn new(logic_table: u16, input_triggers: [u8; 4]) -> Self {
-        Self { logic_table, input_triggers }
-    }
+    fn new(logic_table: u16, input_triggers: [u8; 4]);
 }
 
-impl Wire for EventTriggerCombination {
-    const SIZE: usize = 6;
-
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let logic_table = reader.read()?;
-        let input_triggers = reader.read()?;
-        Ok(Self { logic_table, input_triggers })
-    }
-
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.logic_table)?;
-        writer.write(&self.input_triggers)?;
-        Ok(())
-    }
-}
-
-/// An action on a GPIO pin, which needs the gpio feature and an output behavior.
-///
-/// - Manual 3dm-cv7-gnss-ins: GpioParams
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EventActionGpio {
-    /// GPIO pin, counted from 1.
+record! {
+    /// An action on a GPIO pin, which needs the gpio feature and an output behavior.
     ///
-    /// Range: at least 1.
-    pub pin: u8,
-    /// What happens to the pin.
-    pub mode: EventActionGpioMode,
+    /// Source: 3dm-cv7-gnss-ins: GpioParams.
+    #[derive(Default)]
+    pub struct EventActionGpio {
+        /// GPIO pin, counted from 1.
+        ///
+        /// Range: at least 1.
+        pub pin: u8,
+        /// What happens to the pin.
+        pub mode: EventActionGpioMode,
+    }
 }
 
-impl EventActionGpio {
+constructors! {
+    EventActionGpio
+
     /// Puts the values together.
-    #[must_use]
-    pub fn new(pin: u8, mode: EventActionGpioMode) -> Self {
-        Self { pin, mode }
+    fn new(pin: u8, mode: EventActionGpioMode);
+}
+
+record! {
+    /// An action that sends data packets.
+    ///
+    /// On the wire there is also `num_fields`: Number of fields in the packet. The number of
+    /// elements of `descriptors`. Range: 0 to 12.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: MessageParams.
+    #[derive(Default)]
+    pub struct EventActionMessage {
+        /// Data descriptor set of the packet.
+        pub descriptor_set: u8,
+        /// 0 sends one packet per activation. Any other value streams while the trigger is active,
+        /// at the base rate of the descriptor set divided by it.
+        pub decimation: u16,
+        /// Field descriptors, in order.
+        pub descriptors: crate::List<u8, 249>,
+    }
+    wire 253 {
+        [descriptor_set]
+        [decimation]
+        [num_fields: u8 counts descriptors]
+        [descriptors by num_fields]
     }
 }
 
-impl Wire for EventActionGpio {
-    const SIZE: usize = 2;
+constructors! {
+    EventActionMessage
 
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let pin = reader.read()?;
-        let mode = reader.read()?;
-        Ok(Self { pin, mode })
-    }
-
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.pin)?;
-        writer.write(&self.mode)?;
-        Ok(())
-    }
-}
-
-/// An action that sends data packets.
-///
-/// - Manual 3dm-cv7-gnss-ins: MessageParams
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EventActionMessage {
-    /// Data descriptor set of the packet.
-    pub desc_set: u8,
-    /// 0 sends one packet per activation. Any other value streams while the trigger is active, at
-    /// the base rate of the descriptor set divided by it.
-    pub decimation: u16,
-    /// Field descriptors, in order.
-    pub descriptors: crate::List<u8, 249>,
-}
-
-impl EventActionMessage {
     /// Puts the values together.
-    #[must_use]
-    pub fn new(
-        desc_set: u8,
+    fn new(
+        descriptor_set: u8,
         decimation: u16,
         descriptors: impl Into<crate::List<u8, 249>>,
-    ) -> Self {
-        Self { desc_set, decimation, descriptors: descriptors.into() }
-    }
-}
-
-impl Wire for EventActionMessage {
-    const SIZE: usize = 253;
-
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let desc_set = reader.read()?;
-        let decimation = reader.read()?;
-        let num_fields = reader.read::<u8>()?;
-        let descriptors = reader.list(num_fields)?;
-        Ok(Self { desc_set, decimation, descriptors })
-    }
-
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.desc_set)?;
-        writer.write(&self.decimation)?;
-        writer.count::<u8>(self.descriptors.len())?;
-        self.descriptors.encode_items(writer)?;
-        Ok(())
-    }
+    );
 }
 
 open_enum! {
     /// Satellite constellation. QZSS has no value.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
-    /// - Manual 3dm-cv7-gnss-ins: Raw (0x91,0x22)
+    /// Source: 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20); 3dm-cv7-gnss-ins: Raw (0x91,0x22).
     GnssConstellation: u8 {
         /// Not known.
         UNKNOWN = 0, "unknown";
@@ -760,7 +561,7 @@ open_enum! {
 open_enum! {
     /// Type of a GNSS position fix.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
+    /// Source: 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B).
     GnssFixType: u8 {
         /// Fix in three dimensions.
         FIX_3D = 0, "fix_3d";
@@ -784,7 +585,7 @@ open_enum! {
 open_enum! {
     /// Signal of a satellite.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: Raw (0x91,0x22)
+    /// Source: 3dm-cv7-gnss-ins: Raw (0x91,0x22).
     GnssSignal: u8 {
         /// Not known.
         UNKNOWN = 0, "unknown";
@@ -924,8 +725,7 @@ open_enum! {
 open_enum! {
     /// What a GPIO pin is used for.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
-    /// - Manual 3dm-cv7-gnss-ins: GPIO Features
+    /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41); 3dm-cv7-gnss-ins: GPIO Features.
     GpioFeature: u8 {
         /// Not connected. Reading the pin may work but is not guaranteed.
         UNUSED = 0, "unused";
@@ -1012,26 +812,25 @@ bitfield! {
     /// Electrical options of a GPIO pin; which are allowed depends on device, pin, feature and
     /// behavior.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
-    /// - Manual 3dm-cv7-gnss-ins: Pin Mode
+    /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41); 3dm-cv7-gnss-ins: Pin Mode.
     GpioPinMode: u8 {
-        /// The output drives low or floats. It usually needs a pull-up.
+        /// The output drives low or floats. It usually needs a pull-up. Bit 0.
         OPEN_DRAIN: bool = 0,
-            "open_drain", open_drain, set_open_drain, with_open_drain;
-        /// Internal pull-down resistor; not together with the pull-up.
+            open_drain, set_open_drain, with_open_drain;
+        /// Internal pull-down resistor; not together with the pull-up. Bit 1.
         PULLDOWN: bool = 1,
-            "pulldown", pulldown, set_pulldown, with_pulldown;
+            pulldown, set_pulldown, with_pulldown;
         /// Internal pull-up resistor; not together with the pull-down. May lower the allowed input
-        /// voltage.
+        /// voltage. Bit 2.
         PULLUP: bool = 2,
-            "pullup", pullup, set_pullup, with_pullup;
+            pullup, set_pullup, with_pullup;
     }
 }
 
 open_enum! {
     /// An NMEA-0183 sentence that a device can send.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
+    /// Source: 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs.
     NmeaMessageId: u8 {
         /// GNSS fix. From a GNSS or the filter data set.
         GGA = 1, "gga";
@@ -1059,7 +858,7 @@ open_enum! {
 open_enum! {
     /// The first letters of an NMEA-0183 sentence, which name its talker.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
+    /// Source: 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs.
     NmeaTalkerId: u8 {
         /// For sentences whose talker is not free (GSV and the proprietary ones).
         IGNORED = 0, "ignored";
@@ -1074,139 +873,123 @@ open_enum! {
     }
 }
 
-/// An NMEA-0183 sentence with its talker, its data source and how often it is sent.
-///
-/// - Manual 3dm-cv7-gnss-ins: Sources and Talker IDs
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct NmeaMessage {
-    /// The sentence.
-    pub message_id: NmeaMessageId,
-    /// The talker that the sentence names.
-    pub talker_id: NmeaTalkerId,
-    /// Data descriptor set that the contents are taken from.
-    pub source_desc_set: u8,
-    /// Base rate of the source descriptor set divided by the wanted rate; a poll ignores it.
-    pub decimation: u16,
+record! {
+    /// An NMEA-0183 sentence with its talker, its data source and how often it is sent.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Sources and Talker IDs.
+    #[derive(Default)]
+    pub struct NmeaMessage {
+        /// The sentence.
+        pub message_id: NmeaMessageId,
+        /// The talker that the sentence names.
+        pub talker_id: NmeaTalkerId,
+        /// Data descriptor set that the contents are taken from.
+        pub source_descriptor_set: u8,
+        /// Base rate of the source descriptor set divided by the wanted rate; a poll ignores it.
+        pub decimation: u16,
+    }
 }
 
-impl NmeaMessage {
+constructors! {
+    NmeaMessage
+
     /// Puts the values together.
-    #[must_use]
-    pub fn new(
+    fn new(
         message_id: NmeaMessageId,
         talker_id: NmeaTalkerId,
-        source_desc_set: u8,
+        source_descriptor_set: u8,
         decimation: u16,
-    ) -> Self {
-        Self { message_id, talker_id, source_desc_set, decimation }
-    }
-}
-
-impl Wire for NmeaMessage {
-    const SIZE: usize = 5;
-
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let message_id = reader.read()?;
-        let talker_id = reader.read()?;
-        let source_desc_set = reader.read()?;
-        let decimation = reader.read()?;
-        Ok(Self { message_id, talker_id, source_desc_set, decimation })
-    }
-
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.message_id)?;
-        writer.write(&self.talker_id)?;
-        writer.write(&self.source_desc_set)?;
-        writer.write(&self.decimation)?;
-        Ok(())
-    }
+    );
 }
 
 bitfield! {
     /// State of the modem and of the corrections. Models of another kind send
     /// rtk_status_flags_legacy.
     ///
-    /// - Manual mip-sdk-4: Get Status Flags (0x0F,0x01)
+    /// Uncertain: Which model sends which of the two forms. The SDK says only that the model number
+    /// decides it. Uncertain: Other software of the vendor looks at `version`: 0 is the legacy
+    /// form, 1 is this one. In the legacy form of the SDK the same two bits are `sinr`. Uncertain:
+    /// The SDK gives the names only; the descriptions follow from them. What the values mean is
+    /// open.
+    ///
+    /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
     RtkStatusFlags: u32 {
-        /// State of the modem.
+        /// State of the modem. Bits 0 to 3.
         MODEM_STATE: u8 = 0..=3,
-            "modem_state", modem_state, set_modem_state, with_modem_state;
-        /// Kind of the cellular connection.
+            modem_state, set_modem_state, with_modem_state;
+        /// Kind of the cellular connection. Bits 4 to 7.
         CONNECTION_TYPE: u8 = 4..=7,
-            "connection_type", connection_type, set_connection_type, with_connection_type;
-        /// Received signal strength.
+            connection_type, set_connection_type, with_connection_type;
+        /// Received signal strength. Bits 8 to 15. Uncertain: Its unit and sign; other software of
+        /// the vendor takes it as negative.
         RSSI: u8 = 8..=15,
-            "rssi", rssi, set_rssi, with_rssi;
-        /// Signal quality.
+            rssi, set_rssi, with_rssi;
+        /// Signal quality. Bits 16 to 19.
         SIGNAL_QUALITY: u8 = 16..=19,
-            "signal_quality", signal_quality, set_signal_quality, with_signal_quality;
-        /// Changes of the cell tower.
+            signal_quality, set_signal_quality, with_signal_quality;
+        /// Changes of the cell tower. Bits 20 to 23.
         TOWER_CHANGE_INDICATOR: u8 = 20..=23,
-            "tower_change_indicator", tower_change_indicator, set_tower_change_indicator,
-            with_tower_change_indicator;
-        /// No NMEA came from the device in time.
+            tower_change_indicator, set_tower_change_indicator, with_tower_change_indicator;
+        /// No NMEA came from the device in time. Bit 24.
         NMEA_TIMEOUT: bool = 24,
-            "nmea_timeout", nmea_timeout, set_nmea_timeout, with_nmea_timeout;
-        /// The server did not answer in time.
+            nmea_timeout, set_nmea_timeout, with_nmea_timeout;
+        /// The server did not answer in time. Bit 25.
         SERVER_TIMEOUT: bool = 25,
-            "server_timeout", server_timeout, set_server_timeout, with_server_timeout;
-        /// No corrections came in time.
+            server_timeout, set_server_timeout, with_server_timeout;
+        /// No corrections came in time. Bit 26.
         CORRECTIONS_TIMEOUT: bool = 26,
-            "corrections_timeout", corrections_timeout, set_corrections_timeout,
-            with_corrections_timeout;
-        /// The device is outside of the area of the service.
+            corrections_timeout, set_corrections_timeout, with_corrections_timeout;
+        /// The device is outside of the area of the service. Bit 27.
         DEVICE_OUT_OF_RANGE: bool = 27,
-            "device_out_of_range", device_out_of_range, set_device_out_of_range,
-            with_device_out_of_range;
-        /// There are no corrections.
+            device_out_of_range, set_device_out_of_range, with_device_out_of_range;
+        /// There are no corrections. Bit 28.
         CORRECTIONS_UNAVAILABLE: bool = 28,
-            "corrections_unavailable", corrections_unavailable, set_corrections_unavailable,
-            with_corrections_unavailable;
-        /// Form of these flags.
+            corrections_unavailable, set_corrections_unavailable, with_corrections_unavailable;
+        /// Form of these flags. Bits 30 to 31.
         VERSION: u8 = 30..=31,
-            "version", version, set_version, with_version;
+            version, set_version, with_version;
     }
 }
 
 bitfield! {
     /// State of the modem and of the corrections, in its older form.
     ///
-    /// - Manual mip-sdk-4: Get Status Flags (0x0F,0x01)
+    /// Uncertain: Which model sends which of the two forms; see rtk_status_flags. Uncertain: The
+    /// SDK calls bits 20-31 reserved, and puts the four last numbers there too. Uncertain: The SDK
+    /// gives the names only; the descriptions follow from them. What the values mean is open.
+    ///
+    /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
     RtkStatusFlagsLegacy: u32 {
-        /// State of the controller.
+        /// State of the controller. Bits 0 to 2.
         CONTROLLER_STATE: u8 = 0..=2,
-            "controller_state", controller_state, set_controller_state, with_controller_state;
-        /// State of the platform.
+            controller_state, set_controller_state, with_controller_state;
+        /// State of the platform. Bits 3 to 7.
         PLATFORM_STATE: u8 = 3..=7,
-            "platform_state", platform_state, set_platform_state, with_platform_state;
-        /// Status code of the controller.
+            platform_state, set_platform_state, with_platform_state;
+        /// Status code of the controller. Bits 8 to 10.
         CONTROLLER_STATUS_CODE: u8 = 8..=10,
-            "controller_status_code", controller_status_code, set_controller_status_code,
-            with_controller_status_code;
-        /// Status code of the platform.
+            controller_status_code, set_controller_status_code, with_controller_status_code;
+        /// Status code of the platform. Bits 11 to 13.
         PLATFORM_STATUS_CODE: u8 = 11..=13,
-            "platform_status_code", platform_status_code, set_platform_status_code,
-            with_platform_status_code;
-        /// Reason of the last reset.
+            platform_status_code, set_platform_status_code, with_platform_status_code;
+        /// Reason of the last reset. Bits 14 to 15.
         RESET_CODE: u8 = 14..=15,
-            "reset_code", reset_code, set_reset_code, with_reset_code;
-        /// Signal quality.
+            reset_code, set_reset_code, with_reset_code;
+        /// Signal quality. Bits 16 to 19.
         SIGNAL_QUALITY: u8 = 16..=19,
-            "signal_quality", signal_quality, set_signal_quality, with_signal_quality;
-        /// Received signal strength.
+            signal_quality, set_signal_quality, with_signal_quality;
+        /// Received signal strength. Bits 20 to 25.
         RSSI: u8 = 20..=25,
-            "rssi", rssi, set_rssi, with_rssi;
-        /// Received power of the reference signal.
+            rssi, set_rssi, with_rssi;
+        /// Received power of the reference signal. Bits 26 to 27.
         RSRP: u8 = 26..=27,
-            "rsrp", rsrp, set_rsrp, with_rsrp;
-        /// Received quality of the reference signal.
+            rsrp, set_rsrp, with_rsrp;
+        /// Received quality of the reference signal. Bits 28 to 29.
         RSRQ: u8 = 28..=29,
-            "rsrq", rsrq, set_rsrq, with_rsrq;
-        /// Signal to interference and noise ratio.
+            rsrq, set_rsrq, with_rsrq;
+        /// Signal to interference and noise ratio. Bits 30 to 31.
         SINR: u8 = 30..=31,
-            "sinr", sinr, set_sinr, with_sinr;
+            sinr, set_sinr, with_sinr;
     }
 }
 
@@ -1327,8 +1110,7 @@ vector! {
 open_enum! {
     /// The result of a command.
     ///
-    /// - Manual 3dm-gx5-15: 4.5 Error Codes
-    /// - Manual 3dm-cv7-gnss-ins: Ack/Nack Codes
+    /// Source: 3dm-gx5-15: 4.5 Error Codes; 3dm-cv7-gnss-ins: Ack/Nack Codes.
     AckCode: u8 {
         /// The command was carried out.
         OK = 0, "ok";
@@ -1347,61 +1129,44 @@ open_enum! {
     }
 }
 
-/// A field of a message format and how often it is sent.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct DescriptorRate {
-    /// Field descriptor.
-    pub descriptor: u8,
-    /// Base rate divided by the wanted rate.
-    pub decimation: u16,
+record! {
+    /// A field of a message format and how often it is sent.
+    #[derive(Default)]
+    pub struct DescriptorRate {
+        /// Field descriptor.
+        pub descriptor: u8,
+        /// Base rate divided by the wanted rate.
+        pub decimation: u16,
+    }
 }
 
-impl DescriptorRate {
+constructors! {
+    DescriptorRate
+
     /// Puts the values together.
-    #[must_use]
-    pub fn new(descriptor: u8, decimation: u16) -> Self {
-        Self { descriptor, decimation }
-    }
-}
-
-impl Wire for DescriptorRate {
-    const SIZE: usize = 3;
-
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let descriptor = reader.read()?;
-        let decimation = reader.read()?;
-        Ok(Self { descriptor, decimation })
-    }
-
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.descriptor)?;
-        writer.write(&self.decimation)?;
-        Ok(())
-    }
+    fn new(descriptor: u8, decimation: u16);
 }
 
 bitfield! {
     /// State of the GPS time of sensor data.
     ///
-    /// - Manual 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
+    /// Source: 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12).
     SensorGpsTimestampFlags: u16 {
-        /// The PPS signal is present.
+        /// The PPS signal is present. Bit 0.
         PPS_VALID: bool = 0,
-            "pps_valid", pps_valid, set_pps_valid, with_pps_valid;
-        /// Toggles each time that the time is updated.
+            pps_valid, set_pps_valid, with_pps_valid;
+        /// Toggles each time that the time is updated. Bit 1.
         TIME_REFRESH: bool = 1,
-            "time_refresh", time_refresh, set_time_refresh, with_time_refresh;
-        /// The time has been set at least once.
+            time_refresh, set_time_refresh, with_time_refresh;
+        /// The time has been set at least once. Bit 2.
         TIME_INITIALIZED: bool = 2,
-            "time_initialized", time_initialized, set_time_initialized, with_time_initialized;
-        /// The time of week is valid.
+            time_initialized, set_time_initialized, with_time_initialized;
+        /// The time of week is valid. Bit 3.
         TOW_VALID: bool = 3,
-            "tow_valid", tow_valid, set_tow_valid, with_tow_valid;
-        /// The week number is valid.
+            tow_valid, set_tow_valid, with_tow_valid;
+        /// The week number is valid. Bit 4.
         WEEK_NUMBER_VALID: bool = 4,
-            "week_number_valid", week_number_valid, set_week_number_valid, with_week_number_valid;
+            week_number_valid, set_week_number_valid, with_week_number_valid;
     }
 }
 
@@ -1409,21 +1174,22 @@ bitfield! {
     /// State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits that vouch for the
     /// values.
     ///
-    /// - Manual 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
+    /// Source: 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12).
     Gx5SensorGpsTimestampFlags: u16 {
-        /// The PPS signal is present; without it, the internal clock drives the time.
+        /// The PPS signal is present; without it, the internal clock drives the time. Bit 0.
         PPS_VALID: bool = 0,
-            "pps_valid", pps_valid, set_pps_valid, with_pps_valid;
-        /// Toggles each time that the time is updated.
+            pps_valid, set_pps_valid, with_pps_valid;
+        /// Toggles each time that the time is updated. Bit 1.
         TIME_REFRESH: bool = 1,
-            "time_refresh", time_refresh, set_time_refresh, with_time_refresh;
-        /// The time has been set at least once.
+            time_refresh, set_time_refresh, with_time_refresh;
+        /// The time has been set at least once. Bit 2.
         TIME_INITIALIZED: bool = 2,
-            "time_initialized", time_initialized, set_time_initialized, with_time_initialized;
+            time_initialized, set_time_initialized, with_time_initialized;
     }
 }
 
-/// How the 3DM-GX5-15 reads it.
+/// On the 3DM-GX5-15: values of [`Gx5SensorGpsTimestampFlags`].
+#[rustfmt::skip]
 impl From<SensorGpsTimestampFlags> for Gx5SensorGpsTimestampFlags {
     fn from(value: SensorGpsTimestampFlags) -> Self {
         Self(value.0)

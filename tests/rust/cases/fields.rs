@@ -379,6 +379,8 @@ fn numbers_are_read_by_what_they_depend_on() {
     let status = tools::StatusShort { flags: 0x101 };
     assert!(status.flags_as_model_a_faults().contains(tools::ModelAFaults::SENSOR));
     assert!(status.flags_as_model_b_faults().general());
+    let ack = protocol::Acknowledge { command: 1, code: protocol::AckCode(1) };
+    assert_eq!(ack.code_as_mode(), Mode::FAST);
 }
 
 #[test]
@@ -394,7 +396,12 @@ fn devices_tell_what_they_support() {
     assert_eq!(b.functions, [FunctionSelector::WRITE, FunctionSelector::READ]);
     assert_eq!(a.supports(0x01, 0x02).unwrap().functions.len(), 6);
     assert_eq!(devices::MODEL_B.ack_codes.len(), 2);
-    assert_eq!(devices::MODEL_B.readings.iter().filter(|r| r.read_as == "mode").count(), 1);
+    let variants = devices::MODEL_B.variants;
+    let ack = variants.iter().find(|v| v.parameter == "protocol.acknowledge.code").unwrap();
+    assert_eq!((ack.read_as, ack.difference), (Some("mode"), "values of mode"));
+    let accel = variants.iter().find(|v| v.parameter == "measurements.accel.scaled_accel").unwrap();
+    assert_eq!(accel.read_as, None);
+    assert!(accel.difference.starts_with("unit m, m, s; frame ned"));
     assert_eq!(Mode::from(protocol::AckCode(1)), Mode::FAST);
     assert_eq!(devices::ALL.len(), 2);
 }

@@ -85,8 +85,8 @@ typedef uint16_t mip_aiding_llh_axis_flags;
 /** Bit 2. Height and its uncertainty. */
 #define MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT 0x0004U
 
-/** The member of mip_aiding_frame_configuration that `format` selects. */
-union mip_aiding_frame_configuration_rotation {
+/** The member of mip_aiding_frame_config that `format` selects. */
+union mip_aiding_frame_config_rotation {
     /**
      * If format is MIP_AIDING_FRAME_FORMAT_EULER. Roll, pitch and yaw. Elements: x, y, z. Unit:
      * rad. Range: -3.141592653589793 to 3.141592653589793.
@@ -104,8 +104,8 @@ union mip_aiding_frame_configuration_rotation {
  *
  * Where and how an external sensor is mounted on the vehicle.
  *
- * Also called `frame_config`. Functions: write, read, save, load and default. Answered by
- * mip_aiding_frame_configuration_response. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load and default. Answered by mip_aiding_frame_config_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * Aiding measurements name the frame by its number.
  *
@@ -118,7 +118,7 @@ union mip_aiding_frame_configuration_rotation {
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
  */
-struct mip_aiding_frame_configuration {
+struct mip_aiding_frame_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -135,33 +135,33 @@ struct mip_aiding_frame_configuration {
      */
     float translation[3];
     /** Rotation from the frame to the vehicle. Selected by format. Required for write. */
-    union mip_aiding_frame_configuration_rotation rotation;
+    union mip_aiding_frame_config_rotation rotation;
 };
 
-#define MIP_AIDING_FRAME_CONFIGURATION_DESCRIPTOR 0x01
-#define MIP_AIDING_FRAME_CONFIGURATION_NAME "aiding.frame_configuration"
+#define MIP_AIDING_FRAME_CONFIG_DESCRIPTOR 0x01
+#define MIP_AIDING_FRAME_CONFIG_NAME "aiding.frame_config"
 
-extern const struct mip_codec mip_aiding_frame_configuration_codec;
-mip_error mip_aiding_frame_configuration_decode(struct mip_aiding_frame_configuration *value,
-                                                const struct mip_field *field);
-mip_error mip_aiding_frame_configuration_encode(const struct mip_aiding_frame_configuration *value,
-                                                struct mip_builder *builder);
+extern const struct mip_codec mip_aiding_frame_config_codec;
+mip_error mip_aiding_frame_config_decode(struct mip_aiding_frame_config *value,
+                                         const struct mip_field *field);
+mip_error mip_aiding_frame_config_encode(const struct mip_aiding_frame_config *value,
+                                         struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_write(
+struct mip_aiding_frame_config mip_aiding_frame_config_write(
     uint8_t frame_id, mip_aiding_frame_format format, mip_bool tracking_enabled,
-    const float translation[3], const union mip_aiding_frame_configuration_rotation *rotation);
+    const float translation[3], const union mip_aiding_frame_config_rotation *rotation);
 /** Send the current setting back in a response. */
-struct mip_aiding_frame_configuration
-mip_aiding_frame_configuration_read(uint8_t frame_id, mip_aiding_frame_format format);
+struct mip_aiding_frame_config mip_aiding_frame_config_read(uint8_t frame_id,
+                                                            mip_aiding_frame_format format);
 /** Save the current setting to non-volatile memory. */
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_save(uint8_t frame_id);
+struct mip_aiding_frame_config mip_aiding_frame_config_save(uint8_t frame_id);
 /** Load the saved setting. */
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_load(uint8_t frame_id);
+struct mip_aiding_frame_config mip_aiding_frame_config_load(uint8_t frame_id);
 /** Load the factory default setting. */
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_default(uint8_t frame_id);
+struct mip_aiding_frame_config mip_aiding_frame_config_default(uint8_t frame_id);
 
-/** The member of mip_aiding_frame_configuration_response that `format` selects. */
-union mip_aiding_frame_configuration_response_rotation {
+/** The member of mip_aiding_frame_config_response that `format` selects. */
+union mip_aiding_frame_config_response_rotation {
     /**
      * If format is MIP_AIDING_FRAME_FORMAT_EULER. Roll, pitch and yaw. Elements: x, y, z. Unit:
      * rad. Range: -3.141592653589793 to 3.141592653589793.
@@ -177,13 +177,12 @@ union mip_aiding_frame_configuration_response_rotation {
 /**
  * Frame configuration response: response (0x13,0x81).
  *
- * Also called `frame_config_response`. Answers mip_aiding_frame_configuration. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Answers mip_aiding_frame_config. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
  */
-struct mip_aiding_frame_configuration_response {
+struct mip_aiding_frame_config_response {
     /** Number of the frame. Range: 1 to 4. */
     uint8_t frame_id;
     /** How the rotation is given. */
@@ -193,17 +192,17 @@ struct mip_aiding_frame_configuration_response {
     /** Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. */
     float translation[3];
     /** Rotation from the frame to the vehicle. Selected by format. */
-    union mip_aiding_frame_configuration_response_rotation rotation;
+    union mip_aiding_frame_config_response_rotation rotation;
 };
 
-#define MIP_AIDING_FRAME_CONFIGURATION_RESPONSE_DESCRIPTOR 0x81
-#define MIP_AIDING_FRAME_CONFIGURATION_RESPONSE_NAME "aiding.frame_configuration_response"
+#define MIP_AIDING_FRAME_CONFIG_RESPONSE_DESCRIPTOR 0x81
+#define MIP_AIDING_FRAME_CONFIG_RESPONSE_NAME "aiding.frame_config_response"
 
-extern const struct mip_codec mip_aiding_frame_configuration_response_codec;
-mip_error mip_aiding_frame_configuration_response_decode(
-    struct mip_aiding_frame_configuration_response *value, const struct mip_field *field);
-mip_error mip_aiding_frame_configuration_response_encode(
-    const struct mip_aiding_frame_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_aiding_frame_config_response_codec;
+mip_error mip_aiding_frame_config_response_decode(struct mip_aiding_frame_config_response *value,
+                                                  const struct mip_field *field);
+mip_error mip_aiding_frame_config_response_encode(
+    const struct mip_aiding_frame_config_response *value, struct mip_builder *builder);
 
 /**
  * Echo control: command (0x13,0x1F).

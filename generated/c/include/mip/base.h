@@ -49,7 +49,7 @@ typedef uint8_t mip_base_gps_time_field;
 /** Week number. */
 #define MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER 1
 /** Time of week in whole seconds. */
-#define MIP_BASE_GPS_TIME_FIELD_TIME_OF_WEEK 2
+#define MIP_BASE_GPS_TIME_FIELD_TOW 2
 
 /**
  * Ping: command (0x01,0x01).
@@ -80,7 +80,7 @@ mip_error mip_base_ping_encode(const struct mip_base_ping *value, struct mip_bui
  *
  * Stops all data streams, and wakes a sleeping device, so that it can be set up.
  *
- * Also called `set_idle`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The resume command restores the previous mode.
  *
@@ -89,67 +89,64 @@ mip_error mip_base_ping_encode(const struct mip_base_ping *value, struct mip_bui
  * - 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02)
  * - 3dm-cv7-gnss-ins: Set to idle (0x01,0x02)
  */
-struct mip_base_set_to_idle {
+struct mip_base_set_idle {
     /** Not used: there are no parameters. */
     uint8_t empty;
 };
 
-#define MIP_BASE_SET_TO_IDLE_DESCRIPTOR 0x02
-#define MIP_BASE_SET_TO_IDLE_NAME "base.set_to_idle"
+#define MIP_BASE_SET_IDLE_DESCRIPTOR 0x02
+#define MIP_BASE_SET_IDLE_NAME "base.set_idle"
 
-extern const struct mip_codec mip_base_set_to_idle_codec;
-mip_error mip_base_set_to_idle_decode(struct mip_base_set_to_idle *value,
-                                      const struct mip_field *field);
-mip_error mip_base_set_to_idle_encode(const struct mip_base_set_to_idle *value,
-                                      struct mip_builder *builder);
+extern const struct mip_codec mip_base_set_idle_codec;
+mip_error mip_base_set_idle_decode(struct mip_base_set_idle *value, const struct mip_field *field);
+mip_error mip_base_set_idle_encode(const struct mip_base_set_idle *value,
+                                   struct mip_builder *builder);
 
 /**
  * Get device information: command (0x01,0x03).
  *
  * Gets the firmware version and the identity strings of the device.
  *
- * Also called `get_device_info`. Answered by mip_base_get_device_information_response. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answered by mip_base_get_device_info_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
  */
-struct mip_base_get_device_information {
+struct mip_base_get_device_info {
     /** Not used: there are no parameters. */
     uint8_t empty;
 };
 
-#define MIP_BASE_GET_DEVICE_INFORMATION_DESCRIPTOR 0x03
-#define MIP_BASE_GET_DEVICE_INFORMATION_NAME "base.get_device_information"
+#define MIP_BASE_GET_DEVICE_INFO_DESCRIPTOR 0x03
+#define MIP_BASE_GET_DEVICE_INFO_NAME "base.get_device_info"
 
-extern const struct mip_codec mip_base_get_device_information_codec;
-mip_error mip_base_get_device_information_decode(struct mip_base_get_device_information *value,
-                                                 const struct mip_field *field);
-mip_error mip_base_get_device_information_encode(
-    const struct mip_base_get_device_information *value, struct mip_builder *builder);
+extern const struct mip_codec mip_base_get_device_info_codec;
+mip_error mip_base_get_device_info_decode(struct mip_base_get_device_info *value,
+                                          const struct mip_field *field);
+mip_error mip_base_get_device_info_encode(const struct mip_base_get_device_info *value,
+                                          struct mip_builder *builder);
 
 /**
  * Get device information response: response (0x01,0x81).
  *
- * Also called `get_device_info_response`. Answers mip_base_get_device_information. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_base_get_device_info. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
  */
-struct mip_base_get_device_information_response {
+struct mip_base_get_device_info_response {
     /** Identity of the device. */
     struct mip_base_device_info device_info;
 };
 
-#define MIP_BASE_GET_DEVICE_INFORMATION_RESPONSE_DESCRIPTOR 0x81
-#define MIP_BASE_GET_DEVICE_INFORMATION_RESPONSE_NAME "base.get_device_information_response"
+#define MIP_BASE_GET_DEVICE_INFO_RESPONSE_DESCRIPTOR 0x81
+#define MIP_BASE_GET_DEVICE_INFO_RESPONSE_NAME "base.get_device_info_response"
 
-extern const struct mip_codec mip_base_get_device_information_response_codec;
-mip_error mip_base_get_device_information_response_decode(
-    struct mip_base_get_device_information_response *value, const struct mip_field *field);
-mip_error mip_base_get_device_information_response_encode(
-    const struct mip_base_get_device_information_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_base_get_device_info_response_codec;
+mip_error mip_base_get_device_info_response_decode(struct mip_base_get_device_info_response *value,
+                                                   const struct mip_field *field);
+mip_error mip_base_get_device_info_response_encode(
+    const struct mip_base_get_device_info_response *value, struct mip_builder *builder);
 
 /**
  * Get device descriptors: command (0x01,0x04).
@@ -291,38 +288,37 @@ mip_error mip_base_resume_encode(const struct mip_base_resume *value, struct mip
  *
  * Gets the supported descriptors that did not fit into the reply of get device descriptors.
  *
- * Also called `get_extended_descriptors`. Answered by
- * mip_base_get_device_descriptors_extended_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answered by mip_base_get_extended_descriptors_response. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15.
  *
  * Only supported if get device descriptors lists (0x01,0x07).
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
  */
-struct mip_base_get_device_descriptors_extended {
+struct mip_base_get_extended_descriptors {
     /** Not used: there are no parameters. */
     uint8_t empty;
 };
 
-#define MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_DESCRIPTOR 0x07
-#define MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_NAME "base.get_device_descriptors_extended"
+#define MIP_BASE_GET_EXTENDED_DESCRIPTORS_DESCRIPTOR 0x07
+#define MIP_BASE_GET_EXTENDED_DESCRIPTORS_NAME "base.get_extended_descriptors"
 
-extern const struct mip_codec mip_base_get_device_descriptors_extended_codec;
-mip_error mip_base_get_device_descriptors_extended_decode(
-    struct mip_base_get_device_descriptors_extended *value, const struct mip_field *field);
-mip_error mip_base_get_device_descriptors_extended_encode(
-    const struct mip_base_get_device_descriptors_extended *value, struct mip_builder *builder);
+extern const struct mip_codec mip_base_get_extended_descriptors_codec;
+mip_error mip_base_get_extended_descriptors_decode(struct mip_base_get_extended_descriptors *value,
+                                                   const struct mip_field *field);
+mip_error mip_base_get_extended_descriptors_encode(
+    const struct mip_base_get_extended_descriptors *value, struct mip_builder *builder);
 
 /**
  * Get device descriptors (extended) response: response (0x01,0x86).
  *
- * Also called `get_extended_descriptors_response`. Answers
- * mip_base_get_device_descriptors_extended. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_base_get_extended_descriptors. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
  */
-struct mip_base_get_device_descriptors_extended_response {
+struct mip_base_get_extended_descriptors_response {
     /** The number of elements of descriptors. */
     uint8_t descriptors_count;
     /**
@@ -332,16 +328,14 @@ struct mip_base_get_device_descriptors_extended_response {
     uint16_t descriptors[126];
 };
 
-#define MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_RESPONSE_DESCRIPTOR 0x86
-#define MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_RESPONSE_NAME \
-    "base.get_device_descriptors_extended_response"
+#define MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE_DESCRIPTOR 0x86
+#define MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE_NAME "base.get_extended_descriptors_response"
 
-extern const struct mip_codec mip_base_get_device_descriptors_extended_response_codec;
-mip_error mip_base_get_device_descriptors_extended_response_decode(
-    struct mip_base_get_device_descriptors_extended_response *value, const struct mip_field *field);
-mip_error mip_base_get_device_descriptors_extended_response_encode(
-    const struct mip_base_get_device_descriptors_extended_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_base_get_extended_descriptors_response_codec;
+mip_error mip_base_get_extended_descriptors_response_decode(
+    struct mip_base_get_extended_descriptors_response *value, const struct mip_field *field);
+mip_error mip_base_get_extended_descriptors_response_encode(
+    const struct mip_base_get_extended_descriptors_response *value, struct mip_builder *builder);
 
 /**
  * Continuous built-in test: command (0x01,0x08).
@@ -404,8 +398,8 @@ mip_error mip_base_continuous_built_in_test_response_encode(
  *
  * Baud rate of one communication port.
  *
- * Also called `comm_speed`. Functions: write, read, save, load and default. Answered by
- * mip_base_comm_port_speed_response. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load and default. Answered by mip_base_comm_speed_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * The change waits until pending data is sent and received, at most 250 ms.
  *
@@ -415,7 +409,7 @@ mip_error mip_base_continuous_built_in_test_response_encode(
  *
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
-struct mip_base_comm_port_speed {
+struct mip_base_comm_speed {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -426,48 +420,47 @@ struct mip_base_comm_port_speed {
     uint32_t baud;
 };
 
-#define MIP_BASE_COMM_PORT_SPEED_DESCRIPTOR 0x09
-#define MIP_BASE_COMM_PORT_SPEED_NAME "base.comm_port_speed"
+#define MIP_BASE_COMM_SPEED_DESCRIPTOR 0x09
+#define MIP_BASE_COMM_SPEED_NAME "base.comm_speed"
 
-extern const struct mip_codec mip_base_comm_port_speed_codec;
-mip_error mip_base_comm_port_speed_decode(struct mip_base_comm_port_speed *value,
-                                          const struct mip_field *field);
-mip_error mip_base_comm_port_speed_encode(const struct mip_base_comm_port_speed *value,
-                                          struct mip_builder *builder);
+extern const struct mip_codec mip_base_comm_speed_codec;
+mip_error mip_base_comm_speed_decode(struct mip_base_comm_speed *value,
+                                     const struct mip_field *field);
+mip_error mip_base_comm_speed_encode(const struct mip_base_comm_speed *value,
+                                     struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_base_comm_port_speed mip_base_comm_port_speed_write(uint8_t port, uint32_t baud);
+struct mip_base_comm_speed mip_base_comm_speed_write(uint8_t port, uint32_t baud);
 /** Send the current setting back in a response. */
-struct mip_base_comm_port_speed mip_base_comm_port_speed_read(uint8_t port);
+struct mip_base_comm_speed mip_base_comm_speed_read(uint8_t port);
 /** Save the current setting to non-volatile memory. */
-struct mip_base_comm_port_speed mip_base_comm_port_speed_save(uint8_t port);
+struct mip_base_comm_speed mip_base_comm_speed_save(uint8_t port);
 /** Load the saved setting. */
-struct mip_base_comm_port_speed mip_base_comm_port_speed_load(uint8_t port);
+struct mip_base_comm_speed mip_base_comm_speed_load(uint8_t port);
 /** Load the factory default setting. */
-struct mip_base_comm_port_speed mip_base_comm_port_speed_default(uint8_t port);
+struct mip_base_comm_speed mip_base_comm_speed_default(uint8_t port);
 
 /**
  * Comm port speed response: response (0x01,0x89).
  *
- * Also called `comm_speed_response`. Answers mip_base_comm_port_speed. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Answers mip_base_comm_speed. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
-struct mip_base_comm_port_speed_response {
+struct mip_base_comm_speed_response {
     /** Port id of the device; 0 means all ports, and is for save, load and default only. */
     uint8_t port;
     /** Baud rate; one that the port supports. Unit: Bd. */
     uint32_t baud;
 };
 
-#define MIP_BASE_COMM_PORT_SPEED_RESPONSE_DESCRIPTOR 0x89
-#define MIP_BASE_COMM_PORT_SPEED_RESPONSE_NAME "base.comm_port_speed_response"
+#define MIP_BASE_COMM_SPEED_RESPONSE_DESCRIPTOR 0x89
+#define MIP_BASE_COMM_SPEED_RESPONSE_NAME "base.comm_speed_response"
 
-extern const struct mip_codec mip_base_comm_port_speed_response_codec;
-mip_error mip_base_comm_port_speed_response_decode(struct mip_base_comm_port_speed_response *value,
-                                                   const struct mip_field *field);
-mip_error mip_base_comm_port_speed_response_encode(
-    const struct mip_base_comm_port_speed_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_base_comm_speed_response_codec;
+mip_error mip_base_comm_speed_response_decode(struct mip_base_comm_speed_response *value,
+                                              const struct mip_field *field);
+mip_error mip_base_comm_speed_response_encode(const struct mip_base_comm_speed_response *value,
+                                              struct mip_builder *builder);
 
 /**
  * GPS time update: command (0x01,0x72).
@@ -475,8 +468,8 @@ mip_error mip_base_comm_port_speed_response_encode(
  * Sets the week number or the time of week of the external (GPS) time.
  *
  * Functions: write, read and apply. Answered by mip_base_gps_time_update_week_number_response or
- * mip_base_gps_time_update_time_of_week_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On
- * the 3DM-CV7-GNSS/INS: write only.
+ * mip_base_gps_time_update_tow_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+ * 3DM-CV7-GNSS/INS: write only.
  *
  * Send it once for the time of week and once for the week number after the PPS is locked.
  *
@@ -502,7 +495,7 @@ struct mip_base_gps_time_update {
     /**
      * What field_id says. Required for write and apply. If field_id is
      * MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
-     * field_id is MIP_BASE_GPS_TIME_FIELD_TIME_OF_WEEK: unit s. Whole seconds of the GPS week.
+     * field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
      */
     uint32_t value;
 };
@@ -555,51 +548,49 @@ mip_error mip_base_gps_time_update_week_number_response_encode(
  *
  * The current time of week.
  *
- * Answers mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_TIME_OF_WEEK.
- * Supported by 3DM-GX5-15.
+ * Answers mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_TOW. Supported by
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
  */
-struct mip_base_gps_time_update_time_of_week_response {
+struct mip_base_gps_time_update_tow_response {
     /** GPS time of week in whole seconds. Unit: s. */
-    uint32_t time_of_week;
+    uint32_t tow;
 };
 
-#define MIP_BASE_GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_DESCRIPTOR 0x85
-#define MIP_BASE_GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_NAME \
-    "base.gps_time_update_time_of_week_response"
+#define MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE_DESCRIPTOR 0x85
+#define MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE_NAME "base.gps_time_update_tow_response"
 
-extern const struct mip_codec mip_base_gps_time_update_time_of_week_response_codec;
-mip_error mip_base_gps_time_update_time_of_week_response_decode(
-    struct mip_base_gps_time_update_time_of_week_response *value, const struct mip_field *field);
-mip_error mip_base_gps_time_update_time_of_week_response_encode(
-    const struct mip_base_gps_time_update_time_of_week_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_base_gps_time_update_tow_response_codec;
+mip_error mip_base_gps_time_update_tow_response_decode(
+    struct mip_base_gps_time_update_tow_response *value, const struct mip_field *field);
+mip_error mip_base_gps_time_update_tow_response_encode(
+    const struct mip_base_gps_time_update_tow_response *value, struct mip_builder *builder);
 
 /**
  * Reset device: command (0x01,0x7E).
  *
  * Acknowledges the command, then resets the device at once.
  *
- * Also called `soft_reset`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
  * - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)
  */
-struct mip_base_reset_device {
+struct mip_base_soft_reset {
     /** Not used: there are no parameters. */
     uint8_t empty;
 };
 
-#define MIP_BASE_RESET_DEVICE_DESCRIPTOR 0x7E
-#define MIP_BASE_RESET_DEVICE_NAME "base.reset_device"
+#define MIP_BASE_SOFT_RESET_DESCRIPTOR 0x7E
+#define MIP_BASE_SOFT_RESET_NAME "base.soft_reset"
 
-extern const struct mip_codec mip_base_reset_device_codec;
-mip_error mip_base_reset_device_decode(struct mip_base_reset_device *value,
-                                       const struct mip_field *field);
-mip_error mip_base_reset_device_encode(const struct mip_base_reset_device *value,
-                                       struct mip_builder *builder);
+extern const struct mip_codec mip_base_soft_reset_codec;
+mip_error mip_base_soft_reset_decode(struct mip_base_soft_reset *value,
+                                     const struct mip_field *field);
+mip_error mip_base_soft_reset_encode(const struct mip_base_soft_reset *value,
+                                     struct mip_builder *builder);
 
 #ifdef __cplusplus
 }

@@ -44,13 +44,13 @@ typedef uint16_t mip_filter_estimated_states;
 /** Where the filter takes GNSS data from. */
 typedef uint8_t mip_filter_gnss_aiding_source;
 /** All internal receivers. */
-#define MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INT 1
+#define MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL 1
 /** GNSS measurements that the user sends. */
-#define MIP_FILTER_GNSS_AIDING_SOURCE_EXT 2
+#define MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL 2
 /** Internal receiver 1 only. */
-#define MIP_FILTER_GNSS_AIDING_SOURCE_INT_1 3
+#define MIP_FILTER_GNSS_AIDING_SOURCE_INTERNAL_1 3
 /** Internal receiver 2 only. */
-#define MIP_FILTER_GNSS_AIDING_SOURCE_INT_2 4
+#define MIP_FILTER_GNSS_AIDING_SOURCE_INTERNAL_2 4
 
 /** The north that a heading refers to. */
 typedef uint8_t mip_filter_heading_type;
@@ -78,9 +78,9 @@ typedef uint8_t mip_filter_tare_axes;
 /** Measurements that the filter uses. */
 typedef uint16_t mip_filter_measurement_flags;
 /** Bit 0. Accelerometer measurements. */
-#define MIP_FILTER_MEASUREMENT_FLAGS_ACCELEROMETER 0x0001U
+#define MIP_FILTER_MEASUREMENT_FLAGS_ACCEL 0x0001U
 /** Bit 1. Magnetometer measurements, on models that have a magnetometer. */
-#define MIP_FILTER_MEASUREMENT_FLAGS_MAGNETOMETER 0x0002U
+#define MIP_FILTER_MEASUREMENT_FLAGS_MAG 0x0002U
 
 /** Where the declination, the inclination or the magnitude of the magnetic field comes from. */
 typedef uint8_t mip_filter_mag_parameter_source;
@@ -121,7 +121,7 @@ typedef uint8_t mip_filter_pitch_roll_aiding_source;
 /** A source of aiding measurements. */
 typedef uint16_t mip_filter_aiding_source;
 /** GNSS position and velocity. */
-#define MIP_FILTER_AIDING_SOURCE_GNSS_POS_VEL 0
+#define MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY 0
 /** GNSS heading of two antennas. */
 #define MIP_FILTER_AIDING_SOURCE_GNSS_HEADING 1
 /** Built-in pressure altimeter. */
@@ -129,15 +129,15 @@ typedef uint16_t mip_filter_aiding_source;
 /** Speed sensor or odometer. */
 #define MIP_FILTER_AIDING_SOURCE_SPEED 3
 /** Built-in magnetometer. */
-#define MIP_FILTER_AIDING_SOURCE_MAGNETOMETER 4
+#define MIP_FILTER_AIDING_SOURCE_MAG 4
 /** Heading that the user sends. */
 #define MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING 5
 /** Pressure altitude that the user sends. */
 #define MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER 6
 /** Magnetic field that the user sends. */
-#define MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAGNETOMETER 7
+#define MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG 7
 /** Velocity in the vehicle that the user sends. */
-#define MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VEL 8
+#define MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY 8
 /** All sources, for save, load and default. */
 #define MIP_FILTER_AIDING_SOURCE_ALL 0xFFFF
 
@@ -179,11 +179,11 @@ typedef uint8_t mip_filter_angular_constraint;
 /** Which initial conditions the device finds itself and which the user gives. */
 typedef uint8_t mip_filter_initial_condition_source;
 /** Position, velocity and attitude are found. */
-#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_ATT 0
+#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_ATTITUDE 0
 /** Position, velocity, pitch and roll are found; the heading is given. */
-#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_PITCH_ROLL 1
+#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_PITCH_ROLL 1
 /** Position and velocity are found; the attitude is given. */
-#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL 2
+#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY 2
 /** Position, velocity and attitude are given. */
 #define MIP_FILTER_INITIAL_CONDITION_SOURCE_MANUAL 3
 
@@ -194,7 +194,7 @@ typedef uint8_t mip_filter_heading_alignment;
 /** Bit 1. From the GNSS velocity; assumes motion along the positive x axis of the vehicle. */
 #define MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC 0x02U
 /** Bit 2. From the built-in magnetometer. */
-#define MIP_FILTER_HEADING_ALIGNMENT_MAGNETOMETER 0x04U
+#define MIP_FILTER_HEADING_ALIGNMENT_MAG 0x04U
 /** Bit 3. From the heading that the user sends. */
 #define MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL 0x08U
 
@@ -226,14 +226,14 @@ typedef uint8_t mip_filter_relative_position_source;
 /** A point of reference. */
 typedef uint8_t mip_filter_reference_point;
 /** The origin of the vehicle. */
-#define MIP_FILTER_REFERENCE_POINT_VEH 1
+#define MIP_FILTER_REFERENCE_POINT_VEHICLE 1
 
 /**
  * Reset navigation filter: command (0x0D,0x01).
  *
  * Puts the filter back into its initialization state.
  *
- * Also called `reset`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * If automatic initialization is off, the attitude or heading must be set before the filter runs
  * again.
@@ -243,19 +243,18 @@ typedef uint8_t mip_filter_reference_point;
  * - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
  * - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
  */
-struct mip_filter_reset_navigation_filter {
+struct mip_filter_reset {
     /** Not used: there are no parameters. */
     uint8_t empty;
 };
 
-#define MIP_FILTER_RESET_NAVIGATION_FILTER_DESCRIPTOR 0x01
-#define MIP_FILTER_RESET_NAVIGATION_FILTER_NAME "filter.reset_navigation_filter"
+#define MIP_FILTER_RESET_DESCRIPTOR 0x01
+#define MIP_FILTER_RESET_NAME "filter.reset"
 
-extern const struct mip_codec mip_filter_reset_navigation_filter_codec;
-mip_error mip_filter_reset_navigation_filter_decode(
-    struct mip_filter_reset_navigation_filter *value, const struct mip_field *field);
-mip_error mip_filter_reset_navigation_filter_encode(
-    const struct mip_filter_reset_navigation_filter *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_reset_codec;
+mip_error mip_filter_reset_decode(struct mip_filter_reset *value, const struct mip_field *field);
+mip_error mip_filter_reset_encode(const struct mip_filter_reset *value,
+                                  struct mip_builder *builder);
 
 /**
  * Set initial attitude: command (0x0D,0x02).
@@ -296,7 +295,7 @@ struct mip_filter_set_initial_attitude mip_filter_set_initial_attitude_make(floa
  *
  * Gives the filter its initial heading; pitch and roll come from the accelerometers.
  *
- * Also called `set_initial_heading`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * 3DM-GX5: accepted only in the initialization state.
  *
@@ -306,48 +305,45 @@ struct mip_filter_set_initial_attitude mip_filter_set_initial_attitude_make(floa
  * - 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
  * - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
  */
-struct mip_filter_set_initial_heading_control {
+struct mip_filter_set_initial_heading {
     /** Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. */
     float heading;
 };
 
-#define MIP_FILTER_SET_INITIAL_HEADING_CONTROL_DESCRIPTOR 0x03
-#define MIP_FILTER_SET_INITIAL_HEADING_CONTROL_NAME "filter.set_initial_heading_control"
+#define MIP_FILTER_SET_INITIAL_HEADING_DESCRIPTOR 0x03
+#define MIP_FILTER_SET_INITIAL_HEADING_NAME "filter.set_initial_heading"
 
-extern const struct mip_codec mip_filter_set_initial_heading_control_codec;
-mip_error mip_filter_set_initial_heading_control_decode(
-    struct mip_filter_set_initial_heading_control *value, const struct mip_field *field);
-mip_error mip_filter_set_initial_heading_control_encode(
-    const struct mip_filter_set_initial_heading_control *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_set_initial_heading_codec;
+mip_error mip_filter_set_initial_heading_decode(struct mip_filter_set_initial_heading *value,
+                                                const struct mip_field *field);
+mip_error mip_filter_set_initial_heading_encode(const struct mip_filter_set_initial_heading *value,
+                                                struct mip_builder *builder);
 /** Set initial heading. */
-struct mip_filter_set_initial_heading_control
-mip_filter_set_initial_heading_control_make(float heading);
+struct mip_filter_set_initial_heading mip_filter_set_initial_heading_make(float heading);
 
 /**
  * Run navigation filter: command (0x0D,0x05).
  *
  * Starts a filter that was set up to wait for this command.
  *
- * Also called `run`. Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
- * The filter waits in its initialization state if `wait_for_run_command` of
- * `navigation_filter_initialization` is set.
+ * The filter waits in its initialization state if `wait_for_run_command` of `initialization_config`
+ * is set.
  *
  * - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
  */
-struct mip_filter_run_navigation_filter {
+struct mip_filter_run {
     /** Not used: there are no parameters. */
     uint8_t empty;
 };
 
-#define MIP_FILTER_RUN_NAVIGATION_FILTER_DESCRIPTOR 0x05
-#define MIP_FILTER_RUN_NAVIGATION_FILTER_NAME "filter.run_navigation_filter"
+#define MIP_FILTER_RUN_DESCRIPTOR 0x05
+#define MIP_FILTER_RUN_NAME "filter.run"
 
-extern const struct mip_codec mip_filter_run_navigation_filter_codec;
-mip_error mip_filter_run_navigation_filter_decode(struct mip_filter_run_navigation_filter *value,
-                                                  const struct mip_field *field);
-mip_error mip_filter_run_navigation_filter_encode(
-    const struct mip_filter_run_navigation_filter *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_run_codec;
+mip_error mip_filter_run_decode(struct mip_filter_run *value, const struct mip_field *field);
+mip_error mip_filter_run_encode(const struct mip_filter_run *value, struct mip_builder *builder);
 
 /**
  * Vehicle dynamics mode: command (0x0D,0x10).
@@ -414,18 +410,18 @@ mip_error mip_filter_vehicle_dynamics_mode_response_encode(
  *
  * Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
  *
- * Also called `sensor_to_vehicle_rotation_euler`. Functions: write, read, save, load and default.
- * Answered by mip_filter_sensor_to_vehicle_frame_transformation_response. Supported by 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_rotation_euler_response. Supported by 3DM-GX5-15.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
  * vector of the filter.
  *
- * The 3DM-CV7 takes the inverse instead: mip_3dm_sensor_to_vehicle_frame_transformation_euler.
+ * The 3DM-CV7 takes the inverse instead: mip_3dm_sensor_to_vehicle_transform_euler.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
-struct mip_filter_sensor_to_vehicle_frame_transformation {
+struct mip_filter_sensor_to_vehicle_rotation_euler {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -438,41 +434,38 @@ struct mip_filter_sensor_to_vehicle_frame_transformation {
     float yaw;
 };
 
-#define MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DESCRIPTOR 0x11
-#define MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_NAME \
-    "filter.sensor_to_vehicle_frame_transformation"
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_DESCRIPTOR 0x11
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_NAME "filter.sensor_to_vehicle_rotation_euler"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_codec;
-mip_error mip_filter_sensor_to_vehicle_frame_transformation_decode(
-    struct mip_filter_sensor_to_vehicle_frame_transformation *value, const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_frame_transformation_encode(
-    const struct mip_filter_sensor_to_vehicle_frame_transformation *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec;
+mip_error mip_filter_sensor_to_vehicle_rotation_euler_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_euler *value, const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_rotation_euler_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_euler *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_sensor_to_vehicle_frame_transformation
-mip_filter_sensor_to_vehicle_frame_transformation_write(float roll, float pitch, float yaw);
+struct mip_filter_sensor_to_vehicle_rotation_euler
+mip_filter_sensor_to_vehicle_rotation_euler_write(float roll, float pitch, float yaw);
 /** Send the current setting back in a response. */
-struct mip_filter_sensor_to_vehicle_frame_transformation
-mip_filter_sensor_to_vehicle_frame_transformation_read(void);
+struct mip_filter_sensor_to_vehicle_rotation_euler
+mip_filter_sensor_to_vehicle_rotation_euler_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_sensor_to_vehicle_frame_transformation
-mip_filter_sensor_to_vehicle_frame_transformation_save(void);
+struct mip_filter_sensor_to_vehicle_rotation_euler
+mip_filter_sensor_to_vehicle_rotation_euler_save(void);
 /** Load the saved setting. */
-struct mip_filter_sensor_to_vehicle_frame_transformation
-mip_filter_sensor_to_vehicle_frame_transformation_load(void);
+struct mip_filter_sensor_to_vehicle_rotation_euler
+mip_filter_sensor_to_vehicle_rotation_euler_load(void);
 /** Load the factory default setting. */
-struct mip_filter_sensor_to_vehicle_frame_transformation
-mip_filter_sensor_to_vehicle_frame_transformation_default(void);
+struct mip_filter_sensor_to_vehicle_rotation_euler
+mip_filter_sensor_to_vehicle_rotation_euler_default(void);
 
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
- * Also called `sensor_to_vehicle_rotation_euler_response`. Answers
- * mip_filter_sensor_to_vehicle_frame_transformation. Supported by 3DM-GX5-15.
+ * Answers mip_filter_sensor_to_vehicle_rotation_euler. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
-struct mip_filter_sensor_to_vehicle_frame_transformation_response {
+struct mip_filter_sensor_to_vehicle_rotation_euler_response {
     /** Roll angle. Unit: rad. */
     float roll;
     /** Pitch angle. Unit: rad. */
@@ -481,16 +474,16 @@ struct mip_filter_sensor_to_vehicle_frame_transformation_response {
     float yaw;
 };
 
-#define MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_DESCRIPTOR 0x81
-#define MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_NAME \
-    "filter.sensor_to_vehicle_frame_transformation_response"
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_DESCRIPTOR 0x81
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_NAME \
+    "filter.sensor_to_vehicle_rotation_euler_response"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_response_codec;
-mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_decode(
-    struct mip_filter_sensor_to_vehicle_frame_transformation_response *value,
+extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_codec;
+mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
     const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_encode(
-    const struct mip_filter_sensor_to_vehicle_frame_transformation_response *value,
+mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
     struct mip_builder *builder);
 
 /**
@@ -571,19 +564,19 @@ mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
  *
  * Position of the GNSS antenna relative to the origin of the sensor.
  *
- * Also called `antenna_offset`. Functions: write, read, save, load and default. Answered by
- * mip_filter_gnss_antenna_offset_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load and default. Answered by mip_filter_antenna_offset_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * The magnitude of the vector is limited to 10.
  *
  * 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
  *
  * On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands use
- * mip_aiding_frame_configuration.
+ * mip_aiding_frame_config.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
-struct mip_filter_gnss_antenna_offset_control {
+struct mip_filter_antenna_offset {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -595,35 +588,33 @@ struct mip_filter_gnss_antenna_offset_control {
     float offset[3];
 };
 
-#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_DESCRIPTOR 0x13
-#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_NAME "filter.gnss_antenna_offset_control"
+#define MIP_FILTER_ANTENNA_OFFSET_DESCRIPTOR 0x13
+#define MIP_FILTER_ANTENNA_OFFSET_NAME "filter.antenna_offset"
 
-extern const struct mip_codec mip_filter_gnss_antenna_offset_control_codec;
-mip_error mip_filter_gnss_antenna_offset_control_decode(
-    struct mip_filter_gnss_antenna_offset_control *value, const struct mip_field *field);
-mip_error mip_filter_gnss_antenna_offset_control_encode(
-    const struct mip_filter_gnss_antenna_offset_control *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_antenna_offset_codec;
+mip_error mip_filter_antenna_offset_decode(struct mip_filter_antenna_offset *value,
+                                           const struct mip_field *field);
+mip_error mip_filter_antenna_offset_encode(const struct mip_filter_antenna_offset *value,
+                                           struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_gnss_antenna_offset_control
-mip_filter_gnss_antenna_offset_control_write(const float offset[3]);
+struct mip_filter_antenna_offset mip_filter_antenna_offset_write(const float offset[3]);
 /** Send the current setting back in a response. */
-struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_read(void);
+struct mip_filter_antenna_offset mip_filter_antenna_offset_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_save(void);
+struct mip_filter_antenna_offset mip_filter_antenna_offset_save(void);
 /** Load the saved setting. */
-struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_load(void);
+struct mip_filter_antenna_offset mip_filter_antenna_offset_load(void);
 /** Load the factory default setting. */
-struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_default(void);
+struct mip_filter_antenna_offset mip_filter_antenna_offset_default(void);
 
 /**
  * GNSS antenna offset response: response (0x0D,0x83).
  *
- * Also called `antenna_offset_response`. Answers mip_filter_gnss_antenna_offset_control. Supported
- * by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_antenna_offset. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
-struct mip_filter_gnss_antenna_offset_control_response {
+struct mip_filter_antenna_offset_response {
     /**
      * From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
      * vehicle. Range: -10 to 10.
@@ -631,28 +622,26 @@ struct mip_filter_gnss_antenna_offset_control_response {
     float offset[3];
 };
 
-#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR 0x83
-#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_NAME \
-    "filter.gnss_antenna_offset_control_response"
+#define MIP_FILTER_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR 0x83
+#define MIP_FILTER_ANTENNA_OFFSET_RESPONSE_NAME "filter.antenna_offset_response"
 
-extern const struct mip_codec mip_filter_gnss_antenna_offset_control_response_codec;
-mip_error mip_filter_gnss_antenna_offset_control_response_decode(
-    struct mip_filter_gnss_antenna_offset_control_response *value, const struct mip_field *field);
-mip_error mip_filter_gnss_antenna_offset_control_response_encode(
-    const struct mip_filter_gnss_antenna_offset_control_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_antenna_offset_response_codec;
+mip_error mip_filter_antenna_offset_response_decode(
+    struct mip_filter_antenna_offset_response *value, const struct mip_field *field);
+mip_error mip_filter_antenna_offset_response_encode(
+    const struct mip_filter_antenna_offset_response *value, struct mip_builder *builder);
 
 /**
  * Estimation control flags: command (0x0D,0x14).
  *
  * Which states the filter estimates.
  *
- * Also called `estimation_control`. Functions: write, read, save, load and default. Answered by
- * mip_filter_estimation_control_flags_response. Supported by 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_estimation_control_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
-struct mip_filter_estimation_control_flags {
+struct mip_filter_estimation_control {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -661,62 +650,61 @@ struct mip_filter_estimation_control_flags {
     mip_filter_estimated_states flags;
 };
 
-#define MIP_FILTER_ESTIMATION_CONTROL_FLAGS_DESCRIPTOR 0x14
-#define MIP_FILTER_ESTIMATION_CONTROL_FLAGS_NAME "filter.estimation_control_flags"
+#define MIP_FILTER_ESTIMATION_CONTROL_DESCRIPTOR 0x14
+#define MIP_FILTER_ESTIMATION_CONTROL_NAME "filter.estimation_control"
 
-extern const struct mip_codec mip_filter_estimation_control_flags_codec;
-mip_error mip_filter_estimation_control_flags_decode(
-    struct mip_filter_estimation_control_flags *value, const struct mip_field *field);
-mip_error mip_filter_estimation_control_flags_encode(
-    const struct mip_filter_estimation_control_flags *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_estimation_control_codec;
+mip_error mip_filter_estimation_control_decode(struct mip_filter_estimation_control *value,
+                                               const struct mip_field *field);
+mip_error mip_filter_estimation_control_encode(const struct mip_filter_estimation_control *value,
+                                               struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_estimation_control_flags
-mip_filter_estimation_control_flags_write(mip_filter_estimated_states flags);
+struct mip_filter_estimation_control
+mip_filter_estimation_control_write(mip_filter_estimated_states flags);
 /** Send the current setting back in a response. */
-struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_read(void);
+struct mip_filter_estimation_control mip_filter_estimation_control_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_save(void);
+struct mip_filter_estimation_control mip_filter_estimation_control_save(void);
 /** Load the saved setting. */
-struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_load(void);
+struct mip_filter_estimation_control mip_filter_estimation_control_load(void);
 /** Load the factory default setting. */
-struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_default(void);
+struct mip_filter_estimation_control mip_filter_estimation_control_default(void);
 
 /**
  * Estimation control flags response: response (0x0D,0x84).
  *
- * Also called `estimation_control_response`. Answers mip_filter_estimation_control_flags. Supported
- * by 3DM-GX5-15.
+ * Answers mip_filter_estimation_control. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
-struct mip_filter_estimation_control_flags_response {
+struct mip_filter_estimation_control_response {
     /** States to estimate. */
     mip_filter_estimated_states flags;
 };
 
-#define MIP_FILTER_ESTIMATION_CONTROL_FLAGS_RESPONSE_DESCRIPTOR 0x84
-#define MIP_FILTER_ESTIMATION_CONTROL_FLAGS_RESPONSE_NAME "filter.estimation_control_flags_response"
+#define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE_DESCRIPTOR 0x84
+#define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE_NAME "filter.estimation_control_response"
 
-extern const struct mip_codec mip_filter_estimation_control_flags_response_codec;
-mip_error mip_filter_estimation_control_flags_response_decode(
-    struct mip_filter_estimation_control_flags_response *value, const struct mip_field *field);
-mip_error mip_filter_estimation_control_flags_response_encode(
-    const struct mip_filter_estimation_control_flags_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_estimation_control_response_codec;
+mip_error mip_filter_estimation_control_response_decode(
+    struct mip_filter_estimation_control_response *value, const struct mip_field *field);
+mip_error mip_filter_estimation_control_response_encode(
+    const struct mip_filter_estimation_control_response *value, struct mip_builder *builder);
 
 /**
  * GNSS aiding source: command (0x0D,0x15).
  *
  * Which GNSS receiver aids the filter.
  *
- * Also called `gnss_source`. Functions: write, read, save, load and default. Answered by
- * mip_filter_gnss_aiding_source_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load and default. Answered by mip_filter_gnss_source_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * A change while the filter runs may put it back into initialization until the new source gives
  * data.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
-struct mip_filter_gnss_aiding_source_control {
+struct mip_filter_gnss_source {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -725,49 +713,45 @@ struct mip_filter_gnss_aiding_source_control {
     mip_filter_gnss_aiding_source source;
 };
 
-#define MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_DESCRIPTOR 0x15
-#define MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_NAME "filter.gnss_aiding_source_control"
+#define MIP_FILTER_GNSS_SOURCE_DESCRIPTOR 0x15
+#define MIP_FILTER_GNSS_SOURCE_NAME "filter.gnss_source"
 
-extern const struct mip_codec mip_filter_gnss_aiding_source_control_codec;
-mip_error mip_filter_gnss_aiding_source_control_decode(
-    struct mip_filter_gnss_aiding_source_control *value, const struct mip_field *field);
-mip_error mip_filter_gnss_aiding_source_control_encode(
-    const struct mip_filter_gnss_aiding_source_control *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_gnss_source_codec;
+mip_error mip_filter_gnss_source_decode(struct mip_filter_gnss_source *value,
+                                        const struct mip_field *field);
+mip_error mip_filter_gnss_source_encode(const struct mip_filter_gnss_source *value,
+                                        struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_gnss_aiding_source_control
-mip_filter_gnss_aiding_source_control_write(mip_filter_gnss_aiding_source source);
+struct mip_filter_gnss_source mip_filter_gnss_source_write(mip_filter_gnss_aiding_source source);
 /** Send the current setting back in a response. */
-struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_read(void);
+struct mip_filter_gnss_source mip_filter_gnss_source_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_save(void);
+struct mip_filter_gnss_source mip_filter_gnss_source_save(void);
 /** Load the saved setting. */
-struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_load(void);
+struct mip_filter_gnss_source mip_filter_gnss_source_load(void);
 /** Load the factory default setting. */
-struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_default(void);
+struct mip_filter_gnss_source mip_filter_gnss_source_default(void);
 
 /**
  * GNSS aiding source response: response (0x0D,0x86).
  *
- * Also called `gnss_source_response`. Answers mip_filter_gnss_aiding_source_control. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_gnss_source. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
-struct mip_filter_gnss_aiding_source_control_response {
+struct mip_filter_gnss_source_response {
     /** Source of the GNSS data. */
     mip_filter_gnss_aiding_source source;
 };
 
-#define MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_DESCRIPTOR 0x86
-#define MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_NAME \
-    "filter.gnss_aiding_source_control_response"
+#define MIP_FILTER_GNSS_SOURCE_RESPONSE_DESCRIPTOR 0x86
+#define MIP_FILTER_GNSS_SOURCE_RESPONSE_NAME "filter.gnss_source_response"
 
-extern const struct mip_codec mip_filter_gnss_aiding_source_control_response_codec;
-mip_error mip_filter_gnss_aiding_source_control_response_decode(
-    struct mip_filter_gnss_aiding_source_control_response *value, const struct mip_field *field);
-mip_error mip_filter_gnss_aiding_source_control_response_encode(
-    const struct mip_filter_gnss_aiding_source_control_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_gnss_source_response_codec;
+mip_error mip_filter_gnss_source_response_decode(struct mip_filter_gnss_source_response *value,
+                                                 const struct mip_field *field);
+mip_error mip_filter_gnss_source_response_encode(
+    const struct mip_filter_gnss_source_response *value, struct mip_builder *builder);
 
 /**
  * External GNSS update: command (0x0D,0x16).
@@ -820,8 +804,8 @@ struct mip_filter_external_gnss_update mip_filter_external_gnss_update_make(
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
- * and by `aiding_measurement_control` on the 3DM-CV7.
+ * Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5 and by
+ * `aiding_measurement_enable` on the 3DM-CV7.
  *
  * The 3DM-GX5-15 takes at most 20 updates per second.
  *
@@ -863,61 +847,60 @@ struct mip_filter_external_heading_update mip_filter_external_heading_update_mak
  *
  * Source of the heading that aids the filter.
  *
- * Also called `heading_source`. Functions: write, read, save, load and default. Answered by
- * mip_filter_heading_update_control_response. Supported by 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Answered by mip_filter_heading_source_response.
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
-struct mip_filter_heading_update_control {
+struct mip_filter_heading_source {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Source of the heading. Required for write. */
-    mip_filter_heading_update_source enable;
+    mip_filter_heading_update_source source;
 };
 
-#define MIP_FILTER_HEADING_UPDATE_CONTROL_DESCRIPTOR 0x18
-#define MIP_FILTER_HEADING_UPDATE_CONTROL_NAME "filter.heading_update_control"
+#define MIP_FILTER_HEADING_SOURCE_DESCRIPTOR 0x18
+#define MIP_FILTER_HEADING_SOURCE_NAME "filter.heading_source"
 
-extern const struct mip_codec mip_filter_heading_update_control_codec;
-mip_error mip_filter_heading_update_control_decode(struct mip_filter_heading_update_control *value,
-                                                   const struct mip_field *field);
-mip_error mip_filter_heading_update_control_encode(
-    const struct mip_filter_heading_update_control *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_heading_source_codec;
+mip_error mip_filter_heading_source_decode(struct mip_filter_heading_source *value,
+                                           const struct mip_field *field);
+mip_error mip_filter_heading_source_encode(const struct mip_filter_heading_source *value,
+                                           struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_heading_update_control
-mip_filter_heading_update_control_write(mip_filter_heading_update_source enable);
+struct mip_filter_heading_source
+mip_filter_heading_source_write(mip_filter_heading_update_source source);
 /** Send the current setting back in a response. */
-struct mip_filter_heading_update_control mip_filter_heading_update_control_read(void);
+struct mip_filter_heading_source mip_filter_heading_source_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_heading_update_control mip_filter_heading_update_control_save(void);
+struct mip_filter_heading_source mip_filter_heading_source_save(void);
 /** Load the saved setting. */
-struct mip_filter_heading_update_control mip_filter_heading_update_control_load(void);
+struct mip_filter_heading_source mip_filter_heading_source_load(void);
 /** Load the factory default setting. */
-struct mip_filter_heading_update_control mip_filter_heading_update_control_default(void);
+struct mip_filter_heading_source mip_filter_heading_source_default(void);
 
 /**
  * Heading update control response: response (0x0D,0x87).
  *
- * Also called `heading_source_response`. Answers mip_filter_heading_update_control. Supported by
- * 3DM-GX5-15.
+ * Answers mip_filter_heading_source. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
-struct mip_filter_heading_update_control_response {
+struct mip_filter_heading_source_response {
     /** Source of the heading. */
-    mip_filter_heading_update_source enable;
+    mip_filter_heading_update_source source;
 };
 
-#define MIP_FILTER_HEADING_UPDATE_CONTROL_RESPONSE_DESCRIPTOR 0x87
-#define MIP_FILTER_HEADING_UPDATE_CONTROL_RESPONSE_NAME "filter.heading_update_control_response"
+#define MIP_FILTER_HEADING_SOURCE_RESPONSE_DESCRIPTOR 0x87
+#define MIP_FILTER_HEADING_SOURCE_RESPONSE_NAME "filter.heading_source_response"
 
-extern const struct mip_codec mip_filter_heading_update_control_response_codec;
-mip_error mip_filter_heading_update_control_response_decode(
-    struct mip_filter_heading_update_control_response *value, const struct mip_field *field);
-mip_error mip_filter_heading_update_control_response_encode(
-    const struct mip_filter_heading_update_control_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_heading_source_response_codec;
+mip_error mip_filter_heading_source_response_decode(
+    struct mip_filter_heading_source_response *value, const struct mip_field *field);
+mip_error mip_filter_heading_source_response_encode(
+    const struct mip_filter_heading_source_response *value, struct mip_builder *builder);
 
 /**
  * Automatic initialization: command (0x0D,0x19).
@@ -989,16 +972,15 @@ mip_error mip_filter_auto_initialization_control_response_encode(
  *
  * Standard deviation of the accelerometer noise that the filter assumes (process noise).
  *
- * Also called `accel_noise`. Functions: write, read, save, load and default. Answered by
- * mip_filter_accelerometer_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Answered by mip_filter_accel_noise_response.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The factory values suit most laboratory conditions.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
  */
-struct mip_filter_accelerometer_noise_standard_deviation {
+struct mip_filter_accel_noise {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -1010,73 +992,61 @@ struct mip_filter_accelerometer_noise_standard_deviation {
     float noise[3];
 };
 
-#define MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_DESCRIPTOR 0x1A
-#define MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_NAME \
-    "filter.accelerometer_noise_standard_deviation"
+#define MIP_FILTER_ACCEL_NOISE_DESCRIPTOR 0x1A
+#define MIP_FILTER_ACCEL_NOISE_NAME "filter.accel_noise"
 
-extern const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_codec;
-mip_error mip_filter_accelerometer_noise_standard_deviation_decode(
-    struct mip_filter_accelerometer_noise_standard_deviation *value, const struct mip_field *field);
-mip_error mip_filter_accelerometer_noise_standard_deviation_encode(
-    const struct mip_filter_accelerometer_noise_standard_deviation *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_accel_noise_codec;
+mip_error mip_filter_accel_noise_decode(struct mip_filter_accel_noise *value,
+                                        const struct mip_field *field);
+mip_error mip_filter_accel_noise_encode(const struct mip_filter_accel_noise *value,
+                                        struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_accelerometer_noise_standard_deviation
-mip_filter_accelerometer_noise_standard_deviation_write(const float noise[3]);
+struct mip_filter_accel_noise mip_filter_accel_noise_write(const float noise[3]);
 /** Send the current setting back in a response. */
-struct mip_filter_accelerometer_noise_standard_deviation
-mip_filter_accelerometer_noise_standard_deviation_read(void);
+struct mip_filter_accel_noise mip_filter_accel_noise_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_accelerometer_noise_standard_deviation
-mip_filter_accelerometer_noise_standard_deviation_save(void);
+struct mip_filter_accel_noise mip_filter_accel_noise_save(void);
 /** Load the saved setting. */
-struct mip_filter_accelerometer_noise_standard_deviation
-mip_filter_accelerometer_noise_standard_deviation_load(void);
+struct mip_filter_accel_noise mip_filter_accel_noise_load(void);
 /** Load the factory default setting. */
-struct mip_filter_accelerometer_noise_standard_deviation
-mip_filter_accelerometer_noise_standard_deviation_default(void);
+struct mip_filter_accel_noise mip_filter_accel_noise_default(void);
 
 /**
  * Accelerometer noise response: response (0x0D,0x89).
  *
- * Also called `accel_noise_response`. Answers mip_filter_accelerometer_noise_standard_deviation.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_accel_noise. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
  */
-struct mip_filter_accelerometer_noise_standard_deviation_response {
+struct mip_filter_accel_noise_response {
     /** Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0. */
     float noise[3];
 };
 
-#define MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR 0x89
-#define MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_NAME \
-    "filter.accelerometer_noise_standard_deviation_response"
+#define MIP_FILTER_ACCEL_NOISE_RESPONSE_DESCRIPTOR 0x89
+#define MIP_FILTER_ACCEL_NOISE_RESPONSE_NAME "filter.accel_noise_response"
 
-extern const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_response_codec;
-mip_error mip_filter_accelerometer_noise_standard_deviation_response_decode(
-    struct mip_filter_accelerometer_noise_standard_deviation_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_accelerometer_noise_standard_deviation_response_encode(
-    const struct mip_filter_accelerometer_noise_standard_deviation_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_accel_noise_response_codec;
+mip_error mip_filter_accel_noise_response_decode(struct mip_filter_accel_noise_response *value,
+                                                 const struct mip_field *field);
+mip_error mip_filter_accel_noise_response_encode(
+    const struct mip_filter_accel_noise_response *value, struct mip_builder *builder);
 
 /**
  * Gyroscope noise: command (0x0D,0x1B).
  *
  * Standard deviation of the gyroscope noise that the filter assumes (process noise).
  *
- * Also called `gyro_noise`. Functions: write, read, save, load and default. Answered by
- * mip_filter_gyroscope_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Answered by mip_filter_gyro_noise_response.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The factory values suit most laboratory conditions.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
  */
-struct mip_filter_gyroscope_noise_standard_deviation {
+struct mip_filter_gyro_noise {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -1088,68 +1058,58 @@ struct mip_filter_gyroscope_noise_standard_deviation {
     float noise[3];
 };
 
-#define MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_DESCRIPTOR 0x1B
-#define MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_NAME \
-    "filter.gyroscope_noise_standard_deviation"
+#define MIP_FILTER_GYRO_NOISE_DESCRIPTOR 0x1B
+#define MIP_FILTER_GYRO_NOISE_NAME "filter.gyro_noise"
 
-extern const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_codec;
-mip_error mip_filter_gyroscope_noise_standard_deviation_decode(
-    struct mip_filter_gyroscope_noise_standard_deviation *value, const struct mip_field *field);
-mip_error mip_filter_gyroscope_noise_standard_deviation_encode(
-    const struct mip_filter_gyroscope_noise_standard_deviation *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_gyro_noise_codec;
+mip_error mip_filter_gyro_noise_decode(struct mip_filter_gyro_noise *value,
+                                       const struct mip_field *field);
+mip_error mip_filter_gyro_noise_encode(const struct mip_filter_gyro_noise *value,
+                                       struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_gyroscope_noise_standard_deviation
-mip_filter_gyroscope_noise_standard_deviation_write(const float noise[3]);
+struct mip_filter_gyro_noise mip_filter_gyro_noise_write(const float noise[3]);
 /** Send the current setting back in a response. */
-struct mip_filter_gyroscope_noise_standard_deviation
-mip_filter_gyroscope_noise_standard_deviation_read(void);
+struct mip_filter_gyro_noise mip_filter_gyro_noise_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_gyroscope_noise_standard_deviation
-mip_filter_gyroscope_noise_standard_deviation_save(void);
+struct mip_filter_gyro_noise mip_filter_gyro_noise_save(void);
 /** Load the saved setting. */
-struct mip_filter_gyroscope_noise_standard_deviation
-mip_filter_gyroscope_noise_standard_deviation_load(void);
+struct mip_filter_gyro_noise mip_filter_gyro_noise_load(void);
 /** Load the factory default setting. */
-struct mip_filter_gyroscope_noise_standard_deviation
-mip_filter_gyroscope_noise_standard_deviation_default(void);
+struct mip_filter_gyro_noise mip_filter_gyro_noise_default(void);
 
 /**
  * Gyroscope noise response: response (0x0D,0x8A).
  *
- * Also called `gyro_noise_response`. Answers mip_filter_gyroscope_noise_standard_deviation.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_gyro_noise. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
  */
-struct mip_filter_gyroscope_noise_standard_deviation_response {
+struct mip_filter_gyro_noise_response {
     /** Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0. */
     float noise[3];
 };
 
-#define MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR 0x8A
-#define MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_NAME \
-    "filter.gyroscope_noise_standard_deviation_response"
+#define MIP_FILTER_GYRO_NOISE_RESPONSE_DESCRIPTOR 0x8A
+#define MIP_FILTER_GYRO_NOISE_RESPONSE_NAME "filter.gyro_noise_response"
 
-extern const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_response_codec;
-mip_error mip_filter_gyroscope_noise_standard_deviation_response_decode(
-    struct mip_filter_gyroscope_noise_standard_deviation_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_gyroscope_noise_standard_deviation_response_encode(
-    const struct mip_filter_gyroscope_noise_standard_deviation_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_gyro_noise_response_codec;
+mip_error mip_filter_gyro_noise_response_decode(struct mip_filter_gyro_noise_response *value,
+                                                const struct mip_field *field);
+mip_error mip_filter_gyro_noise_response_encode(const struct mip_filter_gyro_noise_response *value,
+                                                struct mip_builder *builder);
 
 /**
  * Accelerometer bias model: command (0x0D,0x1C).
  *
  * Parameters of the model by which the accelerometer bias drifts.
  *
- * Also called `accel_bias_model`. Functions: write, read, save, load and default. Answered by
- * mip_filter_accelerometer_bias_model_parameters_response. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load and default. Answered by mip_filter_accel_bias_model_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
-struct mip_filter_accelerometer_bias_model_parameters {
+struct mip_filter_accel_bias_model {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -1166,41 +1126,34 @@ struct mip_filter_accelerometer_bias_model_parameters {
     float noise[3];
 };
 
-#define MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_DESCRIPTOR 0x1C
-#define MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_NAME \
-    "filter.accelerometer_bias_model_parameters"
+#define MIP_FILTER_ACCEL_BIAS_MODEL_DESCRIPTOR 0x1C
+#define MIP_FILTER_ACCEL_BIAS_MODEL_NAME "filter.accel_bias_model"
 
-extern const struct mip_codec mip_filter_accelerometer_bias_model_parameters_codec;
-mip_error mip_filter_accelerometer_bias_model_parameters_decode(
-    struct mip_filter_accelerometer_bias_model_parameters *value, const struct mip_field *field);
-mip_error mip_filter_accelerometer_bias_model_parameters_encode(
-    const struct mip_filter_accelerometer_bias_model_parameters *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_accel_bias_model_codec;
+mip_error mip_filter_accel_bias_model_decode(struct mip_filter_accel_bias_model *value,
+                                             const struct mip_field *field);
+mip_error mip_filter_accel_bias_model_encode(const struct mip_filter_accel_bias_model *value,
+                                             struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_accelerometer_bias_model_parameters
-mip_filter_accelerometer_bias_model_parameters_write(const float beta[3], const float noise[3]);
+struct mip_filter_accel_bias_model mip_filter_accel_bias_model_write(const float beta[3],
+                                                                     const float noise[3]);
 /** Send the current setting back in a response. */
-struct mip_filter_accelerometer_bias_model_parameters
-mip_filter_accelerometer_bias_model_parameters_read(void);
+struct mip_filter_accel_bias_model mip_filter_accel_bias_model_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_accelerometer_bias_model_parameters
-mip_filter_accelerometer_bias_model_parameters_save(void);
+struct mip_filter_accel_bias_model mip_filter_accel_bias_model_save(void);
 /** Load the saved setting. */
-struct mip_filter_accelerometer_bias_model_parameters
-mip_filter_accelerometer_bias_model_parameters_load(void);
+struct mip_filter_accel_bias_model mip_filter_accel_bias_model_load(void);
 /** Load the factory default setting. */
-struct mip_filter_accelerometer_bias_model_parameters
-mip_filter_accelerometer_bias_model_parameters_default(void);
+struct mip_filter_accel_bias_model mip_filter_accel_bias_model_default(void);
 
 /**
  * Accelerometer bias model response: response (0x0D,0x8B).
  *
- * Also called `accel_bias_model_response`. Answers mip_filter_accelerometer_bias_model_parameters.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_accel_bias_model. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
-struct mip_filter_accelerometer_bias_model_parameters_response {
+struct mip_filter_accel_bias_model_response {
     /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. */
     float beta[3];
     /**
@@ -1210,31 +1163,27 @@ struct mip_filter_accelerometer_bias_model_parameters_response {
     float noise[3];
 };
 
-#define MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR 0x8B
-#define MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_NAME \
-    "filter.accelerometer_bias_model_parameters_response"
+#define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE_DESCRIPTOR 0x8B
+#define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE_NAME "filter.accel_bias_model_response"
 
-extern const struct mip_codec mip_filter_accelerometer_bias_model_parameters_response_codec;
-mip_error mip_filter_accelerometer_bias_model_parameters_response_decode(
-    struct mip_filter_accelerometer_bias_model_parameters_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_accelerometer_bias_model_parameters_response_encode(
-    const struct mip_filter_accelerometer_bias_model_parameters_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_accel_bias_model_response_codec;
+mip_error mip_filter_accel_bias_model_response_decode(
+    struct mip_filter_accel_bias_model_response *value, const struct mip_field *field);
+mip_error mip_filter_accel_bias_model_response_encode(
+    const struct mip_filter_accel_bias_model_response *value, struct mip_builder *builder);
 
 /**
  * Gyroscope bias model: command (0x0D,0x1D).
  *
  * Parameters of the model by which the gyroscope bias drifts.
  *
- * Also called `gyro_bias_model`. Functions: write, read, save, load and default. Answered by
- * mip_filter_gyroscope_bias_model_parameters_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Answered by mip_filter_gyro_bias_model_response.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
  */
-struct mip_filter_gyroscope_bias_model_parameters {
+struct mip_filter_gyro_bias_model {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -1251,40 +1200,35 @@ struct mip_filter_gyroscope_bias_model_parameters {
     float noise[3];
 };
 
-#define MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_DESCRIPTOR 0x1D
-#define MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_NAME "filter.gyroscope_bias_model_parameters"
+#define MIP_FILTER_GYRO_BIAS_MODEL_DESCRIPTOR 0x1D
+#define MIP_FILTER_GYRO_BIAS_MODEL_NAME "filter.gyro_bias_model"
 
-extern const struct mip_codec mip_filter_gyroscope_bias_model_parameters_codec;
-mip_error mip_filter_gyroscope_bias_model_parameters_decode(
-    struct mip_filter_gyroscope_bias_model_parameters *value, const struct mip_field *field);
-mip_error mip_filter_gyroscope_bias_model_parameters_encode(
-    const struct mip_filter_gyroscope_bias_model_parameters *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_gyro_bias_model_codec;
+mip_error mip_filter_gyro_bias_model_decode(struct mip_filter_gyro_bias_model *value,
+                                            const struct mip_field *field);
+mip_error mip_filter_gyro_bias_model_encode(const struct mip_filter_gyro_bias_model *value,
+                                            struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_gyroscope_bias_model_parameters
-mip_filter_gyroscope_bias_model_parameters_write(const float beta[3], const float noise[3]);
+struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_write(const float beta[3],
+                                                                   const float noise[3]);
 /** Send the current setting back in a response. */
-struct mip_filter_gyroscope_bias_model_parameters
-mip_filter_gyroscope_bias_model_parameters_read(void);
+struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_gyroscope_bias_model_parameters
-mip_filter_gyroscope_bias_model_parameters_save(void);
+struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_save(void);
 /** Load the saved setting. */
-struct mip_filter_gyroscope_bias_model_parameters
-mip_filter_gyroscope_bias_model_parameters_load(void);
+struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_load(void);
 /** Load the factory default setting. */
-struct mip_filter_gyroscope_bias_model_parameters
-mip_filter_gyroscope_bias_model_parameters_default(void);
+struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_default(void);
 
 /**
  * Gyroscope bias model response: response (0x0D,0x8C).
  *
- * Also called `gyro_bias_model_response`. Answers mip_filter_gyroscope_bias_model_parameters.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_gyro_bias_model. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
  */
-struct mip_filter_gyroscope_bias_model_parameters_response {
+struct mip_filter_gyro_bias_model_response {
     /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. */
     float beta[3];
     /**
@@ -1294,17 +1238,14 @@ struct mip_filter_gyroscope_bias_model_parameters_response {
     float noise[3];
 };
 
-#define MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR 0x8C
-#define MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_NAME \
-    "filter.gyroscope_bias_model_parameters_response"
+#define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE_DESCRIPTOR 0x8C
+#define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE_NAME "filter.gyro_bias_model_response"
 
-extern const struct mip_codec mip_filter_gyroscope_bias_model_parameters_response_codec;
-mip_error mip_filter_gyroscope_bias_model_parameters_response_decode(
-    struct mip_filter_gyroscope_bias_model_parameters_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_gyroscope_bias_model_parameters_response_encode(
-    const struct mip_filter_gyroscope_bias_model_parameters_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_gyro_bias_model_response_codec;
+mip_error mip_filter_gyro_bias_model_response_decode(
+    struct mip_filter_gyro_bias_model_response *value, const struct mip_field *field);
+mip_error mip_filter_gyro_bias_model_response_encode(
+    const struct mip_filter_gyro_bias_model_response *value, struct mip_builder *builder);
 
 /**
  * Automatic zero velocity update: command (0x0D,0x1E).
@@ -1382,8 +1323,8 @@ mip_error mip_filter_auto_zupt_response_encode(const struct mip_filter_auto_zupt
  * Better than `external_heading_update` where the heading changes quickly; the time must be
  * accurate.
  *
- * Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
- * and by `aiding_measurement_control` on the 3DM-CV7.
+ * Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5 and by
+ * `aiding_measurement_enable` on the 3DM-CV7.
  *
  * The 3DM-GX5-15 takes at most 20 updates per second.
  *
@@ -1395,9 +1336,9 @@ mip_error mip_filter_auto_zupt_response_encode(const struct mip_filter_auto_zupt
  */
 struct mip_filter_external_heading_update_with_time {
     /** GPS time of week of the measurement. Unit: s. */
-    double gps_time;
+    double tow;
     /** GPS week, counted without rollover. Unit: week. */
-    uint16_t gps_week;
+    uint16_t week_number;
     /**
      * Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
      * -3.141592653589793 to 3.141592653589793.
@@ -1422,7 +1363,7 @@ mip_error mip_filter_external_heading_update_with_time_encode(
     const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder);
 /** External heading update with time. */
 struct mip_filter_external_heading_update_with_time
-mip_filter_external_heading_update_with_time_make(double gps_time, uint16_t gps_week, float heading,
+mip_filter_external_heading_update_with_time_make(double tow, uint16_t week_number, float heading,
                                                   float heading_uncertainty,
                                                   mip_filter_heading_type type);
 
@@ -1431,16 +1372,15 @@ mip_filter_external_heading_update_with_time_make(double gps_time, uint16_t gps_
  *
  * Lets the filter take the device as not rotating while its angular rate is small.
  *
- * Also called `auto_angular_zupt`. Functions: write, read, save, load and default. Answered by
- * mip_filter_zero_angular_rate_update_control_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_auto_angular_zupt_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The update applies while the magnitude of the angular rate vector is at or below the threshold.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
  */
-struct mip_filter_zero_angular_rate_update_control {
+struct mip_filter_auto_angular_zupt {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -1454,57 +1394,49 @@ struct mip_filter_zero_angular_rate_update_control {
     float threshold;
 };
 
-#define MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_DESCRIPTOR 0x20
-#define MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_NAME "filter.zero_angular_rate_update_control"
+#define MIP_FILTER_AUTO_ANGULAR_ZUPT_DESCRIPTOR 0x20
+#define MIP_FILTER_AUTO_ANGULAR_ZUPT_NAME "filter.auto_angular_zupt"
 
-extern const struct mip_codec mip_filter_zero_angular_rate_update_control_codec;
-mip_error mip_filter_zero_angular_rate_update_control_decode(
-    struct mip_filter_zero_angular_rate_update_control *value, const struct mip_field *field);
-mip_error mip_filter_zero_angular_rate_update_control_encode(
-    const struct mip_filter_zero_angular_rate_update_control *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_auto_angular_zupt_codec;
+mip_error mip_filter_auto_angular_zupt_decode(struct mip_filter_auto_angular_zupt *value,
+                                              const struct mip_field *field);
+mip_error mip_filter_auto_angular_zupt_encode(const struct mip_filter_auto_angular_zupt *value,
+                                              struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_zero_angular_rate_update_control
-mip_filter_zero_angular_rate_update_control_write(uint8_t enable, float threshold);
+struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_write(uint8_t enable,
+                                                                       float threshold);
 /** Send the current setting back in a response. */
-struct mip_filter_zero_angular_rate_update_control
-mip_filter_zero_angular_rate_update_control_read(void);
+struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_zero_angular_rate_update_control
-mip_filter_zero_angular_rate_update_control_save(void);
+struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_save(void);
 /** Load the saved setting. */
-struct mip_filter_zero_angular_rate_update_control
-mip_filter_zero_angular_rate_update_control_load(void);
+struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_load(void);
 /** Load the factory default setting. */
-struct mip_filter_zero_angular_rate_update_control
-mip_filter_zero_angular_rate_update_control_default(void);
+struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_default(void);
 
 /**
  * Zero angular rate update response: response (0x0D,0x8E).
  *
- * Also called `auto_angular_zupt_response`. Answers mip_filter_zero_angular_rate_update_control.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_auto_angular_zupt. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
  */
-struct mip_filter_zero_angular_rate_update_control_response {
+struct mip_filter_auto_angular_zupt_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
     /** Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. */
     float threshold;
 };
 
-#define MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_DESCRIPTOR 0x8E
-#define MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_NAME \
-    "filter.zero_angular_rate_update_control_response"
+#define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE_DESCRIPTOR 0x8E
+#define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE_NAME "filter.auto_angular_zupt_response"
 
-extern const struct mip_codec mip_filter_zero_angular_rate_update_control_response_codec;
-mip_error mip_filter_zero_angular_rate_update_control_response_decode(
-    struct mip_filter_zero_angular_rate_update_control_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_zero_angular_rate_update_control_response_encode(
-    const struct mip_filter_zero_angular_rate_update_control_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_auto_angular_zupt_response_codec;
+mip_error mip_filter_auto_angular_zupt_response_decode(
+    struct mip_filter_auto_angular_zupt_response *value, const struct mip_field *field);
+mip_error mip_filter_auto_angular_zupt_response_encode(
+    const struct mip_filter_auto_angular_zupt_response *value, struct mip_builder *builder);
 
 /**
  * Tare orientation: command (0x0D,0x21).
@@ -1599,38 +1531,37 @@ mip_error mip_filter_commanded_zupt_encode(const struct mip_filter_commanded_zup
  *
  * Tells the filter once that the device is not rotating.
  *
- * Also called `commanded_angular_zupt`. Supported by 3DM-GX5-15.
+ * Supported by 3DM-GX5-15.
  *
  * At most 10 per second.
  *
  * - 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
  */
-struct mip_filter_commanded_zero_angular_rate_update {
+struct mip_filter_commanded_angular_zupt {
     /** Not used: there are no parameters. */
     uint8_t empty;
 };
 
-#define MIP_FILTER_COMMANDED_ZERO_ANGULAR_RATE_UPDATE_DESCRIPTOR 0x23
-#define MIP_FILTER_COMMANDED_ZERO_ANGULAR_RATE_UPDATE_NAME \
-    "filter.commanded_zero_angular_rate_update"
+#define MIP_FILTER_COMMANDED_ANGULAR_ZUPT_DESCRIPTOR 0x23
+#define MIP_FILTER_COMMANDED_ANGULAR_ZUPT_NAME "filter.commanded_angular_zupt"
 
-extern const struct mip_codec mip_filter_commanded_zero_angular_rate_update_codec;
-mip_error mip_filter_commanded_zero_angular_rate_update_decode(
-    struct mip_filter_commanded_zero_angular_rate_update *value, const struct mip_field *field);
-mip_error mip_filter_commanded_zero_angular_rate_update_encode(
-    const struct mip_filter_commanded_zero_angular_rate_update *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_commanded_angular_zupt_codec;
+mip_error mip_filter_commanded_angular_zupt_decode(struct mip_filter_commanded_angular_zupt *value,
+                                                   const struct mip_field *field);
+mip_error mip_filter_commanded_angular_zupt_encode(
+    const struct mip_filter_commanded_angular_zupt *value, struct mip_builder *builder);
 
 /**
  * Set reference position: command (0x0D,0x26).
  *
  * Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
  *
- * Also called `reference_position`. Functions: write, read, save, load and default. Answered by
- * mip_filter_set_reference_position_response. Supported by 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_reference_position_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
-struct mip_filter_set_reference_position {
+struct mip_filter_reference_position {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -1645,37 +1576,36 @@ struct mip_filter_set_reference_position {
     double altitude;
 };
 
-#define MIP_FILTER_SET_REFERENCE_POSITION_DESCRIPTOR 0x26
-#define MIP_FILTER_SET_REFERENCE_POSITION_NAME "filter.set_reference_position"
+#define MIP_FILTER_REFERENCE_POSITION_DESCRIPTOR 0x26
+#define MIP_FILTER_REFERENCE_POSITION_NAME "filter.reference_position"
 
-extern const struct mip_codec mip_filter_set_reference_position_codec;
-mip_error mip_filter_set_reference_position_decode(struct mip_filter_set_reference_position *value,
-                                                   const struct mip_field *field);
-mip_error mip_filter_set_reference_position_encode(
-    const struct mip_filter_set_reference_position *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_reference_position_codec;
+mip_error mip_filter_reference_position_decode(struct mip_filter_reference_position *value,
+                                               const struct mip_field *field);
+mip_error mip_filter_reference_position_encode(const struct mip_filter_reference_position *value,
+                                               struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_set_reference_position mip_filter_set_reference_position_write(uint8_t enable,
-                                                                                 double latitude,
-                                                                                 double longitude,
-                                                                                 double altitude);
+struct mip_filter_reference_position mip_filter_reference_position_write(uint8_t enable,
+                                                                         double latitude,
+                                                                         double longitude,
+                                                                         double altitude);
 /** Send the current setting back in a response. */
-struct mip_filter_set_reference_position mip_filter_set_reference_position_read(void);
+struct mip_filter_reference_position mip_filter_reference_position_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_set_reference_position mip_filter_set_reference_position_save(void);
+struct mip_filter_reference_position mip_filter_reference_position_save(void);
 /** Load the saved setting. */
-struct mip_filter_set_reference_position mip_filter_set_reference_position_load(void);
+struct mip_filter_reference_position mip_filter_reference_position_load(void);
 /** Load the factory default setting. */
-struct mip_filter_set_reference_position mip_filter_set_reference_position_default(void);
+struct mip_filter_reference_position mip_filter_reference_position_default(void);
 
 /**
  * Set reference position response: response (0x0D,0x90).
  *
- * Also called `reference_position_response`. Answers mip_filter_set_reference_position. Supported
- * by 3DM-GX5-15.
+ * Answers mip_filter_reference_position. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
-struct mip_filter_set_reference_position_response {
+struct mip_filter_reference_position_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
     /** Latitude. Unit: deg. Frame: llh. */
@@ -1686,21 +1616,21 @@ struct mip_filter_set_reference_position_response {
     double altitude;
 };
 
-#define MIP_FILTER_SET_REFERENCE_POSITION_RESPONSE_DESCRIPTOR 0x90
-#define MIP_FILTER_SET_REFERENCE_POSITION_RESPONSE_NAME "filter.set_reference_position_response"
+#define MIP_FILTER_REFERENCE_POSITION_RESPONSE_DESCRIPTOR 0x90
+#define MIP_FILTER_REFERENCE_POSITION_RESPONSE_NAME "filter.reference_position_response"
 
-extern const struct mip_codec mip_filter_set_reference_position_response_codec;
-mip_error mip_filter_set_reference_position_response_decode(
-    struct mip_filter_set_reference_position_response *value, const struct mip_field *field);
-mip_error mip_filter_set_reference_position_response_encode(
-    const struct mip_filter_set_reference_position_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_reference_position_response_codec;
+mip_error mip_filter_reference_position_response_decode(
+    struct mip_filter_reference_position_response *value, const struct mip_field *field);
+mip_error mip_filter_reference_position_response_encode(
+    const struct mip_filter_reference_position_response *value, struct mip_builder *builder);
 
 /**
  * Capture automatic magnetometer calibration: command (0x0D,0x27).
  *
  * Makes the automatic magnetometer calibration part of the fixed one.
  *
- * Functions: write and save.
+ * Also called `mag_capture_auto_cal`. Functions: write and save.
  *
  * A write combines the automatic calibration with the hard iron offset (0x0C,0x3A) and the soft
  * iron matrix (0x0C,0x3B), and resets it.
@@ -1709,39 +1639,38 @@ mip_error mip_filter_set_reference_position_response_encode(
  *
  * - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
  */
-struct mip_filter_mag_capture_auto_cal {
+struct mip_filter_mag_capture_auto_calibration {
     /** What to do with the setting. */
     mip_function_selector function;
 };
 
-#define MIP_FILTER_MAG_CAPTURE_AUTO_CAL_DESCRIPTOR 0x27
-#define MIP_FILTER_MAG_CAPTURE_AUTO_CAL_NAME "filter.mag_capture_auto_cal"
+#define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION_DESCRIPTOR 0x27
+#define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION_NAME "filter.mag_capture_auto_calibration"
 
-extern const struct mip_codec mip_filter_mag_capture_auto_cal_codec;
-mip_error mip_filter_mag_capture_auto_cal_decode(struct mip_filter_mag_capture_auto_cal *value,
-                                                 const struct mip_field *field);
-mip_error mip_filter_mag_capture_auto_cal_encode(
-    const struct mip_filter_mag_capture_auto_cal *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_mag_capture_auto_calibration_codec;
+mip_error mip_filter_mag_capture_auto_calibration_decode(
+    struct mip_filter_mag_capture_auto_calibration *value, const struct mip_field *field);
+mip_error mip_filter_mag_capture_auto_calibration_encode(
+    const struct mip_filter_mag_capture_auto_calibration *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_mag_capture_auto_cal mip_filter_mag_capture_auto_cal_write(void);
+struct mip_filter_mag_capture_auto_calibration mip_filter_mag_capture_auto_calibration_write(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_mag_capture_auto_cal mip_filter_mag_capture_auto_cal_save(void);
+struct mip_filter_mag_capture_auto_calibration mip_filter_mag_capture_auto_calibration_save(void);
 
 /**
  * Gravity noise: command (0x0D,0x28).
  *
  * Standard deviation of the gravity noise that the filter assumes (process noise).
  *
- * Also called `gravity_noise`. Functions: write, read, save, load and default. Answered by
- * mip_filter_gravity_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Answered by mip_filter_gravity_noise_response.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The factory values suit most laboratory conditions.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
  */
-struct mip_filter_gravity_noise_standard_deviation {
+struct mip_filter_gravity_noise {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -1753,55 +1682,46 @@ struct mip_filter_gravity_noise_standard_deviation {
     float noise[3];
 };
 
-#define MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_DESCRIPTOR 0x28
-#define MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_NAME "filter.gravity_noise_standard_deviation"
+#define MIP_FILTER_GRAVITY_NOISE_DESCRIPTOR 0x28
+#define MIP_FILTER_GRAVITY_NOISE_NAME "filter.gravity_noise"
 
-extern const struct mip_codec mip_filter_gravity_noise_standard_deviation_codec;
-mip_error mip_filter_gravity_noise_standard_deviation_decode(
-    struct mip_filter_gravity_noise_standard_deviation *value, const struct mip_field *field);
-mip_error mip_filter_gravity_noise_standard_deviation_encode(
-    const struct mip_filter_gravity_noise_standard_deviation *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_gravity_noise_codec;
+mip_error mip_filter_gravity_noise_decode(struct mip_filter_gravity_noise *value,
+                                          const struct mip_field *field);
+mip_error mip_filter_gravity_noise_encode(const struct mip_filter_gravity_noise *value,
+                                          struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_gravity_noise_standard_deviation
-mip_filter_gravity_noise_standard_deviation_write(const float noise[3]);
+struct mip_filter_gravity_noise mip_filter_gravity_noise_write(const float noise[3]);
 /** Send the current setting back in a response. */
-struct mip_filter_gravity_noise_standard_deviation
-mip_filter_gravity_noise_standard_deviation_read(void);
+struct mip_filter_gravity_noise mip_filter_gravity_noise_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_gravity_noise_standard_deviation
-mip_filter_gravity_noise_standard_deviation_save(void);
+struct mip_filter_gravity_noise mip_filter_gravity_noise_save(void);
 /** Load the saved setting. */
-struct mip_filter_gravity_noise_standard_deviation
-mip_filter_gravity_noise_standard_deviation_load(void);
+struct mip_filter_gravity_noise mip_filter_gravity_noise_load(void);
 /** Load the factory default setting. */
-struct mip_filter_gravity_noise_standard_deviation
-mip_filter_gravity_noise_standard_deviation_default(void);
+struct mip_filter_gravity_noise mip_filter_gravity_noise_default(void);
 
 /**
  * Gravity noise response: response (0x0D,0x93).
  *
- * Also called `gravity_noise_response`. Answers mip_filter_gravity_noise_standard_deviation.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_gravity_noise. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
  */
-struct mip_filter_gravity_noise_standard_deviation_response {
+struct mip_filter_gravity_noise_response {
     /** Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. */
     float noise[3];
 };
 
-#define MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR 0x93
-#define MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_NAME \
-    "filter.gravity_noise_standard_deviation_response"
+#define MIP_FILTER_GRAVITY_NOISE_RESPONSE_DESCRIPTOR 0x93
+#define MIP_FILTER_GRAVITY_NOISE_RESPONSE_NAME "filter.gravity_noise_response"
 
-extern const struct mip_codec mip_filter_gravity_noise_standard_deviation_response_codec;
-mip_error mip_filter_gravity_noise_standard_deviation_response_decode(
-    struct mip_filter_gravity_noise_standard_deviation_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_gravity_noise_standard_deviation_response_encode(
-    const struct mip_filter_gravity_noise_standard_deviation_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_gravity_noise_response_codec;
+mip_error mip_filter_gravity_noise_response_decode(struct mip_filter_gravity_noise_response *value,
+                                                   const struct mip_field *field);
+mip_error mip_filter_gravity_noise_response_encode(
+    const struct mip_filter_gravity_noise_response *value, struct mip_builder *builder);
 
 /**
  * Pressure altitude noise: command (0x0D,0x29).
@@ -1999,11 +1919,11 @@ mip_error mip_filter_soft_iron_matrix_noise_response_encode(
  * Which inertial measurements the filter uses.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_enable_disable_measurements_response. Supported by 3DM-GX5-15.
+ * mip_filter_enable_measurements_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
-struct mip_filter_enable_disable_measurements {
+struct mip_filter_enable_measurements {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2012,48 +1932,46 @@ struct mip_filter_enable_disable_measurements {
     mip_filter_measurement_flags control;
 };
 
-#define MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_DESCRIPTOR 0x41
-#define MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_NAME "filter.enable_disable_measurements"
+#define MIP_FILTER_ENABLE_MEASUREMENTS_DESCRIPTOR 0x41
+#define MIP_FILTER_ENABLE_MEASUREMENTS_NAME "filter.enable_measurements"
 
-extern const struct mip_codec mip_filter_enable_disable_measurements_codec;
-mip_error mip_filter_enable_disable_measurements_decode(
-    struct mip_filter_enable_disable_measurements *value, const struct mip_field *field);
-mip_error mip_filter_enable_disable_measurements_encode(
-    const struct mip_filter_enable_disable_measurements *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_enable_measurements_codec;
+mip_error mip_filter_enable_measurements_decode(struct mip_filter_enable_measurements *value,
+                                                const struct mip_field *field);
+mip_error mip_filter_enable_measurements_encode(const struct mip_filter_enable_measurements *value,
+                                                struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_enable_disable_measurements
-mip_filter_enable_disable_measurements_write(mip_filter_measurement_flags control);
+struct mip_filter_enable_measurements
+mip_filter_enable_measurements_write(mip_filter_measurement_flags control);
 /** Send the current setting back in a response. */
-struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_read(void);
+struct mip_filter_enable_measurements mip_filter_enable_measurements_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_save(void);
+struct mip_filter_enable_measurements mip_filter_enable_measurements_save(void);
 /** Load the saved setting. */
-struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_load(void);
+struct mip_filter_enable_measurements mip_filter_enable_measurements_load(void);
 /** Load the factory default setting. */
-struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_default(void);
+struct mip_filter_enable_measurements mip_filter_enable_measurements_default(void);
 
 /**
  * Enable or disable measurements response: response (0x0D,0xB0).
  *
- * Answers mip_filter_enable_disable_measurements. Supported by 3DM-GX5-15.
+ * Answers mip_filter_enable_measurements. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
-struct mip_filter_enable_disable_measurements_response {
+struct mip_filter_enable_measurements_response {
     /** Measurements to use. */
     mip_filter_measurement_flags control;
 };
 
-#define MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR 0xB0
-#define MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_NAME \
-    "filter.enable_disable_measurements_response"
+#define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR 0xB0
+#define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE_NAME "filter.enable_measurements_response"
 
-extern const struct mip_codec mip_filter_enable_disable_measurements_response_codec;
-mip_error mip_filter_enable_disable_measurements_response_decode(
-    struct mip_filter_enable_disable_measurements_response *value, const struct mip_field *field);
-mip_error mip_filter_enable_disable_measurements_response_encode(
-    const struct mip_filter_enable_disable_measurements_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_enable_measurements_response_codec;
+mip_error mip_filter_enable_measurements_response_decode(
+    struct mip_filter_enable_measurements_response *value, const struct mip_field *field);
+mip_error mip_filter_enable_measurements_response_encode(
+    const struct mip_filter_enable_measurements_response *value, struct mip_builder *builder);
 
 /**
  * Magnetometer noise: command (0x0D,0x42).
@@ -2122,15 +2040,14 @@ mip_error mip_filter_mag_noise_response_encode(const struct mip_filter_mag_noise
  *
  * Source of the local declination of the magnetic field.
  *
- * Also called `magnetic_declination_source`. Functions: write, read, save, load and default.
- * Answered by mip_filter_magnetic_field_declination_source_control_response. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_magnetic_declination_source_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * Without a good declination source, keep automatic magnetometer calibration off.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  */
-struct mip_filter_magnetic_field_declination_source_control {
+struct mip_filter_magnetic_declination_source {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2141,59 +2058,49 @@ struct mip_filter_magnetic_field_declination_source_control {
     float declination;
 };
 
-#define MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_DESCRIPTOR 0x43
-#define MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_NAME \
-    "filter.magnetic_field_declination_source_control"
+#define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_DESCRIPTOR 0x43
+#define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_NAME "filter.magnetic_declination_source"
 
-extern const struct mip_codec mip_filter_magnetic_field_declination_source_control_codec;
-mip_error mip_filter_magnetic_field_declination_source_control_decode(
-    struct mip_filter_magnetic_field_declination_source_control *value,
-    const struct mip_field *field);
-mip_error mip_filter_magnetic_field_declination_source_control_encode(
-    const struct mip_filter_magnetic_field_declination_source_control *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_magnetic_declination_source_codec;
+mip_error mip_filter_magnetic_declination_source_decode(
+    struct mip_filter_magnetic_declination_source *value, const struct mip_field *field);
+mip_error mip_filter_magnetic_declination_source_encode(
+    const struct mip_filter_magnetic_declination_source *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_magnetic_field_declination_source_control
-mip_filter_magnetic_field_declination_source_control_write(mip_filter_mag_parameter_source source,
-                                                           float declination);
+struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_source_write(
+    mip_filter_mag_parameter_source source, float declination);
 /** Send the current setting back in a response. */
-struct mip_filter_magnetic_field_declination_source_control
-mip_filter_magnetic_field_declination_source_control_read(void);
+struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_source_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_magnetic_field_declination_source_control
-mip_filter_magnetic_field_declination_source_control_save(void);
+struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_source_save(void);
 /** Load the saved setting. */
-struct mip_filter_magnetic_field_declination_source_control
-mip_filter_magnetic_field_declination_source_control_load(void);
+struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_source_load(void);
 /** Load the factory default setting. */
-struct mip_filter_magnetic_field_declination_source_control
-mip_filter_magnetic_field_declination_source_control_default(void);
+struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_source_default(void);
 
 /**
  * Magnetic declination source response: response (0x0D,0xB2).
  *
- * Also called `magnetic_declination_source_response`. Answers
- * mip_filter_magnetic_field_declination_source_control. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_magnetic_declination_source. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  */
-struct mip_filter_magnetic_field_declination_source_control_response {
+struct mip_filter_magnetic_declination_source_response {
     /** Source of the declination. */
     mip_filter_mag_parameter_source source;
     /** Declination; used only if `source` is manual. Unit: rad. */
     float declination;
 };
 
-#define MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_DESCRIPTOR 0xB2
-#define MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_NAME \
-    "filter.magnetic_field_declination_source_control_response"
+#define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE_DESCRIPTOR 0xB2
+#define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE_NAME \
+    "filter.magnetic_declination_source_response"
 
-extern const struct mip_codec mip_filter_magnetic_field_declination_source_control_response_codec;
-mip_error mip_filter_magnetic_field_declination_source_control_response_decode(
-    struct mip_filter_magnetic_field_declination_source_control_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_magnetic_field_declination_source_control_response_encode(
-    const struct mip_filter_magnetic_field_declination_source_control_response *value,
+extern const struct mip_codec mip_filter_magnetic_declination_source_response_codec;
+mip_error mip_filter_magnetic_declination_source_response_decode(
+    struct mip_filter_magnetic_declination_source_response *value, const struct mip_field *field);
+mip_error mip_filter_magnetic_declination_source_response_encode(
+    const struct mip_filter_magnetic_declination_source_response *value,
     struct mip_builder *builder);
 
 /**
@@ -2201,9 +2108,8 @@ mip_error mip_filter_magnetic_field_declination_source_control_response_encode(
  *
  * How far the filter trusts gravity measurements whose magnitude is not that of gravity.
  *
- * Also called `accel_magnitude_error_adaptive_measurement`. Functions: write, read, save, load and
- * default. Answered by mip_filter_gravity_magnitude_error_adaptive_measurement_response. Supported
- * by 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_accel_magnitude_error_adaptive_measurement_response. Supported by 3DM-GX5-15.
  *
  * Also called accelerometer magnitude error adaptive measurement.
  *
@@ -2216,7 +2122,7 @@ mip_error mip_filter_magnetic_field_declination_source_control_response_encode(
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
-struct mip_filter_gravity_magnitude_error_adaptive_measurement {
+struct mip_filter_accel_magnitude_error_adaptive_measurement {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2237,55 +2143,54 @@ struct mip_filter_gravity_magnitude_error_adaptive_measurement {
     float minimum_uncertainty;
 };
 
-#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x44
-#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
-    "filter.gravity_magnitude_error_adaptive_measurement"
+#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x44
+#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
+    "filter.accel_magnitude_error_adaptive_measurement"
 /** The value of `present` if frequency is the last parameter that is there. */
-#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_FREQUENCY 2
+#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_FREQUENCY 2
 /** The value of `present` if low_limit is the last parameter that is there. */
-#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_LOW_LIMIT 3
+#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_LOW_LIMIT 3
 /** The value of `present` if high_limit is the last parameter that is there. */
-#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_HIGH_LIMIT 4
+#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_HIGH_LIMIT 4
 /** The value of `present` if low_limit_uncertainty is the last parameter that is there. */
-#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_LOW_LIMIT_UNCERTAINTY 5
+#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_LOW_LIMIT_UNCERTAINTY 5
 /** The value of `present` if high_limit_uncertainty is the last parameter that is there. */
-#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_HIGH_LIMIT_UNCERTAINTY 6
+#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_HIGH_LIMIT_UNCERTAINTY 6
 /** The value of `present` if minimum_uncertainty is the last parameter that is there. */
-#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_MINIMUM_UNCERTAINTY 7
+#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_MINIMUM_UNCERTAINTY 7
 
-extern const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_codec;
-mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_decode(
-    struct mip_filter_gravity_magnitude_error_adaptive_measurement *value,
+extern const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_codec;
+mip_error mip_filter_accel_magnitude_error_adaptive_measurement_decode(
+    struct mip_filter_accel_magnitude_error_adaptive_measurement *value,
     const struct mip_field *field);
-mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_encode(
-    const struct mip_filter_gravity_magnitude_error_adaptive_measurement *value,
+mip_error mip_filter_accel_magnitude_error_adaptive_measurement_encode(
+    const struct mip_filter_accel_magnitude_error_adaptive_measurement *value,
     struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_gravity_magnitude_error_adaptive_measurement
-mip_filter_gravity_magnitude_error_adaptive_measurement_write(
+struct mip_filter_accel_magnitude_error_adaptive_measurement
+mip_filter_accel_magnitude_error_adaptive_measurement_write(
     mip_filter_adaptive_measurement_selector adaptive_measurement);
 /** Send the current setting back in a response. */
-struct mip_filter_gravity_magnitude_error_adaptive_measurement
-mip_filter_gravity_magnitude_error_adaptive_measurement_read(void);
+struct mip_filter_accel_magnitude_error_adaptive_measurement
+mip_filter_accel_magnitude_error_adaptive_measurement_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_gravity_magnitude_error_adaptive_measurement
-mip_filter_gravity_magnitude_error_adaptive_measurement_save(void);
+struct mip_filter_accel_magnitude_error_adaptive_measurement
+mip_filter_accel_magnitude_error_adaptive_measurement_save(void);
 /** Load the saved setting. */
-struct mip_filter_gravity_magnitude_error_adaptive_measurement
-mip_filter_gravity_magnitude_error_adaptive_measurement_load(void);
+struct mip_filter_accel_magnitude_error_adaptive_measurement
+mip_filter_accel_magnitude_error_adaptive_measurement_load(void);
 /** Load the factory default setting. */
-struct mip_filter_gravity_magnitude_error_adaptive_measurement
-mip_filter_gravity_magnitude_error_adaptive_measurement_default(void);
+struct mip_filter_accel_magnitude_error_adaptive_measurement
+mip_filter_accel_magnitude_error_adaptive_measurement_default(void);
 
 /**
  * Gravity magnitude error adaptive measurement response: response (0x0D,0xB3).
  *
- * Also called `accel_magnitude_error_adaptive_measurement_response`. Answers
- * mip_filter_gravity_magnitude_error_adaptive_measurement. Supported by 3DM-GX5-15.
+ * Answers mip_filter_accel_magnitude_error_adaptive_measurement. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
-struct mip_filter_gravity_magnitude_error_adaptive_measurement_response {
+struct mip_filter_accel_magnitude_error_adaptive_measurement_response {
     /** Kind of adaptation. */
     mip_filter_adaptive_measurement_selector adaptive_measurement;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. */
@@ -2302,17 +2207,16 @@ struct mip_filter_gravity_magnitude_error_adaptive_measurement_response {
     float minimum_uncertainty;
 };
 
-#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB3
-#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
-    "filter.gravity_magnitude_error_adaptive_measurement_response"
+#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB3
+#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
+    "filter.accel_magnitude_error_adaptive_measurement_response"
 
-extern const struct mip_codec
-    mip_filter_gravity_magnitude_error_adaptive_measurement_response_codec;
-mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_decode(
-    struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *value,
+extern const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_response_codec;
+mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_decode(
+    struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
     const struct mip_field *field);
-mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_encode(
-    const struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *value,
+mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_encode(
+    const struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
     struct mip_builder *builder);
 
 /**
@@ -2634,12 +2538,12 @@ mip_error mip_filter_altitude_aiding_response_encode(
  *
  * What aids pitch and roll while the motion is gentle.
  *
- * Also called `pitch_roll_aiding`. Functions: write, read, save, load and default. Answered by
- * mip_filter_pitch_roll_aiding_control_response. Supported by 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_pitch_roll_aiding_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
-struct mip_filter_pitch_roll_aiding_control {
+struct mip_filter_pitch_roll_aiding {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2648,62 +2552,60 @@ struct mip_filter_pitch_roll_aiding_control {
     mip_filter_pitch_roll_aiding_source aiding;
 };
 
-#define MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_DESCRIPTOR 0x4B
-#define MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_NAME "filter.pitch_roll_aiding_control"
+#define MIP_FILTER_PITCH_ROLL_AIDING_DESCRIPTOR 0x4B
+#define MIP_FILTER_PITCH_ROLL_AIDING_NAME "filter.pitch_roll_aiding"
 
-extern const struct mip_codec mip_filter_pitch_roll_aiding_control_codec;
-mip_error mip_filter_pitch_roll_aiding_control_decode(
-    struct mip_filter_pitch_roll_aiding_control *value, const struct mip_field *field);
-mip_error mip_filter_pitch_roll_aiding_control_encode(
-    const struct mip_filter_pitch_roll_aiding_control *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_pitch_roll_aiding_codec;
+mip_error mip_filter_pitch_roll_aiding_decode(struct mip_filter_pitch_roll_aiding *value,
+                                              const struct mip_field *field);
+mip_error mip_filter_pitch_roll_aiding_encode(const struct mip_filter_pitch_roll_aiding *value,
+                                              struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_pitch_roll_aiding_control
-mip_filter_pitch_roll_aiding_control_write(mip_filter_pitch_roll_aiding_source aiding);
+struct mip_filter_pitch_roll_aiding
+mip_filter_pitch_roll_aiding_write(mip_filter_pitch_roll_aiding_source aiding);
 /** Send the current setting back in a response. */
-struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_read(void);
+struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_save(void);
+struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_save(void);
 /** Load the saved setting. */
-struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_load(void);
+struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_load(void);
 /** Load the factory default setting. */
-struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_default(void);
+struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_default(void);
 
 /**
  * Pitch and roll aiding response: response (0x0D,0xBB).
  *
- * Also called `pitch_roll_aiding_response`. Answers mip_filter_pitch_roll_aiding_control. Supported
- * by 3DM-GX5-15.
+ * Answers mip_filter_pitch_roll_aiding. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
-struct mip_filter_pitch_roll_aiding_control_response {
+struct mip_filter_pitch_roll_aiding_response {
     /** Source of the aiding. */
     mip_filter_pitch_roll_aiding_source aiding;
 };
 
-#define MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_DESCRIPTOR 0xBB
-#define MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_NAME \
-    "filter.pitch_roll_aiding_control_response"
+#define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE_DESCRIPTOR 0xBB
+#define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE_NAME "filter.pitch_roll_aiding_response"
 
-extern const struct mip_codec mip_filter_pitch_roll_aiding_control_response_codec;
-mip_error mip_filter_pitch_roll_aiding_control_response_decode(
-    struct mip_filter_pitch_roll_aiding_control_response *value, const struct mip_field *field);
-mip_error mip_filter_pitch_roll_aiding_control_response_encode(
-    const struct mip_filter_pitch_roll_aiding_control_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_pitch_roll_aiding_response_codec;
+mip_error mip_filter_pitch_roll_aiding_response_decode(
+    struct mip_filter_pitch_roll_aiding_response *value, const struct mip_field *field);
+mip_error mip_filter_pitch_roll_aiding_response_encode(
+    const struct mip_filter_pitch_roll_aiding_response *value, struct mip_builder *builder);
 
 /**
  * Magnetic inclination source: command (0x0D,0x4C).
  *
  * Source of the local inclination (dip angle) of the magnetic field.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_inclination_source_response.
+ * Also called `inclination_source`. Functions: write, read, save, load and default. Answered by
+ * mip_filter_magnetic_inclination_source_response.
  *
  * Without a good inclination source, keep automatic magnetometer calibration off.
  *
  * - mip-sdk-4: Inclination Source (0x0D,0x4C)
  */
-struct mip_filter_inclination_source {
+struct mip_filter_magnetic_inclination_source {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2717,34 +2619,34 @@ struct mip_filter_inclination_source {
     float inclination;
 };
 
-#define MIP_FILTER_INCLINATION_SOURCE_DESCRIPTOR 0x4C
-#define MIP_FILTER_INCLINATION_SOURCE_NAME "filter.inclination_source"
+#define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_DESCRIPTOR 0x4C
+#define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_NAME "filter.magnetic_inclination_source"
 
-extern const struct mip_codec mip_filter_inclination_source_codec;
-mip_error mip_filter_inclination_source_decode(struct mip_filter_inclination_source *value,
-                                               const struct mip_field *field);
-mip_error mip_filter_inclination_source_encode(const struct mip_filter_inclination_source *value,
-                                               struct mip_builder *builder);
+extern const struct mip_codec mip_filter_magnetic_inclination_source_codec;
+mip_error mip_filter_magnetic_inclination_source_decode(
+    struct mip_filter_magnetic_inclination_source *value, const struct mip_field *field);
+mip_error mip_filter_magnetic_inclination_source_encode(
+    const struct mip_filter_magnetic_inclination_source *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_inclination_source
-mip_filter_inclination_source_write(mip_filter_mag_parameter_source source, float inclination);
+struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_source_write(
+    mip_filter_mag_parameter_source source, float inclination);
 /** Send the current setting back in a response. */
-struct mip_filter_inclination_source mip_filter_inclination_source_read(void);
+struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_source_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_inclination_source mip_filter_inclination_source_save(void);
+struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_source_save(void);
 /** Load the saved setting. */
-struct mip_filter_inclination_source mip_filter_inclination_source_load(void);
+struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_source_load(void);
 /** Load the factory default setting. */
-struct mip_filter_inclination_source mip_filter_inclination_source_default(void);
+struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_source_default(void);
 
 /**
  * Magnetic inclination source response: response (0x0D,0xBC).
  *
- * Answers mip_filter_inclination_source.
+ * Also called `inclination_source_response`. Answers mip_filter_magnetic_inclination_source.
  *
  * - mip-sdk-4: Inclination Source (0x0D,0x4C)
  */
-struct mip_filter_inclination_source_response {
+struct mip_filter_magnetic_inclination_source_response {
     /** Source of the inclination. */
     mip_filter_mag_parameter_source source;
     /**
@@ -2754,22 +2656,24 @@ struct mip_filter_inclination_source_response {
     float inclination;
 };
 
-#define MIP_FILTER_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR 0xBC
-#define MIP_FILTER_INCLINATION_SOURCE_RESPONSE_NAME "filter.inclination_source_response"
+#define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR 0xBC
+#define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE_NAME \
+    "filter.magnetic_inclination_source_response"
 
-extern const struct mip_codec mip_filter_inclination_source_response_codec;
-mip_error mip_filter_inclination_source_response_decode(
-    struct mip_filter_inclination_source_response *value, const struct mip_field *field);
-mip_error mip_filter_inclination_source_response_encode(
-    const struct mip_filter_inclination_source_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_magnetic_inclination_source_response_codec;
+mip_error mip_filter_magnetic_inclination_source_response_decode(
+    struct mip_filter_magnetic_inclination_source_response *value, const struct mip_field *field);
+mip_error mip_filter_magnetic_inclination_source_response_encode(
+    const struct mip_filter_magnetic_inclination_source_response *value,
+    struct mip_builder *builder);
 
 /**
  * Magnetic field magnitude source: command (0x0D,0x4D).
  *
  * Source of the local magnitude of the magnetic field.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_field_magnitude_source_response.
+ * Also called `mag_field_magnitude_source`. Functions: write, read, save, load and default.
+ * Answered by mip_filter_magnetic_magnitude_source_response.
  *
  * Without a good magnitude source, keep automatic magnetometer calibration off.
  *
@@ -2777,7 +2681,7 @@ mip_error mip_filter_inclination_source_response_encode(
  *
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
-struct mip_filter_mag_field_magnitude_source {
+struct mip_filter_magnetic_magnitude_source {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2791,34 +2695,34 @@ struct mip_filter_mag_field_magnitude_source {
     float magnitude;
 };
 
-#define MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_DESCRIPTOR 0x4D
-#define MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_NAME "filter.mag_field_magnitude_source"
+#define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_DESCRIPTOR 0x4D
+#define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_NAME "filter.magnetic_magnitude_source"
 
-extern const struct mip_codec mip_filter_mag_field_magnitude_source_codec;
-mip_error mip_filter_mag_field_magnitude_source_decode(
-    struct mip_filter_mag_field_magnitude_source *value, const struct mip_field *field);
-mip_error mip_filter_mag_field_magnitude_source_encode(
-    const struct mip_filter_mag_field_magnitude_source *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_magnetic_magnitude_source_codec;
+mip_error mip_filter_magnetic_magnitude_source_decode(
+    struct mip_filter_magnetic_magnitude_source *value, const struct mip_field *field);
+mip_error mip_filter_magnetic_magnitude_source_encode(
+    const struct mip_filter_magnetic_magnitude_source *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_write(
-    mip_filter_mag_parameter_source source, float magnitude);
+struct mip_filter_magnetic_magnitude_source
+mip_filter_magnetic_magnitude_source_write(mip_filter_mag_parameter_source source, float magnitude);
 /** Send the current setting back in a response. */
-struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_read(void);
+struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_save(void);
+struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source_save(void);
 /** Load the saved setting. */
-struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_load(void);
+struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source_load(void);
 /** Load the factory default setting. */
-struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_default(void);
+struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source_default(void);
 
 /**
  * Magnetic field magnitude source response: response (0x0D,0xBD).
  *
- * Answers mip_filter_mag_field_magnitude_source.
+ * Also called `mag_field_magnitude_source_response`. Answers mip_filter_magnetic_magnitude_source.
  *
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
-struct mip_filter_mag_field_magnitude_source_response {
+struct mip_filter_magnetic_magnitude_source_response {
     /** Source of the magnitude. */
     mip_filter_mag_parameter_source source;
     /**
@@ -2828,16 +2732,15 @@ struct mip_filter_mag_field_magnitude_source_response {
     float magnitude;
 };
 
-#define MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR 0xBD
-#define MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_NAME \
-    "filter.mag_field_magnitude_source_response"
+#define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR 0xBD
+#define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_NAME \
+    "filter.magnetic_magnitude_source_response"
 
-extern const struct mip_codec mip_filter_mag_field_magnitude_source_response_codec;
-mip_error mip_filter_mag_field_magnitude_source_response_decode(
-    struct mip_filter_mag_field_magnitude_source_response *value, const struct mip_field *field);
-mip_error mip_filter_mag_field_magnitude_source_response_encode(
-    const struct mip_filter_mag_field_magnitude_source_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec;
+mip_error mip_filter_magnetic_magnitude_source_response_decode(
+    struct mip_filter_magnetic_magnitude_source_response *value, const struct mip_field *field);
+mip_error mip_filter_magnetic_magnitude_source_response_encode(
+    const struct mip_filter_magnetic_magnitude_source_response *value, struct mip_builder *builder);
 
 /**
  * Sensor to vehicle rotation, matrix: command (0x0D,0x4E).
@@ -2948,7 +2851,7 @@ struct mip_filter_sensor_to_vehicle_rotation_quaternion {
     /** What to do with the setting. */
     mip_function_selector function;
     /** Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Required for write. */
-    float quat[4];
+    float q[4];
 };
 
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_DESCRIPTOR 0x4F
@@ -2963,7 +2866,7 @@ mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_encode(
     struct mip_builder *builder);
 /** Apply the new setting. */
 struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_write(const float quat[4]);
+mip_filter_sensor_to_vehicle_rotation_quaternion_write(const float q[4]);
 /** Send the current setting back in a response. */
 struct mip_filter_sensor_to_vehicle_rotation_quaternion
 mip_filter_sensor_to_vehicle_rotation_quaternion_read(void);
@@ -2986,7 +2889,7 @@ mip_filter_sensor_to_vehicle_rotation_quaternion_default(void);
  */
 struct mip_filter_sensor_to_vehicle_rotation_quaternion_response {
     /** Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. */
-    float quat[4];
+    float q[4];
 };
 
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_DESCRIPTOR 0xBF
@@ -3006,12 +2909,12 @@ mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode(
  *
  * Enables or disables one source of aiding measurements.
  *
- * Also called `aiding_measurement_enable`. Functions: write, read, save, load and default. Answered
- * by mip_filter_aiding_measurement_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_aiding_measurement_enable_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
-struct mip_filter_aiding_measurement_control {
+struct mip_filter_aiding_measurement_enable {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -3022,55 +2925,53 @@ struct mip_filter_aiding_measurement_control {
     mip_bool enable;
 };
 
-#define MIP_FILTER_AIDING_MEASUREMENT_CONTROL_DESCRIPTOR 0x50
-#define MIP_FILTER_AIDING_MEASUREMENT_CONTROL_NAME "filter.aiding_measurement_control"
+#define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_DESCRIPTOR 0x50
+#define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_NAME "filter.aiding_measurement_enable"
 
-extern const struct mip_codec mip_filter_aiding_measurement_control_codec;
-mip_error mip_filter_aiding_measurement_control_decode(
-    struct mip_filter_aiding_measurement_control *value, const struct mip_field *field);
-mip_error mip_filter_aiding_measurement_control_encode(
-    const struct mip_filter_aiding_measurement_control *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_aiding_measurement_enable_codec;
+mip_error mip_filter_aiding_measurement_enable_decode(
+    struct mip_filter_aiding_measurement_enable *value, const struct mip_field *field);
+mip_error mip_filter_aiding_measurement_enable_encode(
+    const struct mip_filter_aiding_measurement_enable *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_write(
-    mip_filter_aiding_source aiding_source, mip_bool enable);
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_write(mip_filter_aiding_source aiding_source, mip_bool enable);
 /** Send the current setting back in a response. */
-struct mip_filter_aiding_measurement_control
-mip_filter_aiding_measurement_control_read(mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_read(mip_filter_aiding_source aiding_source);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_aiding_measurement_control
-mip_filter_aiding_measurement_control_save(mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_save(mip_filter_aiding_source aiding_source);
 /** Load the saved setting. */
-struct mip_filter_aiding_measurement_control
-mip_filter_aiding_measurement_control_load(mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_load(mip_filter_aiding_source aiding_source);
 /** Load the factory default setting. */
-struct mip_filter_aiding_measurement_control
-mip_filter_aiding_measurement_control_default(mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_default(mip_filter_aiding_source aiding_source);
 
 /**
  * Aiding measurement control response: response (0x0D,0xD0).
  *
- * Also called `aiding_measurement_enable_response`. Answers mip_filter_aiding_measurement_control.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_aiding_measurement_enable. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
-struct mip_filter_aiding_measurement_control_response {
+struct mip_filter_aiding_measurement_enable_response {
     /** The source; `all` is for save, load and default. */
     mip_filter_aiding_source aiding_source;
     /** Whether the filter uses the source. */
     mip_bool enable;
 };
 
-#define MIP_FILTER_AIDING_MEASUREMENT_CONTROL_RESPONSE_DESCRIPTOR 0xD0
-#define MIP_FILTER_AIDING_MEASUREMENT_CONTROL_RESPONSE_NAME \
-    "filter.aiding_measurement_control_response"
+#define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE_DESCRIPTOR 0xD0
+#define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE_NAME \
+    "filter.aiding_measurement_enable_response"
 
-extern const struct mip_codec mip_filter_aiding_measurement_control_response_codec;
-mip_error mip_filter_aiding_measurement_control_response_decode(
-    struct mip_filter_aiding_measurement_control_response *value, const struct mip_field *field);
-mip_error mip_filter_aiding_measurement_control_response_encode(
-    const struct mip_filter_aiding_measurement_control_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_aiding_measurement_enable_response_codec;
+mip_error mip_filter_aiding_measurement_enable_response_decode(
+    struct mip_filter_aiding_measurement_enable_response *value, const struct mip_field *field);
+mip_error mip_filter_aiding_measurement_enable_response_encode(
+    const struct mip_filter_aiding_measurement_enable_response *value, struct mip_builder *builder);
 
 /**
  * Kinematic constraint: command (0x0D,0x51).
@@ -3158,7 +3059,7 @@ mip_error mip_filter_kinematic_constraint_response_encode(
  * Sources and values of the initial attitude, position and velocity of the filter.
  *
  * Also called `initialization_configuration`. Functions: write, read, save, load and default.
- * Answered by mip_filter_navigation_filter_initialization_response. Supported by 3DM-CV7-GNSS/INS.
+ * Answered by mip_filter_initialization_config_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * Single precision resolves the latitude and longitude of the initial position to about a metre
  * only.
@@ -3169,18 +3070,18 @@ mip_error mip_filter_kinematic_constraint_response_encode(
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
-struct mip_filter_navigation_filter_initialization {
+struct mip_filter_initialization_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
-     * 1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
-     * Required for write.
+     * 1: the filter starts only after `run`; 0: as soon as it can. Range: 0 to 1. Required for
+     * write.
      */
     uint8_t wait_for_run_command;
     /** Which initial conditions are found and which are given. Required for write. */
-    mip_filter_initial_condition_source initial_cond_src;
+    mip_filter_initial_condition_source initial_condition_source;
     /** Ways in which the initial heading may be found. Required for write. */
     mip_filter_heading_alignment auto_heading_alignment_selector;
     /** Given heading. Unit: deg. Required for write. */
@@ -3205,49 +3106,42 @@ struct mip_filter_navigation_filter_initialization {
     mip_filter_reference_frame reference_frame_selector;
 };
 
-#define MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_DESCRIPTOR 0x52
-#define MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_NAME "filter.navigation_filter_initialization"
+#define MIP_FILTER_INITIALIZATION_CONFIG_DESCRIPTOR 0x52
+#define MIP_FILTER_INITIALIZATION_CONFIG_NAME "filter.initialization_config"
 
-extern const struct mip_codec mip_filter_navigation_filter_initialization_codec;
-mip_error mip_filter_navigation_filter_initialization_decode(
-    struct mip_filter_navigation_filter_initialization *value, const struct mip_field *field);
-mip_error mip_filter_navigation_filter_initialization_encode(
-    const struct mip_filter_navigation_filter_initialization *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_initialization_config_codec;
+mip_error mip_filter_initialization_config_decode(struct mip_filter_initialization_config *value,
+                                                  const struct mip_field *field);
+mip_error mip_filter_initialization_config_encode(
+    const struct mip_filter_initialization_config *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_navigation_filter_initialization
-mip_filter_navigation_filter_initialization_write(
-    uint8_t wait_for_run_command, mip_filter_initial_condition_source initial_cond_src,
+struct mip_filter_initialization_config mip_filter_initialization_config_write(
+    uint8_t wait_for_run_command, mip_filter_initial_condition_source initial_condition_source,
     mip_filter_heading_alignment auto_heading_alignment_selector, float initial_heading,
     float initial_pitch, float initial_roll, const float initial_position[3],
     const float initial_velocity[3], mip_filter_reference_frame reference_frame_selector);
 /** Send the current setting back in a response. */
-struct mip_filter_navigation_filter_initialization
-mip_filter_navigation_filter_initialization_read(void);
+struct mip_filter_initialization_config mip_filter_initialization_config_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_navigation_filter_initialization
-mip_filter_navigation_filter_initialization_save(void);
+struct mip_filter_initialization_config mip_filter_initialization_config_save(void);
 /** Load the saved setting. */
-struct mip_filter_navigation_filter_initialization
-mip_filter_navigation_filter_initialization_load(void);
+struct mip_filter_initialization_config mip_filter_initialization_config_load(void);
 /** Load the factory default setting. */
-struct mip_filter_navigation_filter_initialization
-mip_filter_navigation_filter_initialization_default(void);
+struct mip_filter_initialization_config mip_filter_initialization_config_default(void);
 
 /**
  * Navigation filter initialization response: response (0x0D,0xD2).
  *
- * Also called `initialization_configuration_response`. Answers
- * mip_filter_navigation_filter_initialization. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `initialization_configuration_response`. Answers mip_filter_initialization_config.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
-struct mip_filter_navigation_filter_initialization_response {
-    /**
-     * 1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
-     */
+struct mip_filter_initialization_config_response {
+    /** 1: the filter starts only after `run`; 0: as soon as it can. Range: 0 to 1. */
     uint8_t wait_for_run_command;
     /** Which initial conditions are found and which are given. */
-    mip_filter_initial_condition_source initial_cond_src;
+    mip_filter_initial_condition_source initial_condition_source;
     /** Ways in which the initial heading may be found. */
     mip_filter_heading_alignment auto_heading_alignment_selector;
     /** Given heading. Unit: deg. */
@@ -3272,29 +3166,26 @@ struct mip_filter_navigation_filter_initialization_response {
     mip_filter_reference_frame reference_frame_selector;
 };
 
-#define MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_RESPONSE_DESCRIPTOR 0xD2
-#define MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_RESPONSE_NAME \
-    "filter.navigation_filter_initialization_response"
+#define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE_DESCRIPTOR 0xD2
+#define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE_NAME "filter.initialization_config_response"
 
-extern const struct mip_codec mip_filter_navigation_filter_initialization_response_codec;
-mip_error mip_filter_navigation_filter_initialization_response_decode(
-    struct mip_filter_navigation_filter_initialization_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_navigation_filter_initialization_response_encode(
-    const struct mip_filter_navigation_filter_initialization_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_initialization_config_response_codec;
+mip_error mip_filter_initialization_config_response_decode(
+    struct mip_filter_initialization_config_response *value, const struct mip_field *field);
+mip_error mip_filter_initialization_config_response_encode(
+    const struct mip_filter_initialization_config_response *value, struct mip_builder *builder);
 
 /**
  * Adaptive filter control: command (0x0D,0x53).
  *
  * How the filter adapts to measurements that do not fit its model.
  *
- * Also called `adaptive_filter_options`. Functions: write, read, save, load and default. Answered
- * by mip_filter_adaptive_filter_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_adaptive_filter_options_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
-struct mip_filter_adaptive_filter_control {
+struct mip_filter_adaptive_filter_options {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -3308,63 +3199,62 @@ struct mip_filter_adaptive_filter_control {
     uint16_t time_limit;
 };
 
-#define MIP_FILTER_ADAPTIVE_FILTER_CONTROL_DESCRIPTOR 0x53
-#define MIP_FILTER_ADAPTIVE_FILTER_CONTROL_NAME "filter.adaptive_filter_control"
+#define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_DESCRIPTOR 0x53
+#define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_NAME "filter.adaptive_filter_options"
 
-extern const struct mip_codec mip_filter_adaptive_filter_control_codec;
-mip_error mip_filter_adaptive_filter_control_decode(
-    struct mip_filter_adaptive_filter_control *value, const struct mip_field *field);
-mip_error mip_filter_adaptive_filter_control_encode(
-    const struct mip_filter_adaptive_filter_control *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_adaptive_filter_options_codec;
+mip_error mip_filter_adaptive_filter_options_decode(
+    struct mip_filter_adaptive_filter_options *value, const struct mip_field *field);
+mip_error mip_filter_adaptive_filter_options_encode(
+    const struct mip_filter_adaptive_filter_options *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_adaptive_filter_control
-mip_filter_adaptive_filter_control_write(mip_filter_adaptive_level level, uint16_t time_limit);
+struct mip_filter_adaptive_filter_options
+mip_filter_adaptive_filter_options_write(mip_filter_adaptive_level level, uint16_t time_limit);
 /** Send the current setting back in a response. */
-struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_read(void);
+struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_save(void);
+struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_save(void);
 /** Load the saved setting. */
-struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_load(void);
+struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_load(void);
 /** Load the factory default setting. */
-struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_default(void);
+struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_default(void);
 
 /**
  * Adaptive filter control response: response (0x0D,0xD3).
  *
- * Also called `adaptive_filter_options_response`. Answers mip_filter_adaptive_filter_control.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_adaptive_filter_options. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
-struct mip_filter_adaptive_filter_control_response {
+struct mip_filter_adaptive_filter_options_response {
     /** Strength of the adaptation. Default: 2. */
     mip_filter_adaptive_level level;
     /** Longest time for which measurements are rejected before the filter recovers. Unit: ms. */
     uint16_t time_limit;
 };
 
-#define MIP_FILTER_ADAPTIVE_FILTER_CONTROL_RESPONSE_DESCRIPTOR 0xD3
-#define MIP_FILTER_ADAPTIVE_FILTER_CONTROL_RESPONSE_NAME "filter.adaptive_filter_control_response"
+#define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE_DESCRIPTOR 0xD3
+#define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE_NAME "filter.adaptive_filter_options_response"
 
-extern const struct mip_codec mip_filter_adaptive_filter_control_response_codec;
-mip_error mip_filter_adaptive_filter_control_response_decode(
-    struct mip_filter_adaptive_filter_control_response *value, const struct mip_field *field);
-mip_error mip_filter_adaptive_filter_control_response_encode(
-    const struct mip_filter_adaptive_filter_control_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_adaptive_filter_options_response_codec;
+mip_error mip_filter_adaptive_filter_options_response_decode(
+    struct mip_filter_adaptive_filter_options_response *value, const struct mip_field *field);
+mip_error mip_filter_adaptive_filter_options_response_encode(
+    const struct mip_filter_adaptive_filter_options_response *value, struct mip_builder *builder);
 
 /**
  * GNSS multi-antenna offset: command (0x0D,0x54).
  *
  * Position of the antenna of one receiver on devices with several antennas.
  *
- * Also called `multi_antenna_offset`. Functions: write, read, save, load and default. Answered by
- * mip_filter_gnss_multi_antenna_offset_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_multi_antenna_offset_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The magnitude of the vector is limited to 10.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
-struct mip_filter_gnss_multi_antenna_offset_control {
+struct mip_filter_multi_antenna_offset {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -3378,40 +3268,34 @@ struct mip_filter_gnss_multi_antenna_offset_control {
     float antenna_offset[3];
 };
 
-#define MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_DESCRIPTOR 0x54
-#define MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_NAME "filter.gnss_multi_antenna_offset_control"
+#define MIP_FILTER_MULTI_ANTENNA_OFFSET_DESCRIPTOR 0x54
+#define MIP_FILTER_MULTI_ANTENNA_OFFSET_NAME "filter.multi_antenna_offset"
 
-extern const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_codec;
-mip_error mip_filter_gnss_multi_antenna_offset_control_decode(
-    struct mip_filter_gnss_multi_antenna_offset_control *value, const struct mip_field *field);
-mip_error mip_filter_gnss_multi_antenna_offset_control_encode(
-    const struct mip_filter_gnss_multi_antenna_offset_control *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_multi_antenna_offset_codec;
+mip_error mip_filter_multi_antenna_offset_decode(struct mip_filter_multi_antenna_offset *value,
+                                                 const struct mip_field *field);
+mip_error mip_filter_multi_antenna_offset_encode(
+    const struct mip_filter_multi_antenna_offset *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_gnss_multi_antenna_offset_control
-mip_filter_gnss_multi_antenna_offset_control_write(uint8_t receiver_id,
-                                                   const float antenna_offset[3]);
+struct mip_filter_multi_antenna_offset
+mip_filter_multi_antenna_offset_write(uint8_t receiver_id, const float antenna_offset[3]);
 /** Send the current setting back in a response. */
-struct mip_filter_gnss_multi_antenna_offset_control
-mip_filter_gnss_multi_antenna_offset_control_read(uint8_t receiver_id);
+struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_read(uint8_t receiver_id);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_gnss_multi_antenna_offset_control
-mip_filter_gnss_multi_antenna_offset_control_save(uint8_t receiver_id);
+struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_save(uint8_t receiver_id);
 /** Load the saved setting. */
-struct mip_filter_gnss_multi_antenna_offset_control
-mip_filter_gnss_multi_antenna_offset_control_load(uint8_t receiver_id);
+struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_load(uint8_t receiver_id);
 /** Load the factory default setting. */
-struct mip_filter_gnss_multi_antenna_offset_control
-mip_filter_gnss_multi_antenna_offset_control_default(uint8_t receiver_id);
+struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_default(uint8_t receiver_id);
 
 /**
  * GNSS multi-antenna offset response: response (0x0D,0xD4).
  *
- * Also called `multi_antenna_offset_response`. Answers
- * mip_filter_gnss_multi_antenna_offset_control. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_multi_antenna_offset. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
-struct mip_filter_gnss_multi_antenna_offset_control_response {
+struct mip_filter_multi_antenna_offset_response {
     /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
@@ -3420,17 +3304,14 @@ struct mip_filter_gnss_multi_antenna_offset_control_response {
     float antenna_offset[3];
 };
 
-#define MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR 0xD4
-#define MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_NAME \
-    "filter.gnss_multi_antenna_offset_control_response"
+#define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR 0xD4
+#define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE_NAME "filter.multi_antenna_offset_response"
 
-extern const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_response_codec;
-mip_error mip_filter_gnss_multi_antenna_offset_control_response_decode(
-    struct mip_filter_gnss_multi_antenna_offset_control_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_gnss_multi_antenna_offset_control_response_encode(
-    const struct mip_filter_gnss_multi_antenna_offset_control_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_multi_antenna_offset_response_codec;
+mip_error mip_filter_multi_antenna_offset_response_decode(
+    struct mip_filter_multi_antenna_offset_response *value, const struct mip_field *field);
+mip_error mip_filter_multi_antenna_offset_response_encode(
+    const struct mip_filter_multi_antenna_offset_response *value, struct mip_builder *builder);
 
 /**
  * Relative position configuration: command (0x0D,0x55).
@@ -3438,11 +3319,11 @@ mip_error mip_filter_gnss_multi_antenna_offset_control_response_encode(
  * Reference point of the relative position that the filter reports.
  *
  * Also called `rel_pos_configuration`. Functions: write, read, save, load and default. Answered by
- * mip_filter_relative_position_configuration_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_relative_position_config_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
-struct mip_filter_relative_position_configuration {
+struct mip_filter_relative_position_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -3459,40 +3340,36 @@ struct mip_filter_relative_position_configuration {
     double reference_coordinates[3];
 };
 
-#define MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_DESCRIPTOR 0x55
-#define MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_NAME "filter.relative_position_configuration"
+#define MIP_FILTER_RELATIVE_POSITION_CONFIG_DESCRIPTOR 0x55
+#define MIP_FILTER_RELATIVE_POSITION_CONFIG_NAME "filter.relative_position_config"
 
-extern const struct mip_codec mip_filter_relative_position_configuration_codec;
-mip_error mip_filter_relative_position_configuration_decode(
-    struct mip_filter_relative_position_configuration *value, const struct mip_field *field);
-mip_error mip_filter_relative_position_configuration_encode(
-    const struct mip_filter_relative_position_configuration *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_relative_position_config_codec;
+mip_error mip_filter_relative_position_config_decode(
+    struct mip_filter_relative_position_config *value, const struct mip_field *field);
+mip_error mip_filter_relative_position_config_encode(
+    const struct mip_filter_relative_position_config *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_relative_position_configuration mip_filter_relative_position_configuration_write(
+struct mip_filter_relative_position_config mip_filter_relative_position_config_write(
     mip_filter_relative_position_source source, mip_filter_reference_frame reference_frame_selector,
     const double reference_coordinates[3]);
 /** Send the current setting back in a response. */
-struct mip_filter_relative_position_configuration
-mip_filter_relative_position_configuration_read(void);
+struct mip_filter_relative_position_config mip_filter_relative_position_config_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_relative_position_configuration
-mip_filter_relative_position_configuration_save(void);
+struct mip_filter_relative_position_config mip_filter_relative_position_config_save(void);
 /** Load the saved setting. */
-struct mip_filter_relative_position_configuration
-mip_filter_relative_position_configuration_load(void);
+struct mip_filter_relative_position_config mip_filter_relative_position_config_load(void);
 /** Load the factory default setting. */
-struct mip_filter_relative_position_configuration
-mip_filter_relative_position_configuration_default(void);
+struct mip_filter_relative_position_config mip_filter_relative_position_config_default(void);
 
 /**
  * Relative position configuration response: response (0x0D,0xD5).
  *
- * Also called `rel_pos_configuration_response`. Answers mip_filter_relative_position_configuration.
+ * Also called `rel_pos_configuration_response`. Answers mip_filter_relative_position_config.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
-struct mip_filter_relative_position_configuration_response {
+struct mip_filter_relative_position_config_response {
     /** Source of the reference point. */
     mip_filter_relative_position_source source;
     /** Frame of the coordinates. */
@@ -3505,17 +3382,14 @@ struct mip_filter_relative_position_configuration_response {
     double reference_coordinates[3];
 };
 
-#define MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_RESPONSE_DESCRIPTOR 0xD5
-#define MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_RESPONSE_NAME \
-    "filter.relative_position_configuration_response"
+#define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE_DESCRIPTOR 0xD5
+#define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE_NAME "filter.relative_position_config_response"
 
-extern const struct mip_codec mip_filter_relative_position_configuration_response_codec;
-mip_error mip_filter_relative_position_configuration_response_decode(
-    struct mip_filter_relative_position_configuration_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_relative_position_configuration_response_encode(
-    const struct mip_filter_relative_position_configuration_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_relative_position_config_response_codec;
+mip_error mip_filter_relative_position_config_response_decode(
+    struct mip_filter_relative_position_config_response *value, const struct mip_field *field);
+mip_error mip_filter_relative_position_config_response_encode(
+    const struct mip_filter_relative_position_config_response *value, struct mip_builder *builder);
 
 /**
  * Reference point lever arm: command (0x0D,0x56).
@@ -3525,7 +3399,7 @@ mip_error mip_filter_relative_position_configuration_response_encode(
  * Also called `ref_point_lever_arm`. Functions: write, read, save, load and default. Answered by
  * mip_filter_reference_point_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * It shifts `llh_position`, `velocity_ned`, `ecef_position`, `ecef_velocity` and
+ * It shifts `llh_position`, `ned_velocity`, `ecef_position`, `ecef_velocity` and
  * `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
  * the angular rate.
  *
@@ -3539,7 +3413,7 @@ struct mip_filter_reference_point_lever_arm {
     /** What to do with the setting. */
     mip_function_selector function;
     /** Point to move; it must be 1. Required for write. */
-    mip_filter_reference_point ref_point_sel;
+    mip_filter_reference_point reference_point;
     /**
      * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
      * Required for write.
@@ -3557,7 +3431,7 @@ mip_error mip_filter_reference_point_lever_arm_encode(
     const struct mip_filter_reference_point_lever_arm *value, struct mip_builder *builder);
 /** Apply the new setting. */
 struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_write(
-    mip_filter_reference_point ref_point_sel, const float lever_arm_offset[3]);
+    mip_filter_reference_point reference_point, const float lever_arm_offset[3]);
 /** Send the current setting back in a response. */
 struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -3577,7 +3451,7 @@ struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm
  */
 struct mip_filter_reference_point_lever_arm_response {
     /** Point to move; it must be 1. */
-    mip_filter_reference_point ref_point_sel;
+    mip_filter_reference_point reference_point;
     /**
      * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
      */
@@ -3635,14 +3509,14 @@ struct mip_filter_speed_measurement mip_filter_speed_measurement_make(float tow,
  *
  * Position of the point whose speed is measured, such as the wheel that an odometer is on.
  *
- * Also called `speed_lever_arm`. Functions: write, read, save, load and default. Answered by
- * mip_filter_measurement_speed_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load and default. Answered by mip_filter_speed_lever_arm_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * It corrects for the speed that such a point has only because the vehicle turns.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
-struct mip_filter_measurement_speed_lever_arm {
+struct mip_filter_speed_lever_arm {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -3656,51 +3530,47 @@ struct mip_filter_measurement_speed_lever_arm {
     float lever_arm_offset[3];
 };
 
-#define MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_DESCRIPTOR 0x61
-#define MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_NAME "filter.measurement_speed_lever_arm"
+#define MIP_FILTER_SPEED_LEVER_ARM_DESCRIPTOR 0x61
+#define MIP_FILTER_SPEED_LEVER_ARM_NAME "filter.speed_lever_arm"
 
-extern const struct mip_codec mip_filter_measurement_speed_lever_arm_codec;
-mip_error mip_filter_measurement_speed_lever_arm_decode(
-    struct mip_filter_measurement_speed_lever_arm *value, const struct mip_field *field);
-mip_error mip_filter_measurement_speed_lever_arm_encode(
-    const struct mip_filter_measurement_speed_lever_arm *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_speed_lever_arm_codec;
+mip_error mip_filter_speed_lever_arm_decode(struct mip_filter_speed_lever_arm *value,
+                                            const struct mip_field *field);
+mip_error mip_filter_speed_lever_arm_encode(const struct mip_filter_speed_lever_arm *value,
+                                            struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_measurement_speed_lever_arm
-mip_filter_measurement_speed_lever_arm_write(const float lever_arm_offset[3]);
+struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_write(const float lever_arm_offset[3]);
 /** Send the current setting back in a response. */
-struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_read(void);
+struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_save(void);
+struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_save(void);
 /** Load the saved setting. */
-struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_load(void);
+struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_load(void);
 /** Load the factory default setting. */
-struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_default(void);
+struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_default(void);
 
 /**
  * Speed measurement lever arm response: response (0x0D,0xE1).
  *
- * Also called `speed_lever_arm_response`. Answers mip_filter_measurement_speed_lever_arm. Supported
- * by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_speed_lever_arm. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
-struct mip_filter_measurement_speed_lever_arm_response {
+struct mip_filter_speed_lever_arm_response {
     /** Reserved. */
     uint8_t source;
     /** From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. */
     float lever_arm_offset[3];
 };
 
-#define MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR 0xE1
-#define MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_NAME \
-    "filter.measurement_speed_lever_arm_response"
+#define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR 0xE1
+#define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE_NAME "filter.speed_lever_arm_response"
 
-extern const struct mip_codec mip_filter_measurement_speed_lever_arm_response_codec;
-mip_error mip_filter_measurement_speed_lever_arm_response_decode(
-    struct mip_filter_measurement_speed_lever_arm_response *value, const struct mip_field *field);
-mip_error mip_filter_measurement_speed_lever_arm_response_encode(
-    const struct mip_filter_measurement_speed_lever_arm_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_speed_lever_arm_response_codec;
+mip_error mip_filter_speed_lever_arm_response_decode(
+    struct mip_filter_speed_lever_arm_response *value, const struct mip_field *field);
+mip_error mip_filter_speed_lever_arm_response_encode(
+    const struct mip_filter_speed_lever_arm_response *value, struct mip_builder *builder);
 
 /**
  * Vertical gyro constraint: command (0x0D,0x62).
@@ -3848,12 +3718,12 @@ mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
  * Lets the filter track the error of the antenna offset.
  *
  * Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default. Answered
- * by mip_filter_gnss_antenna_offset_calibration_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * by mip_filter_gnss_antenna_calibration_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
  */
-struct mip_filter_gnss_antenna_offset_calibration_control {
+struct mip_filter_gnss_antenna_calibration_control {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -3867,43 +3737,40 @@ struct mip_filter_gnss_antenna_offset_calibration_control {
     float max_offset;
 };
 
-#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_DESCRIPTOR 0x64
-#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_NAME \
-    "filter.gnss_antenna_offset_calibration_control"
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_DESCRIPTOR 0x64
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_NAME "filter.gnss_antenna_calibration_control"
 
-extern const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_codec;
-mip_error mip_filter_gnss_antenna_offset_calibration_control_decode(
-    struct mip_filter_gnss_antenna_offset_calibration_control *value,
-    const struct mip_field *field);
-mip_error mip_filter_gnss_antenna_offset_calibration_control_encode(
-    const struct mip_filter_gnss_antenna_offset_calibration_control *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec;
+mip_error mip_filter_gnss_antenna_calibration_control_decode(
+    struct mip_filter_gnss_antenna_calibration_control *value, const struct mip_field *field);
+mip_error mip_filter_gnss_antenna_calibration_control_encode(
+    const struct mip_filter_gnss_antenna_calibration_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_gnss_antenna_offset_calibration_control
-mip_filter_gnss_antenna_offset_calibration_control_write(uint8_t enable, float max_offset);
+struct mip_filter_gnss_antenna_calibration_control
+mip_filter_gnss_antenna_calibration_control_write(uint8_t enable, float max_offset);
 /** Send the current setting back in a response. */
-struct mip_filter_gnss_antenna_offset_calibration_control
-mip_filter_gnss_antenna_offset_calibration_control_read(void);
+struct mip_filter_gnss_antenna_calibration_control
+mip_filter_gnss_antenna_calibration_control_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_gnss_antenna_offset_calibration_control
-mip_filter_gnss_antenna_offset_calibration_control_save(void);
+struct mip_filter_gnss_antenna_calibration_control
+mip_filter_gnss_antenna_calibration_control_save(void);
 /** Load the saved setting. */
-struct mip_filter_gnss_antenna_offset_calibration_control
-mip_filter_gnss_antenna_offset_calibration_control_load(void);
+struct mip_filter_gnss_antenna_calibration_control
+mip_filter_gnss_antenna_calibration_control_load(void);
 /** Load the factory default setting. */
-struct mip_filter_gnss_antenna_offset_calibration_control
-mip_filter_gnss_antenna_offset_calibration_control_default(void);
+struct mip_filter_gnss_antenna_calibration_control
+mip_filter_gnss_antenna_calibration_control_default(void);
 
 /**
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *
  * Also called `gnss_antenna_cal_control_response`. Answers
- * mip_filter_gnss_antenna_offset_calibration_control. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_gnss_antenna_calibration_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
  */
-struct mip_filter_gnss_antenna_offset_calibration_control_response {
+struct mip_filter_gnss_antenna_calibration_control_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
     /**
@@ -3913,16 +3780,16 @@ struct mip_filter_gnss_antenna_offset_calibration_control_response {
     float max_offset;
 };
 
-#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR 0xE4
-#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_NAME \
-    "filter.gnss_antenna_offset_calibration_control_response"
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR 0xE4
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_NAME \
+    "filter.gnss_antenna_calibration_control_response"
 
-extern const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_response_codec;
-mip_error mip_filter_gnss_antenna_offset_calibration_control_response_decode(
-    struct mip_filter_gnss_antenna_offset_calibration_control_response *value,
+extern const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_codec;
+mip_error mip_filter_gnss_antenna_calibration_control_response_decode(
+    struct mip_filter_gnss_antenna_calibration_control_response *value,
     const struct mip_field *field);
-mip_error mip_filter_gnss_antenna_offset_calibration_control_response_encode(
-    const struct mip_filter_gnss_antenna_offset_calibration_control_response *value,
+mip_error mip_filter_gnss_antenna_calibration_control_response_encode(
+    const struct mip_filter_gnss_antenna_calibration_control_response *value,
     struct mip_builder *builder);
 
 #ifdef __cplusplus

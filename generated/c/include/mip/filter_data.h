@@ -44,21 +44,21 @@ typedef uint16_t mip_filter_data_gnss_aiding_status;
 /** Bit 5. GPS L5 is used; not on every model. */
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GPS_L5 0x0020U
 /** Bit 6. GLONASS L1 is used. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GLO_L1 0x0040U
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GLONASS_L1 0x0040U
 /** Bit 7. GLONASS L2 is used. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GLO_L2 0x0080U
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GLONASS_L2 0x0080U
 /** Bit 8. Galileo E1 is used. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GAL_E1 0x0100U
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GALILEO_E1 0x0100U
 /** Bit 9. Galileo E5 is used. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GAL_E5 0x0200U
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GALILEO_E5 0x0200U
 /** Bit 10. Galileo E6 is used. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GAL_E6 0x0400U
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GALILEO_E6 0x0400U
 /** Bit 11. BeiDou B1 is used; not on every model. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_BEI_B1 0x0800U
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_BEIDOU_B1 0x0800U
 /** Bit 12. BeiDou B2 is used; not on every model. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_BEI_B2 0x1000U
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_BEIDOU_B2 0x1000U
 /** Bit 13. BeiDou B3 is used; not on every model. */
-#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_BEI_B3 0x2000U
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_BEIDOU_B3 0x2000U
 /** Bit 14. The receiver has no position fix. */
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_NO_FIX 0x4000U
 /** Bit 15. The antenna offset of the receiver is probably wrong. */
@@ -89,23 +89,23 @@ typedef uint8_t mip_filter_data_aiding_measurement_type;
 /** Pressure altitude. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_PRESSURE 4
 /** Magnetometer. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_MAGNETOMETER 5
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_MAG 5
 /** Speed or odometer. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_SPEED 6
 /** ECEF position by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_POS_ECEF 33
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_POSITION 33
 /** Latitude, longitude and height by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_POS_LLH 34
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_LLH_POSITION 34
 /** Height above the ellipsoid by command. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_HEIGHT_ABOVE_ELLIPSOID 35
 /** ECEF velocity by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_VEL_ECEF 40
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_VELOCITY 40
 /** NED velocity by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_VEL_NED 41
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_NED_VELOCITY 41
 /** Body frame velocity by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_VEL_BODY_FRAME 42
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_BODY_FRAME_VELOCITY 42
 /** True heading by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_HEADING_TRUE 49
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_TRUE_HEADING 49
 /** Magnetic field by command. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_MAGNETIC_FIELD 50
 /** Pressure by command. */
@@ -122,9 +122,9 @@ typedef uint8_t mip_filter_data_aiding_measurement_indicator;
 /** Bit 3. Its time is doubtful. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_SAMPLE_TIME_WARNING 0x08U
 /** Bit 4. Its configuration is wrong. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_CONFIGURATION_ERROR 0x10U
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_CONFIG_ERROR 0x10U
 /** Bit 5. There are more measurements than the filter can take. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_MAX_NUM_MEAS_EXCEEDED 0x20U
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_MAX_MEASUREMENTS_EXCEEDED 0x20U
 
 /** Kind of the heading solution of two antennas. */
 typedef uint8_t mip_filter_data_dual_antenna_fix_type;
@@ -138,9 +138,9 @@ typedef uint8_t mip_filter_data_dual_antenna_fix_type;
 /** What the heading solution of two antennas has to work with. */
 typedef uint16_t mip_filter_data_dual_antenna_status_flags;
 /** Bit 0. Data of receiver 1 are valid. */
-#define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RCV_1_DATA_VALID 0x0001U
+#define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RECEIVER_1_DATA_VALID 0x0001U
 /** Bit 1. Data of receiver 2 are valid. */
-#define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RCV_2_DATA_VALID 0x0002U
+#define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RECEIVER_2_DATA_VALID 0x0002U
 /** Bit 2. The antenna offsets are valid. */
 #define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_ANTENNA_OFFSETS_VALID 0x0004U
 
@@ -170,7 +170,7 @@ typedef uint16_t mip_filter_data_cv7_filter_state;
 /** Initialization; initial conditions are missing or the filter waits for a command. */
 #define MIP_FILTER_DATA_CV7_FILTER_STATE_INIT 1
 /** Vertical gyro: pitch and roll, and heading relative to the initial one. */
-#define MIP_FILTER_DATA_CV7_FILTER_STATE_VERT_GYRO 2
+#define MIP_FILTER_DATA_CV7_FILTER_STATE_VERTICAL_GYRO 2
 /** Pitch, roll and absolute heading. */
 #define MIP_FILTER_DATA_CV7_FILTER_STATE_AHRS 3
 /** Full navigation: position, velocity and attitude. */
@@ -223,7 +223,7 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
 /** Bit 12. The estimated magnetometer bias is high. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_BIAS_EST_HIGH_WARNING 0x1000U
 /** Bit 13. The estimated correction of the antenna offset is high; on models with GNSS. */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANT_OFFSET_CORRECTION_EST_HIGH_WARNING 0x2000U
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING 0x2000U
 /** Bit 14. The estimated hard-iron offset is high. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_HARD_IRON_EST_HIGH_WARNING 0x4000U
 /** Bit 15. The estimated soft-iron correction is high. */
@@ -268,7 +268,7 @@ typedef uint16_t mip_filter_data_cv7_status_flags;
 /** Bit 6. The sensor biases are doubtful; capture the gyroscope bias. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING 0x0040U
 /** Bit 7. The GNSS clock is doubtful; navigation goes on. */
-#define MIP_FILTER_DATA_CV7_STATUS_FLAGS_GNSS_CLK_WARNING 0x0080U
+#define MIP_FILTER_DATA_CV7_STATUS_FLAGS_GNSS_CLOCK_WARNING 0x0080U
 /** Bit 8. The antenna offsets are probably wrong. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_ANTENNA_LEVER_ARM_WARNING 0x0100U
 /** Bit 9. The mounting transformation is probably wrong. */
@@ -347,11 +347,11 @@ mip_error mip_filter_data_llh_position_encode(const struct mip_filter_data_llh_p
  *
  * Estimated velocity.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
  */
-struct mip_filter_data_velocity_ned {
+struct mip_filter_data_ned_velocity {
     /**
      * Velocity north. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
      * valid_flags is set.
@@ -371,13 +371,13 @@ struct mip_filter_data_velocity_ned {
     mip_filter_data_valid_flags valid_flags;
 };
 
-#define MIP_FILTER_DATA_VELOCITY_NED_DESCRIPTOR 0x02
-#define MIP_FILTER_DATA_VELOCITY_NED_NAME "filter_data.velocity_ned"
+#define MIP_FILTER_DATA_NED_VELOCITY_DESCRIPTOR 0x02
+#define MIP_FILTER_DATA_NED_VELOCITY_NAME "filter_data.ned_velocity"
 
-extern const struct mip_codec mip_filter_data_velocity_ned_codec;
-mip_error mip_filter_data_velocity_ned_decode(struct mip_filter_data_velocity_ned *value,
+extern const struct mip_codec mip_filter_data_ned_velocity_codec;
+mip_error mip_filter_data_ned_velocity_decode(struct mip_filter_data_ned_velocity *value,
                                               const struct mip_field *field);
-mip_error mip_filter_data_velocity_ned_encode(const struct mip_filter_data_velocity_ned *value,
+mip_error mip_filter_data_ned_velocity_encode(const struct mip_filter_data_ned_velocity *value,
                                               struct mip_builder *builder);
 
 /**
@@ -672,7 +672,7 @@ struct mip_filter_data_gyro_bias_uncertainty {
      * Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
-    float bias_uncert[3];
+    float bias_uncertainty[3];
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
 };
@@ -700,7 +700,7 @@ struct mip_filter_data_accel_bias_uncertainty {
      * Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
-    float bias_uncert[3];
+    float bias_uncertainty[3];
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
 };
@@ -783,7 +783,7 @@ mip_error mip_filter_data_comp_angular_rate_encode(
  *
  * - 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F)
  */
-struct mip_filter_data_wgs84_local_gravity_magnitude {
+struct mip_filter_data_wgs84_gravity_magnitude {
     /**
      * Magnitude of gravity. Unit: m/s^2. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags
      * is set.
@@ -793,15 +793,14 @@ struct mip_filter_data_wgs84_local_gravity_magnitude {
     mip_filter_data_valid_flags valid_flags;
 };
 
-#define MIP_FILTER_DATA_WGS84_LOCAL_GRAVITY_MAGNITUDE_DESCRIPTOR 0x0F
-#define MIP_FILTER_DATA_WGS84_LOCAL_GRAVITY_MAGNITUDE_NAME \
-    "filter_data.wgs84_local_gravity_magnitude"
+#define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_DESCRIPTOR 0x0F
+#define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_NAME "filter_data.wgs84_gravity_magnitude"
 
-extern const struct mip_codec mip_filter_data_wgs84_local_gravity_magnitude_codec;
-mip_error mip_filter_data_wgs84_local_gravity_magnitude_decode(
-    struct mip_filter_data_wgs84_local_gravity_magnitude *value, const struct mip_field *field);
-mip_error mip_filter_data_wgs84_local_gravity_magnitude_encode(
-    const struct mip_filter_data_wgs84_local_gravity_magnitude *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_codec;
+mip_error mip_filter_data_wgs84_gravity_magnitude_decode(
+    struct mip_filter_data_wgs84_gravity_magnitude *value, const struct mip_field *field);
+mip_error mip_filter_data_wgs84_gravity_magnitude_encode(
+    const struct mip_filter_data_wgs84_gravity_magnitude *value, struct mip_builder *builder);
 
 /**
  * Filter status: data (0x82,0x10).
@@ -952,13 +951,13 @@ mip_error mip_filter_data_gravity_vector_encode(const struct mip_filter_data_gra
  *
  * The last heading that updated the filter and where it came from.
  *
- * Also called `heading_update_state`. Supported by 3DM-GX5-15.
+ * Supported by 3DM-GX5-15.
  *
  * The valid bit means that the source gave data within the last 2 seconds.
  *
  * - 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14)
  */
-struct mip_filter_data_heading_update_source_state {
+struct mip_filter_data_heading_update_state {
     /**
      * Heading of the sensor frame relative to true north. Unit: rad. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
@@ -975,14 +974,14 @@ struct mip_filter_data_heading_update_source_state {
     mip_filter_data_valid_flags valid_flags;
 };
 
-#define MIP_FILTER_DATA_HEADING_UPDATE_SOURCE_STATE_DESCRIPTOR 0x14
-#define MIP_FILTER_DATA_HEADING_UPDATE_SOURCE_STATE_NAME "filter_data.heading_update_source_state"
+#define MIP_FILTER_DATA_HEADING_UPDATE_STATE_DESCRIPTOR 0x14
+#define MIP_FILTER_DATA_HEADING_UPDATE_STATE_NAME "filter_data.heading_update_state"
 
-extern const struct mip_codec mip_filter_data_heading_update_source_state_codec;
-mip_error mip_filter_data_heading_update_source_state_decode(
-    struct mip_filter_data_heading_update_source_state *value, const struct mip_field *field);
-mip_error mip_filter_data_heading_update_source_state_encode(
-    const struct mip_filter_data_heading_update_source_state *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_data_heading_update_state_codec;
+mip_error mip_filter_data_heading_update_state_decode(
+    struct mip_filter_data_heading_update_state *value, const struct mip_field *field);
+mip_error mip_filter_data_heading_update_state_encode(
+    const struct mip_filter_data_heading_update_state *value, struct mip_builder *builder);
 
 /**
  * Magnetic model: data (0x82,0x15).
@@ -1192,12 +1191,12 @@ mip_error mip_filter_data_mag_bias_uncertainty_encode(
  *
  * Acceleration without the estimated bias; gravity is still in it.
  *
- * Also called `comp_accel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
  * - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
  */
-struct mip_filter_data_compensated_acceleration {
+struct mip_filter_data_comp_accel {
     /**
      * Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
@@ -1207,14 +1206,14 @@ struct mip_filter_data_compensated_acceleration {
     mip_filter_data_valid_flags valid_flags;
 };
 
-#define MIP_FILTER_DATA_COMPENSATED_ACCELERATION_DESCRIPTOR 0x1C
-#define MIP_FILTER_DATA_COMPENSATED_ACCELERATION_NAME "filter_data.compensated_acceleration"
+#define MIP_FILTER_DATA_COMP_ACCEL_DESCRIPTOR 0x1C
+#define MIP_FILTER_DATA_COMP_ACCEL_NAME "filter_data.comp_accel"
 
-extern const struct mip_codec mip_filter_data_compensated_acceleration_codec;
-mip_error mip_filter_data_compensated_acceleration_decode(
-    struct mip_filter_data_compensated_acceleration *value, const struct mip_field *field);
-mip_error mip_filter_data_compensated_acceleration_encode(
-    const struct mip_filter_data_compensated_acceleration *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_data_comp_accel_codec;
+mip_error mip_filter_data_comp_accel_decode(struct mip_filter_data_comp_accel *value,
+                                            const struct mip_field *field);
+mip_error mip_filter_data_comp_accel_encode(const struct mip_filter_data_comp_accel *value,
+                                            struct mip_builder *builder);
 
 /**
  * Standard atmosphere: data (0x82,0x20).
@@ -1658,7 +1657,7 @@ struct mip_filter_data_multi_antenna_offset_correction_uncertainty {
      * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
-    float offset_uncert[3];
+    float offset_uncertainty[3];
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
 };
@@ -1689,7 +1688,7 @@ struct mip_filter_data_ecef_position_uncertainty {
      * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
-    float pos_uncertainty[3];
+    float position_uncertainty[3];
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
 };
@@ -1717,7 +1716,7 @@ struct mip_filter_data_ecef_velocity_uncertainty {
      * Standard deviation per axis. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
-    float vel_uncertainty[3];
+    float velocity_uncertainty[3];
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
 };
@@ -1745,7 +1744,7 @@ struct mip_filter_data_ecef_position {
      * Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
      * in valid_flags is set.
      */
-    double position_ecef[3];
+    double position[3];
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
 };
@@ -1773,7 +1772,7 @@ struct mip_filter_data_ecef_velocity {
      * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
-    float velocity_ecef[3];
+    float velocity[3];
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
 };
@@ -1790,7 +1789,7 @@ mip_error mip_filter_data_ecef_velocity_encode(const struct mip_filter_data_ecef
 /**
  * NED relative position: data (0x82,0x42).
  *
- * Estimated position relative to the point that mip_filter_relative_position_configuration sets.
+ * Estimated position relative to the point that mip_filter_relative_position_config sets.
  *
  * Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -1830,7 +1829,7 @@ struct mip_filter_data_gnss_position_aiding_status {
     /** Number of the receiver. */
     uint8_t receiver_id;
     /** GPS time of week of the last measurement. Unit: s. */
-    float time_of_week;
+    float tow;
     /** How the measurements are used. */
     mip_filter_data_gnss_aiding_status status;
     /** Reserved. */
@@ -1923,7 +1922,7 @@ mip_error mip_filter_data_heading_aiding_status_encode(
  */
 struct mip_filter_data_aiding_measurement_summary {
     /** GPS time of week at the end of the interval. Unit: s. */
-    float time_of_week;
+    float tow;
     /** Number of the source of the measurement. */
     uint8_t source;
     /** Kind of measurement. */
@@ -2017,14 +2016,14 @@ struct mip_filter_data_gnss_dual_antenna_status {
      * GPS time of week of the last measurement. Unit: s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
      * in valid_flags is set.
      */
-    float time_of_week;
+    float tow;
     /** Heading. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
     float heading;
     /**
      * Uncertainty of the heading. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
      * valid_flags is set.
      */
-    float heading_unc;
+    float heading_uncertainty;
     /** Kind of solution. */
     mip_filter_data_dual_antenna_fix_type fix_type;
     /** What the solution has to work with. */
@@ -2045,13 +2044,13 @@ mip_error mip_filter_data_gnss_dual_antenna_status_encode(
 /**
  * Aiding frame configuration error: data (0x82,0x50).
  *
- * Estimated error of a frame that mip_aiding_frame_configuration defines; it is corrected for.
+ * Estimated error of a frame that mip_aiding_frame_config defines; it is corrected for.
  *
- * Also called `aiding_frame_config_error`. Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
  */
-struct mip_filter_data_aiding_frame_configuration_error {
+struct mip_filter_data_aiding_frame_config_error {
     /** Number of the frame. */
     uint8_t frame_id;
     /** Error of the translation. Elements: x, y, z. Unit: m. */
@@ -2060,45 +2059,43 @@ struct mip_filter_data_aiding_frame_configuration_error {
     float attitude[4];
 };
 
-#define MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_DESCRIPTOR 0x50
-#define MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_NAME \
-    "filter_data.aiding_frame_configuration_error"
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_DESCRIPTOR 0x50
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_NAME "filter_data.aiding_frame_config_error"
 
-extern const struct mip_codec mip_filter_data_aiding_frame_configuration_error_codec;
-mip_error mip_filter_data_aiding_frame_configuration_error_decode(
-    struct mip_filter_data_aiding_frame_configuration_error *value, const struct mip_field *field);
-mip_error mip_filter_data_aiding_frame_configuration_error_encode(
-    const struct mip_filter_data_aiding_frame_configuration_error *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_data_aiding_frame_config_error_codec;
+mip_error mip_filter_data_aiding_frame_config_error_decode(
+    struct mip_filter_data_aiding_frame_config_error *value, const struct mip_field *field);
+mip_error mip_filter_data_aiding_frame_config_error_encode(
+    const struct mip_filter_data_aiding_frame_config_error *value, struct mip_builder *builder);
 
 /**
  * Aiding frame configuration error uncertainty: data (0x82,0x51).
  *
- * Uncertainty of the estimated error of a frame that mip_aiding_frame_configuration defines.
+ * Uncertainty of the estimated error of a frame that mip_aiding_frame_config defines.
  *
- * Also called `aiding_frame_config_error_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
  */
-struct mip_filter_data_aiding_frame_configuration_error_uncertainty {
+struct mip_filter_data_aiding_frame_config_error_uncertainty {
     /** Number of the frame. */
     uint8_t frame_id;
     /** Uncertainty of the translation. Elements: x, y, z. Unit: m. */
-    float translation_unc[3];
+    float translation_uncertainty[3];
     /** Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad. */
-    float attitude_unc[3];
+    float attitude_uncertainty[3];
 };
 
-#define MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_DESCRIPTOR 0x51
-#define MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_NAME \
-    "filter_data.aiding_frame_configuration_error_uncertainty"
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_DESCRIPTOR 0x51
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_NAME \
+    "filter_data.aiding_frame_config_error_uncertainty"
 
-extern const struct mip_codec mip_filter_data_aiding_frame_configuration_error_uncertainty_codec;
-mip_error mip_filter_data_aiding_frame_configuration_error_uncertainty_decode(
-    struct mip_filter_data_aiding_frame_configuration_error_uncertainty *value,
+extern const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_codec;
+mip_error mip_filter_data_aiding_frame_config_error_uncertainty_decode(
+    struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
     const struct mip_field *field);
-mip_error mip_filter_data_aiding_frame_configuration_error_uncertainty_encode(
-    const struct mip_filter_data_aiding_frame_configuration_error_uncertainty *value,
+mip_error mip_filter_data_aiding_frame_config_error_uncertainty_encode(
+    const struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
     struct mip_builder *builder);
 
 #ifdef __cplusplus

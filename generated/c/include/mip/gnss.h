@@ -132,8 +132,8 @@ mip_error mip_gnss_receiver_info_response_encode(
  *
  * GNSS signals that the device uses.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_gnss_signal_configuration_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `signal_configuration`. Functions: write, read, save, load and default. Answered by
+ * mip_gnss_signal_config_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * A device takes certain combinations only.
  *
@@ -143,7 +143,7 @@ mip_error mip_gnss_receiver_info_response_encode(
  * - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
  * - 3dm-cv7-gnss-ins: GNSS
  */
-struct mip_gnss_signal_configuration {
+struct mip_gnss_signal_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -160,36 +160,38 @@ struct mip_gnss_signal_configuration {
     uint8_t reserved[4];
 };
 
-#define MIP_GNSS_SIGNAL_CONFIGURATION_DESCRIPTOR 0x02
-#define MIP_GNSS_SIGNAL_CONFIGURATION_NAME "gnss.signal_configuration"
+#define MIP_GNSS_SIGNAL_CONFIG_DESCRIPTOR 0x02
+#define MIP_GNSS_SIGNAL_CONFIG_NAME "gnss.signal_config"
 
-extern const struct mip_codec mip_gnss_signal_configuration_codec;
-mip_error mip_gnss_signal_configuration_decode(struct mip_gnss_signal_configuration *value,
-                                               const struct mip_field *field);
-mip_error mip_gnss_signal_configuration_encode(const struct mip_gnss_signal_configuration *value,
-                                               struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_signal_config_codec;
+mip_error mip_gnss_signal_config_decode(struct mip_gnss_signal_config *value,
+                                        const struct mip_field *field);
+mip_error mip_gnss_signal_config_encode(const struct mip_gnss_signal_config *value,
+                                        struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_gnss_signal_configuration mip_gnss_signal_configuration_write(
-    mip_gnss_gps_signals gps_enable, mip_gnss_glonass_signals glonass_enable,
-    mip_gnss_galileo_signals galileo_enable, mip_gnss_beidou_signals beidou_enable);
+struct mip_gnss_signal_config mip_gnss_signal_config_write(mip_gnss_gps_signals gps_enable,
+                                                           mip_gnss_glonass_signals glonass_enable,
+                                                           mip_gnss_galileo_signals galileo_enable,
+                                                           mip_gnss_beidou_signals beidou_enable);
 /** Send the current setting back in a response. */
-struct mip_gnss_signal_configuration mip_gnss_signal_configuration_read(void);
+struct mip_gnss_signal_config mip_gnss_signal_config_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_gnss_signal_configuration mip_gnss_signal_configuration_save(void);
+struct mip_gnss_signal_config mip_gnss_signal_config_save(void);
 /** Load the saved setting. */
-struct mip_gnss_signal_configuration mip_gnss_signal_configuration_load(void);
+struct mip_gnss_signal_config mip_gnss_signal_config_load(void);
 /** Load the factory default setting. */
-struct mip_gnss_signal_configuration mip_gnss_signal_configuration_default(void);
+struct mip_gnss_signal_config mip_gnss_signal_config_default(void);
 
 /**
  * Signal configuration response: response (0x0E,0x82).
  *
- * Answers mip_gnss_signal_configuration. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `signal_configuration_response`. Answers mip_gnss_signal_config. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
  * - 3dm-cv7-gnss-ins: GNSS
  */
-struct mip_gnss_signal_configuration_response {
+struct mip_gnss_signal_config_response {
     /** GPS signals. */
     mip_gnss_gps_signals gps_enable;
     /** GLONASS signals. */
@@ -202,26 +204,26 @@ struct mip_gnss_signal_configuration_response {
     uint8_t reserved[4];
 };
 
-#define MIP_GNSS_SIGNAL_CONFIGURATION_RESPONSE_DESCRIPTOR 0x82
-#define MIP_GNSS_SIGNAL_CONFIGURATION_RESPONSE_NAME "gnss.signal_configuration_response"
+#define MIP_GNSS_SIGNAL_CONFIG_RESPONSE_DESCRIPTOR 0x82
+#define MIP_GNSS_SIGNAL_CONFIG_RESPONSE_NAME "gnss.signal_config_response"
 
-extern const struct mip_codec mip_gnss_signal_configuration_response_codec;
-mip_error mip_gnss_signal_configuration_response_decode(
-    struct mip_gnss_signal_configuration_response *value, const struct mip_field *field);
-mip_error mip_gnss_signal_configuration_response_encode(
-    const struct mip_gnss_signal_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_signal_config_response_codec;
+mip_error mip_gnss_signal_config_response_decode(struct mip_gnss_signal_config_response *value,
+                                                 const struct mip_field *field);
+mip_error mip_gnss_signal_config_response_encode(
+    const struct mip_gnss_signal_config_response *value, struct mip_builder *builder);
 
 /**
  * RTK dongle configuration: command (0x0E,0x10).
  *
  * Whether the device talks to the RTK dongle that is connected to it.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_gnss_rtk_dongle_configuration_response.
+ * Also called `rtk_dongle_configuration`. Functions: write, read, save, load and default. Answered
+ * by mip_gnss_rtk_dongle_config_response.
  *
  * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
  */
-struct mip_gnss_rtk_dongle_configuration {
+struct mip_gnss_rtk_dongle_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -232,55 +234,55 @@ struct mip_gnss_rtk_dongle_configuration {
     uint8_t reserved[3];
 };
 
-#define MIP_GNSS_RTK_DONGLE_CONFIGURATION_DESCRIPTOR 0x10
-#define MIP_GNSS_RTK_DONGLE_CONFIGURATION_NAME "gnss.rtk_dongle_configuration"
+#define MIP_GNSS_RTK_DONGLE_CONFIG_DESCRIPTOR 0x10
+#define MIP_GNSS_RTK_DONGLE_CONFIG_NAME "gnss.rtk_dongle_config"
 
-extern const struct mip_codec mip_gnss_rtk_dongle_configuration_codec;
-mip_error mip_gnss_rtk_dongle_configuration_decode(struct mip_gnss_rtk_dongle_configuration *value,
-                                                   const struct mip_field *field);
-mip_error mip_gnss_rtk_dongle_configuration_encode(
-    const struct mip_gnss_rtk_dongle_configuration *value, struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_rtk_dongle_config_codec;
+mip_error mip_gnss_rtk_dongle_config_decode(struct mip_gnss_rtk_dongle_config *value,
+                                            const struct mip_field *field);
+mip_error mip_gnss_rtk_dongle_config_encode(const struct mip_gnss_rtk_dongle_config *value,
+                                            struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_write(uint8_t enable);
+struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_write(uint8_t enable);
 /** Send the current setting back in a response. */
-struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_read(void);
+struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_save(void);
+struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_save(void);
 /** Load the saved setting. */
-struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_load(void);
+struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_load(void);
 /** Load the factory default setting. */
-struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_default(void);
+struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_default(void);
 
 /**
  * RTK dongle configuration response: response (0x0E,0x90).
  *
- * Answers mip_gnss_rtk_dongle_configuration.
+ * Also called `rtk_dongle_configuration_response`. Answers mip_gnss_rtk_dongle_config.
  *
  * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
  */
-struct mip_gnss_rtk_dongle_configuration_response {
+struct mip_gnss_rtk_dongle_config_response {
     /** 1 enables the dongle, 0 disables it. Range: 0 to 1. */
     uint8_t enable;
     /** Reserved. Uncertain: What to send; 0 is assumed. */
     uint8_t reserved[3];
 };
 
-#define MIP_GNSS_RTK_DONGLE_CONFIGURATION_RESPONSE_DESCRIPTOR 0x90
-#define MIP_GNSS_RTK_DONGLE_CONFIGURATION_RESPONSE_NAME "gnss.rtk_dongle_configuration_response"
+#define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_DESCRIPTOR 0x90
+#define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_NAME "gnss.rtk_dongle_config_response"
 
-extern const struct mip_codec mip_gnss_rtk_dongle_configuration_response_codec;
-mip_error mip_gnss_rtk_dongle_configuration_response_decode(
-    struct mip_gnss_rtk_dongle_configuration_response *value, const struct mip_field *field);
-mip_error mip_gnss_rtk_dongle_configuration_response_encode(
-    const struct mip_gnss_rtk_dongle_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_rtk_dongle_config_response_codec;
+mip_error mip_gnss_rtk_dongle_config_response_decode(
+    struct mip_gnss_rtk_dongle_config_response *value, const struct mip_field *field);
+mip_error mip_gnss_rtk_dongle_config_response_encode(
+    const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder);
 
 /**
  * SPARTN configuration: command (0x0E,0x20).
  *
  * Source and keys of SPARTN corrections.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_gnss_spartn_configuration_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `spartn_configuration`. Functions: write, read, save, load and default. Answered by
+ * mip_gnss_spartn_config_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * A change of enable or type has an effect after a power cycle only; keys can be changed while
  * running.
@@ -293,7 +295,7 @@ mip_error mip_gnss_rtk_dongle_configuration_response_encode(
  * - 3dm-cv7-gnss-ins: SPARTN Corrections
  * - 3dm-cv7-gnss-ins: SPARTN Corrections via UART
  */
-struct mip_gnss_spartn_configuration {
+struct mip_gnss_spartn_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -316,38 +318,39 @@ struct mip_gnss_spartn_configuration {
     uint8_t next_key[32];
 };
 
-#define MIP_GNSS_SPARTN_CONFIGURATION_DESCRIPTOR 0x20
-#define MIP_GNSS_SPARTN_CONFIGURATION_NAME "gnss.spartn_configuration"
+#define MIP_GNSS_SPARTN_CONFIG_DESCRIPTOR 0x20
+#define MIP_GNSS_SPARTN_CONFIG_NAME "gnss.spartn_config"
 
-extern const struct mip_codec mip_gnss_spartn_configuration_codec;
-mip_error mip_gnss_spartn_configuration_decode(struct mip_gnss_spartn_configuration *value,
-                                               const struct mip_field *field);
-mip_error mip_gnss_spartn_configuration_encode(const struct mip_gnss_spartn_configuration *value,
-                                               struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_spartn_config_codec;
+mip_error mip_gnss_spartn_config_decode(struct mip_gnss_spartn_config *value,
+                                        const struct mip_field *field);
+mip_error mip_gnss_spartn_config_encode(const struct mip_gnss_spartn_config *value,
+                                        struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_write(
+struct mip_gnss_spartn_config mip_gnss_spartn_config_write(
     uint8_t enable, mip_gnss_spartn_connection type, uint32_t current_key_tow,
     uint16_t current_key_week, const uint8_t current_key[32], uint32_t next_key_tow,
     uint16_t next_key_week, const uint8_t next_key[32]);
 /** Send the current setting back in a response. */
-struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_read(void);
+struct mip_gnss_spartn_config mip_gnss_spartn_config_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_save(void);
+struct mip_gnss_spartn_config mip_gnss_spartn_config_save(void);
 /** Load the saved setting. */
-struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_load(void);
+struct mip_gnss_spartn_config mip_gnss_spartn_config_load(void);
 /** Load the factory default setting. */
-struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_default(void);
+struct mip_gnss_spartn_config mip_gnss_spartn_config_default(void);
 
 /**
  * SPARTN configuration response: response (0x0E,0xA0).
  *
- * Answers mip_gnss_spartn_configuration. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `spartn_configuration_response`. Answers mip_gnss_spartn_config. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
  * - 3dm-cv7-gnss-ins: SPARTN Corrections
  * - 3dm-cv7-gnss-ins: SPARTN Corrections via UART
  */
-struct mip_gnss_spartn_configuration_response {
+struct mip_gnss_spartn_config_response {
     /** 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. */
     uint8_t enable;
     /** How the corrections come. */
@@ -366,14 +369,14 @@ struct mip_gnss_spartn_configuration_response {
     uint8_t next_key[32];
 };
 
-#define MIP_GNSS_SPARTN_CONFIGURATION_RESPONSE_DESCRIPTOR 0xA0
-#define MIP_GNSS_SPARTN_CONFIGURATION_RESPONSE_NAME "gnss.spartn_configuration_response"
+#define MIP_GNSS_SPARTN_CONFIG_RESPONSE_DESCRIPTOR 0xA0
+#define MIP_GNSS_SPARTN_CONFIG_RESPONSE_NAME "gnss.spartn_config_response"
 
-extern const struct mip_codec mip_gnss_spartn_configuration_response_codec;
-mip_error mip_gnss_spartn_configuration_response_decode(
-    struct mip_gnss_spartn_configuration_response *value, const struct mip_field *field);
-mip_error mip_gnss_spartn_configuration_response_encode(
-    const struct mip_gnss_spartn_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_spartn_config_response_codec;
+mip_error mip_gnss_spartn_config_response_decode(struct mip_gnss_spartn_config_response *value,
+                                                 const struct mip_field *field);
+mip_error mip_gnss_spartn_config_response_encode(
+    const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder);
 
 #ifdef __cplusplus
 }

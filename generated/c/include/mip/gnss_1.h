@@ -20,28 +20,28 @@ extern "C" {
 #define MIP_GNSS_1_SET 0x91
 
 /** Which parts of the position are valid. */
-typedef uint16_t mip_gnss_1_gnss_llh_position_flags;
+typedef uint16_t mip_gnss_1_llh_position_flags;
 /** Bit 0. Latitude and longitude. */
-#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_LAT_LON 0x0001U
+#define MIP_GNSS_1_LLH_POSITION_FLAGS_LAT_LON 0x0001U
 /** Bit 1. Height above the ellipsoid. */
-#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT 0x0002U
+#define MIP_GNSS_1_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT 0x0002U
 /** Bit 2. Height above mean sea level. */
-#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_MSL_HEIGHT 0x0004U
+#define MIP_GNSS_1_LLH_POSITION_FLAGS_MSL_HEIGHT 0x0004U
 /** Bit 3. Horizontal accuracy. */
-#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY 0x0008U
+#define MIP_GNSS_1_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY 0x0008U
 /** Bit 4. Vertical accuracy. */
-#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_VERTICAL_ACCURACY 0x0010U
+#define MIP_GNSS_1_LLH_POSITION_FLAGS_VERTICAL_ACCURACY 0x0010U
 /** Bits 0 to 4. All of them. Overlaps other bits. */
-#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_FLAGS 0x001FU
+#define MIP_GNSS_1_LLH_POSITION_FLAGS_FLAGS 0x001FU
 
 /** Which parts of the position are valid. */
-typedef uint16_t mip_gnss_1_gnss_ecef_position_flags;
+typedef uint16_t mip_gnss_1_ecef_position_flags;
 /** Bit 0. Position. */
-#define MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_POSITION 0x0001U
+#define MIP_GNSS_1_ECEF_POSITION_FLAGS_POSITION 0x0001U
 /** Bit 1. Accuracy of the position. */
-#define MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_POSITION_ACCURACY 0x0002U
+#define MIP_GNSS_1_ECEF_POSITION_FLAGS_POSITION_ACCURACY 0x0002U
 /** Bits 0 to 1. All of them. Overlaps other bits. */
-#define MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_FLAGS 0x0003U
+#define MIP_GNSS_1_ECEF_POSITION_FLAGS_FLAGS 0x0003U
 
 /** Which parts of the velocity are valid. */
 typedef uint16_t mip_gnss_1_ned_velocity_flags;
@@ -61,13 +61,13 @@ typedef uint16_t mip_gnss_1_ned_velocity_flags;
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_FLAGS 0x003FU
 
 /** Which parts of the velocity are valid. */
-typedef uint16_t mip_gnss_1_gnss_ecef_velocity_flags;
+typedef uint16_t mip_gnss_1_ecef_velocity_flags;
 /** Bit 0. Velocity. */
-#define MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_VELOCITY 0x0001U
+#define MIP_GNSS_1_ECEF_VELOCITY_FLAGS_VELOCITY 0x0001U
 /** Bit 1. Accuracy of the velocity. */
-#define MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY 0x0002U
+#define MIP_GNSS_1_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY 0x0002U
 /** Bits 0 to 1. All of them. Overlaps other bits. */
-#define MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_FLAGS 0x0003U
+#define MIP_GNSS_1_ECEF_VELOCITY_FLAGS_FLAGS 0x0003U
 
 /** Which dilutions of precision are valid. */
 typedef uint16_t mip_gnss_1_dop_flags;
@@ -191,15 +191,15 @@ typedef uint8_t mip_gnss_1_antenna_power;
 #define MIP_GNSS_1_ANTENNA_POWER_UNKNOWN 2
 
 /** Which parts of the hardware status are valid. */
-typedef uint16_t mip_gnss_1_gnss_hardware_status_flags;
+typedef uint16_t mip_gnss_1_hardware_status_flags;
 /** Bit 0. State of the receiver. */
-#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_SENSOR_STATE 0x0001U
+#define MIP_GNSS_1_HARDWARE_STATUS_FLAGS_SENSOR_STATE 0x0001U
 /** Bit 1. State of the antenna. */
-#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_ANTENNA_STATE 0x0002U
+#define MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_STATE 0x0002U
 /** Bit 2. Supply of the antenna. */
-#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_ANTENNA_POWER 0x0004U
+#define MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_POWER 0x0004U
 /** Bits 0 to 2. All of them. Overlaps other bits. */
-#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
+#define MIP_GNSS_1_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
 
 /** Which parts of the state of the corrections are valid. */
 typedef uint16_t mip_gnss_1_dgps_info_flags;
@@ -423,7 +423,7 @@ typedef uint16_t mip_gnss_1_base_station_indicators;
 /** Bit 3. BeiDou is supported. */
 #define MIP_GNSS_1_BASE_STATION_INDICATORS_BEIDOU 0x0008U
 /** Bit 4. Reference station indicator. */
-#define MIP_GNSS_1_BASE_STATION_INDICATORS_REF_STATION 0x0010U
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_REFERENCE_STATION 0x0010U
 /** Bit 5. Single receiver oscillator indicator. */
 #define MIP_GNSS_1_BASE_STATION_INDICATORS_SINGLE_RECEIVER 0x0020U
 /** Bit 6. First bit of the quarter cycle indicator. */
@@ -567,49 +567,49 @@ typedef uint16_t mip_gnss_1_beidou_iono_correction_flags;
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
  */
-struct mip_gnss_1_gnss_llh_position {
+struct mip_gnss_1_llh_position {
     /**
-     * Latitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_LAT_LON in
+     * Latitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_LAT_LON in
      * valid_flags is set.
      */
     double latitude;
     /**
-     * Longitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_LAT_LON in
+     * Longitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_LAT_LON in
      * valid_flags is set.
      */
     double longitude;
     /**
      * Height above the ellipsoid. Unit: m. Frame: llh. Valid if
-     * MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT in valid_flags is set.
+     * MIP_GNSS_1_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT in valid_flags is set.
      */
     double ellipsoid_height;
     /**
-     * Height above mean sea level. Unit: m. Valid if MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_MSL_HEIGHT
-     * in valid_flags is set.
+     * Height above mean sea level. Unit: m. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_MSL_HEIGHT in
+     * valid_flags is set.
      */
     double msl_height;
     /**
-     * Horizontal accuracy. Unit: m. Valid if MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY
-     * in valid_flags is set.
+     * Horizontal accuracy. Unit: m. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY in
+     * valid_flags is set.
      */
     float horizontal_accuracy;
     /**
-     * Vertical accuracy. Unit: m. Valid if MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_VERTICAL_ACCURACY in
+     * Vertical accuracy. Unit: m. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_VERTICAL_ACCURACY in
      * valid_flags is set.
      */
     float vertical_accuracy;
     /** Which values are valid. */
-    mip_gnss_1_gnss_llh_position_flags valid_flags;
+    mip_gnss_1_llh_position_flags valid_flags;
 };
 
-#define MIP_GNSS_1_GNSS_LLH_POSITION_DESCRIPTOR 0x03
-#define MIP_GNSS_1_GNSS_LLH_POSITION_NAME "gnss_1.gnss_llh_position"
+#define MIP_GNSS_1_LLH_POSITION_DESCRIPTOR 0x03
+#define MIP_GNSS_1_LLH_POSITION_NAME "gnss_1.llh_position"
 
-extern const struct mip_codec mip_gnss_1_gnss_llh_position_codec;
-mip_error mip_gnss_1_gnss_llh_position_decode(struct mip_gnss_1_gnss_llh_position *value,
-                                              const struct mip_field *field);
-mip_error mip_gnss_1_gnss_llh_position_encode(const struct mip_gnss_1_gnss_llh_position *value,
-                                              struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_1_llh_position_codec;
+mip_error mip_gnss_1_llh_position_decode(struct mip_gnss_1_llh_position *value,
+                                         const struct mip_field *field);
+mip_error mip_gnss_1_llh_position_encode(const struct mip_gnss_1_llh_position *value,
+                                         struct mip_builder *builder);
 
 /**
  * GNSS ECEF position: data (0x91,0x04).
@@ -620,29 +620,29 @@ mip_error mip_gnss_1_gnss_llh_position_encode(const struct mip_gnss_1_gnss_llh_p
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
  */
-struct mip_gnss_1_gnss_ecef_position {
+struct mip_gnss_1_ecef_position {
     /**
      * Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
-     * MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_POSITION in valid_flags is set.
+     * MIP_GNSS_1_ECEF_POSITION_FLAGS_POSITION in valid_flags is set.
      */
-    double x[3];
+    double position[3];
     /**
-     * Accuracy of the position. Unit: m. Valid if
-     * MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_POSITION_ACCURACY in valid_flags is set.
+     * Accuracy of the position. Unit: m. Valid if MIP_GNSS_1_ECEF_POSITION_FLAGS_POSITION_ACCURACY
+     * in valid_flags is set.
      */
-    float x_accuracy;
+    float position_accuracy;
     /** Which values are valid. */
-    mip_gnss_1_gnss_ecef_position_flags valid_flags;
+    mip_gnss_1_ecef_position_flags valid_flags;
 };
 
-#define MIP_GNSS_1_GNSS_ECEF_POSITION_DESCRIPTOR 0x04
-#define MIP_GNSS_1_GNSS_ECEF_POSITION_NAME "gnss_1.gnss_ecef_position"
+#define MIP_GNSS_1_ECEF_POSITION_DESCRIPTOR 0x04
+#define MIP_GNSS_1_ECEF_POSITION_NAME "gnss_1.ecef_position"
 
-extern const struct mip_codec mip_gnss_1_gnss_ecef_position_codec;
-mip_error mip_gnss_1_gnss_ecef_position_decode(struct mip_gnss_1_gnss_ecef_position *value,
-                                               const struct mip_field *field);
-mip_error mip_gnss_1_gnss_ecef_position_encode(const struct mip_gnss_1_gnss_ecef_position *value,
-                                               struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_1_ecef_position_codec;
+mip_error mip_gnss_1_ecef_position_decode(struct mip_gnss_1_ecef_position *value,
+                                          const struct mip_field *field);
+mip_error mip_gnss_1_ecef_position_encode(const struct mip_gnss_1_ecef_position *value,
+                                          struct mip_builder *builder);
 
 /**
  * NED velocity: data (0x91,0x05).
@@ -658,7 +658,7 @@ struct mip_gnss_1_ned_velocity {
      * Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Valid if
      * MIP_GNSS_1_NED_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
      */
-    float v_[3];
+    float velocity[3];
     /**
      * Speed in space. Unit: m/s. Valid if MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_3D in valid_flags is
      * set.
@@ -706,29 +706,29 @@ mip_error mip_gnss_1_ned_velocity_encode(const struct mip_gnss_1_ned_velocity *v
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
  */
-struct mip_gnss_1_gnss_ecef_velocity {
+struct mip_gnss_1_ecef_velocity {
     /**
      * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
-     * MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
+     * MIP_GNSS_1_ECEF_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
      */
-    float v_[3];
+    float velocity[3];
     /**
      * Accuracy of the velocity. Unit: m/s. Valid if
-     * MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY in valid_flags is set.
+     * MIP_GNSS_1_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY in valid_flags is set.
      */
-    float v_accuracy;
+    float velocity_accuracy;
     /** Which values are valid. */
-    mip_gnss_1_gnss_ecef_velocity_flags valid_flags;
+    mip_gnss_1_ecef_velocity_flags valid_flags;
 };
 
-#define MIP_GNSS_1_GNSS_ECEF_VELOCITY_DESCRIPTOR 0x06
-#define MIP_GNSS_1_GNSS_ECEF_VELOCITY_NAME "gnss_1.gnss_ecef_velocity"
+#define MIP_GNSS_1_ECEF_VELOCITY_DESCRIPTOR 0x06
+#define MIP_GNSS_1_ECEF_VELOCITY_NAME "gnss_1.ecef_velocity"
 
-extern const struct mip_codec mip_gnss_1_gnss_ecef_velocity_codec;
-mip_error mip_gnss_1_gnss_ecef_velocity_decode(struct mip_gnss_1_gnss_ecef_velocity *value,
-                                               const struct mip_field *field);
-mip_error mip_gnss_1_gnss_ecef_velocity_encode(const struct mip_gnss_1_gnss_ecef_velocity *value,
-                                               struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_1_ecef_velocity_codec;
+mip_error mip_gnss_1_ecef_velocity_decode(struct mip_gnss_1_ecef_velocity *value,
+                                          const struct mip_field *field);
+mip_error mip_gnss_1_ecef_velocity_encode(const struct mip_gnss_1_ecef_velocity *value,
+                                          struct mip_builder *builder);
 
 /**
  * DOP: data (0x91,0x07).
@@ -974,34 +974,34 @@ mip_error mip_gnss_1_sv_info_encode(const struct mip_gnss_1_sv_info *value,
  *
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
  */
-struct mip_gnss_1_gnss_hardware_status {
+struct mip_gnss_1_hardware_status {
     /**
-     * State of the receiver. Valid if MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_SENSOR_STATE in
-     * valid_flags is set.
+     * State of the receiver. Valid if MIP_GNSS_1_HARDWARE_STATUS_FLAGS_SENSOR_STATE in valid_flags
+     * is set.
      */
     mip_gnss_1_receiver_state receiver_state;
     /**
-     * State of the antenna. Valid if MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_ANTENNA_STATE in
-     * valid_flags is set.
+     * State of the antenna. Valid if MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_STATE in valid_flags
+     * is set.
      */
     mip_gnss_1_antenna_state antenna_state;
     /**
-     * Supply of the antenna. Valid if MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_ANTENNA_POWER in
-     * valid_flags is set.
+     * Supply of the antenna. Valid if MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_POWER in valid_flags
+     * is set.
      */
     mip_gnss_1_antenna_power antenna_power;
     /** Which values are valid. */
-    mip_gnss_1_gnss_hardware_status_flags valid_flags;
+    mip_gnss_1_hardware_status_flags valid_flags;
 };
 
-#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_DESCRIPTOR 0x0D
-#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_NAME "gnss_1.gnss_hardware_status"
+#define MIP_GNSS_1_HARDWARE_STATUS_DESCRIPTOR 0x0D
+#define MIP_GNSS_1_HARDWARE_STATUS_NAME "gnss_1.hardware_status"
 
-extern const struct mip_codec mip_gnss_1_gnss_hardware_status_codec;
-mip_error mip_gnss_1_gnss_hardware_status_decode(struct mip_gnss_1_gnss_hardware_status *value,
-                                                 const struct mip_field *field);
-mip_error mip_gnss_1_gnss_hardware_status_encode(
-    const struct mip_gnss_1_gnss_hardware_status *value, struct mip_builder *builder);
+extern const struct mip_codec mip_gnss_1_hardware_status_codec;
+mip_error mip_gnss_1_hardware_status_decode(struct mip_gnss_1_hardware_status *value,
+                                            const struct mip_field *field);
+mip_error mip_gnss_1_hardware_status_encode(const struct mip_gnss_1_hardware_status *value,
+                                            struct mip_builder *builder);
 
 /**
  * DGPS info: data (0x91,0x0E).
@@ -1178,7 +1178,7 @@ mip_error mip_gnss_1_gps_leap_seconds_encode(const struct mip_gnss_1_gps_leap_se
  */
 struct mip_gnss_1_sbas_info {
     /** GPS time of week. Unit: s. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_TOW in valid_flags is set. */
-    double time_of_week;
+    double tow;
     /**
      * GPS week number. Unit: week. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_WEEK_NUMBER in valid_flags
      * is set.
@@ -1317,7 +1317,7 @@ struct mip_gnss_1_satellite_status {
      * GPS time of week. Unit: s. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_TOW in valid_flags is
      * set.
      */
-    double time_of_week;
+    double tow;
     /**
      * GPS week number. Unit: week. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_WEEK_NUMBER in
      * valid_flags is set.
@@ -1377,7 +1377,7 @@ struct mip_gnss_1_raw {
     /** How many of these fields the epoch has. */
     uint8_t count;
     /** GPS time of week. Unit: s. Valid if MIP_GNSS_1_RAW_FLAGS_TOW in valid_flags is set. */
-    double time_of_week;
+    double tow;
     /**
      * GPS week number. Unit: week. Valid if MIP_GNSS_1_RAW_FLAGS_WEEK_NUMBER in valid_flags is set.
      */
@@ -1423,17 +1423,17 @@ struct mip_gnss_1_raw {
      * Uncertainty of the pseudorange. Unit: m. Valid if MIP_GNSS_1_RAW_FLAGS_RANGE_UNCERTAINTY in
      * valid_flags is set.
      */
-    float range_uncert;
+    float range_uncertainty;
     /**
      * Uncertainty of the carrier phase. Unit: cycle. Valid if
      * MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE_UNCERTAINTY in valid_flags is set.
      */
-    float phase_uncert;
+    float phase_uncertainty;
     /**
      * Uncertainty of the Doppler shift. Unit: Hz. Valid if MIP_GNSS_1_RAW_FLAGS_DOPPLER_UNCERTAINTY
      * in valid_flags is set.
      */
-    float doppler_uncert;
+    float doppler_uncertainty;
     /**
      * Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if
      * MIP_GNSS_1_RAW_FLAGS_LOCK_TIME in valid_flags is set.
@@ -1462,7 +1462,7 @@ struct mip_gnss_1_base_station_info {
      * GPS time of week at which the message was received. Unit: s. Valid if
      * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_TOW in valid_flags is set.
      */
-    double time_of_week;
+    double tow;
     /**
      * GPS week number. Unit: week. Valid if MIP_GNSS_1_BASE_STATION_INFO_FLAGS_WEEK_NUMBER in
      * valid_flags is set.
@@ -1472,7 +1472,7 @@ struct mip_gnss_1_base_station_info {
      * Position of the station. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
      * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_ECEF_POSITION in valid_flags is set.
      */
-    double ecef_pos[3];
+    double ecef_position[3];
     /**
      * Height of the antenna above the marker that was surveyed. Unit: m. Valid if
      * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_HEIGHT in valid_flags is set.
@@ -1513,7 +1513,7 @@ struct mip_gnss_1_rtk_corrections_status {
      * GPS time of week. Unit: s. Valid if MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_TOW in
      * valid_flags is set.
      */
-    double time_of_week;
+    double tow;
     /**
      * GPS week number. Unit: week. Valid if MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_WEEK_NUMBER in
      * valid_flags is set.
@@ -1573,7 +1573,7 @@ mip_error mip_gnss_1_rtk_corrections_status_encode(
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
  */
@@ -1583,7 +1583,7 @@ struct mip_gnss_1_gps_ephemeris {
     /** How many of these fields the epoch has. */
     uint8_t count;
     /** GPS time of week. Unit: s. */
-    double time_of_week;
+    double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
     /** Satellite within the constellation. */
@@ -1596,7 +1596,7 @@ struct mip_gnss_1_gps_ephemeris {
     /**
      * Issue of data, clock. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
-    uint8_t iodec;
+    uint8_t iodc;
     /**
      * Issue of data, ephemeris. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
      * set.
@@ -1751,7 +1751,7 @@ struct mip_gnss_1_glonass_ephemeris {
     /** How many of these fields the epoch has. */
     uint8_t count;
     /** GPS time of week. Unit: s. */
-    double time_of_week;
+    double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
     /** Satellite within the constellation. */
@@ -1760,7 +1760,7 @@ struct mip_gnss_1_glonass_ephemeris {
      * GLONASS frequency number. Range: -7 to 24. Valid if
      * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
-    int8_t freq_number;
+    int8_t frequency_number;
     /**
      * Start of the frame within the day. Unit: s. Valid if
      * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
@@ -1775,7 +1775,7 @@ struct mip_gnss_1_glonass_ephemeris {
      * Generation of the satellite (M). Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in
      * valid_flags is set.
      */
-    mip_gnss_1_glonass_satellite_type sat_type;
+    mip_gnss_1_glonass_satellite_type satellite_type;
     /**
      * Relative deviation of the carrier frequency from its nominal value. Unit: 1. Valid if
      * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
@@ -1790,17 +1790,17 @@ struct mip_gnss_1_glonass_ephemeris {
      * Position of the satellite in PZ-90. Elements: x, y, z. Unit: m. Valid if
      * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
-    double x[3];
+    double position[3];
     /**
      * Velocity of the satellite in PZ-90. Elements: x, y, z. Unit: m/s. Valid if
      * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
-    float v_[3];
+    float velocity[3];
     /**
      * Acceleration of the satellite by perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
      * Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
-    float a[3];
+    float accel[3];
     /**
      * Health (Bn); not 0 if the satellite fails. Valid if
      * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
@@ -1874,7 +1874,7 @@ mip_error mip_gnss_1_glonass_ephemeris_encode(const struct mip_gnss_1_glonass_ep
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
  */
@@ -1884,7 +1884,7 @@ struct mip_gnss_1_galileo_ephemeris {
     /** How many of these fields the epoch has. */
     uint8_t count;
     /** GPS time of week. Unit: s. */
-    double time_of_week;
+    double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
     /** Satellite within the constellation. */
@@ -1897,7 +1897,7 @@ struct mip_gnss_1_galileo_ephemeris {
     /**
      * Issue of data, clock. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
-    uint8_t iodec;
+    uint8_t iodc;
     /**
      * Issue of data, ephemeris. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
      * set.
@@ -2043,7 +2043,7 @@ mip_error mip_gnss_1_galileo_ephemeris_encode(const struct mip_gnss_1_galileo_ep
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
  */
@@ -2053,7 +2053,7 @@ struct mip_gnss_1_beidou_ephemeris {
     /** How many of these fields the epoch has. */
     uint8_t count;
     /** GPS time of week. Unit: s. */
-    double time_of_week;
+    double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
     /** Satellite within the constellation. */
@@ -2066,7 +2066,7 @@ struct mip_gnss_1_beidou_ephemeris {
     /**
      * Issue of data, clock. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
-    uint8_t iodec;
+    uint8_t iodc;
     /**
      * Issue of data, ephemeris. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
      * set.

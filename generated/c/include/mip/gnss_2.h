@@ -25,34 +25,33 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_gnss_llh_position. Also called `pos_llh`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
  */
-#define mip_gnss_2_gnss_llh_position mip_gnss_1_gnss_llh_position
-#define mip_gnss_2_gnss_llh_position_codec mip_gnss_1_gnss_llh_position_codec
-#define mip_gnss_2_gnss_llh_position_decode mip_gnss_1_gnss_llh_position_decode
-#define mip_gnss_2_gnss_llh_position_encode mip_gnss_1_gnss_llh_position_encode
-#define MIP_GNSS_2_GNSS_LLH_POSITION_DESCRIPTOR 0x03
-#define MIP_GNSS_2_GNSS_LLH_POSITION_NAME "gnss_2.gnss_llh_position"
+#define mip_gnss_2_llh_position mip_gnss_1_llh_position
+#define mip_gnss_2_llh_position_codec mip_gnss_1_llh_position_codec
+#define mip_gnss_2_llh_position_decode mip_gnss_1_llh_position_decode
+#define mip_gnss_2_llh_position_encode mip_gnss_1_llh_position_encode
+#define MIP_GNSS_2_LLH_POSITION_DESCRIPTOR 0x03
+#define MIP_GNSS_2_LLH_POSITION_NAME "gnss_2.llh_position"
 
 /**
  * GNSS ECEF position: data (0x92,0x04).
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_position. Also called `pos_ecef`. Supported by
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
  */
-#define mip_gnss_2_gnss_ecef_position mip_gnss_1_gnss_ecef_position
-#define mip_gnss_2_gnss_ecef_position_codec mip_gnss_1_gnss_ecef_position_codec
-#define mip_gnss_2_gnss_ecef_position_decode mip_gnss_1_gnss_ecef_position_decode
-#define mip_gnss_2_gnss_ecef_position_encode mip_gnss_1_gnss_ecef_position_encode
-#define MIP_GNSS_2_GNSS_ECEF_POSITION_DESCRIPTOR 0x04
-#define MIP_GNSS_2_GNSS_ECEF_POSITION_NAME "gnss_2.gnss_ecef_position"
+#define mip_gnss_2_ecef_position mip_gnss_1_ecef_position
+#define mip_gnss_2_ecef_position_codec mip_gnss_1_ecef_position_codec
+#define mip_gnss_2_ecef_position_decode mip_gnss_1_ecef_position_decode
+#define mip_gnss_2_ecef_position_encode mip_gnss_1_ecef_position_encode
+#define MIP_GNSS_2_ECEF_POSITION_DESCRIPTOR 0x04
+#define MIP_GNSS_2_ECEF_POSITION_NAME "gnss_2.ecef_position"
 
 /**
  * NED velocity: data (0x92,0x05).
@@ -75,17 +74,17 @@ extern "C" {
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_velocity. Also called `vel_ecef`. Supported by
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06)
  */
-#define mip_gnss_2_gnss_ecef_velocity mip_gnss_1_gnss_ecef_velocity
-#define mip_gnss_2_gnss_ecef_velocity_codec mip_gnss_1_gnss_ecef_velocity_codec
-#define mip_gnss_2_gnss_ecef_velocity_decode mip_gnss_1_gnss_ecef_velocity_decode
-#define mip_gnss_2_gnss_ecef_velocity_encode mip_gnss_1_gnss_ecef_velocity_encode
-#define MIP_GNSS_2_GNSS_ECEF_VELOCITY_DESCRIPTOR 0x06
-#define MIP_GNSS_2_GNSS_ECEF_VELOCITY_NAME "gnss_2.gnss_ecef_velocity"
+#define mip_gnss_2_ecef_velocity mip_gnss_1_ecef_velocity
+#define mip_gnss_2_ecef_velocity_codec mip_gnss_1_ecef_velocity_codec
+#define mip_gnss_2_ecef_velocity_decode mip_gnss_1_ecef_velocity_decode
+#define mip_gnss_2_ecef_velocity_encode mip_gnss_1_ecef_velocity_encode
+#define MIP_GNSS_2_ECEF_VELOCITY_DESCRIPTOR 0x06
+#define MIP_GNSS_2_ECEF_VELOCITY_NAME "gnss_2.ecef_velocity"
 
 /**
  * DOP: data (0x92,0x07).
@@ -193,17 +192,17 @@ extern "C" {
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_gnss_hardware_status. Also called `hw_status`. Supported by
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
  */
-#define mip_gnss_2_gnss_hardware_status mip_gnss_1_gnss_hardware_status
-#define mip_gnss_2_gnss_hardware_status_codec mip_gnss_1_gnss_hardware_status_codec
-#define mip_gnss_2_gnss_hardware_status_decode mip_gnss_1_gnss_hardware_status_decode
-#define mip_gnss_2_gnss_hardware_status_encode mip_gnss_1_gnss_hardware_status_encode
-#define MIP_GNSS_2_GNSS_HARDWARE_STATUS_DESCRIPTOR 0x0D
-#define MIP_GNSS_2_GNSS_HARDWARE_STATUS_NAME "gnss_2.gnss_hardware_status"
+#define mip_gnss_2_hardware_status mip_gnss_1_hardware_status
+#define mip_gnss_2_hardware_status_codec mip_gnss_1_hardware_status_codec
+#define mip_gnss_2_hardware_status_decode mip_gnss_1_hardware_status_decode
+#define mip_gnss_2_hardware_status_encode mip_gnss_1_hardware_status_encode
+#define MIP_GNSS_2_HARDWARE_STATUS_DESCRIPTOR 0x0D
+#define MIP_GNSS_2_HARDWARE_STATUS_NAME "gnss_2.hardware_status"
 
 /**
  * DGPS info: data (0x92,0x0E).
@@ -406,7 +405,7 @@ extern "C" {
  *
  * Has the layout of mip_gnss_1_gps_ephemeris. Supported by 3DM-CV7-GNSS/INS.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61)
  */
@@ -448,7 +447,7 @@ extern "C" {
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
  */
@@ -469,7 +468,7 @@ extern "C" {
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
  */

@@ -26,32 +26,32 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_gnss_llh_position. Also called `pos_llh`.
+ * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_gnss_llh_position mip_gnss_1_gnss_llh_position
-#define mip_gnss_corrections_gnss_llh_position_codec mip_gnss_1_gnss_llh_position_codec
-#define mip_gnss_corrections_gnss_llh_position_decode mip_gnss_1_gnss_llh_position_decode
-#define mip_gnss_corrections_gnss_llh_position_encode mip_gnss_1_gnss_llh_position_encode
-#define MIP_GNSS_CORRECTIONS_GNSS_LLH_POSITION_DESCRIPTOR 0x03
-#define MIP_GNSS_CORRECTIONS_GNSS_LLH_POSITION_NAME "gnss_corrections.gnss_llh_position"
+#define mip_gnss_corrections_llh_position mip_gnss_1_llh_position
+#define mip_gnss_corrections_llh_position_codec mip_gnss_1_llh_position_codec
+#define mip_gnss_corrections_llh_position_decode mip_gnss_1_llh_position_decode
+#define mip_gnss_corrections_llh_position_encode mip_gnss_1_llh_position_encode
+#define MIP_GNSS_CORRECTIONS_LLH_POSITION_DESCRIPTOR 0x03
+#define MIP_GNSS_CORRECTIONS_LLH_POSITION_NAME "gnss_corrections.llh_position"
 
 /**
  * GNSS ECEF position: data (0x93,0x04).
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_position. Also called `pos_ecef`.
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_gnss_ecef_position mip_gnss_1_gnss_ecef_position
-#define mip_gnss_corrections_gnss_ecef_position_codec mip_gnss_1_gnss_ecef_position_codec
-#define mip_gnss_corrections_gnss_ecef_position_decode mip_gnss_1_gnss_ecef_position_decode
-#define mip_gnss_corrections_gnss_ecef_position_encode mip_gnss_1_gnss_ecef_position_encode
-#define MIP_GNSS_CORRECTIONS_GNSS_ECEF_POSITION_DESCRIPTOR 0x04
-#define MIP_GNSS_CORRECTIONS_GNSS_ECEF_POSITION_NAME "gnss_corrections.gnss_ecef_position"
+#define mip_gnss_corrections_ecef_position mip_gnss_1_ecef_position
+#define mip_gnss_corrections_ecef_position_codec mip_gnss_1_ecef_position_codec
+#define mip_gnss_corrections_ecef_position_decode mip_gnss_1_ecef_position_decode
+#define mip_gnss_corrections_ecef_position_encode mip_gnss_1_ecef_position_encode
+#define MIP_GNSS_CORRECTIONS_ECEF_POSITION_DESCRIPTOR 0x04
+#define MIP_GNSS_CORRECTIONS_ECEF_POSITION_NAME "gnss_corrections.ecef_position"
 
 /**
  * NED velocity: data (0x93,0x05).
@@ -74,16 +74,16 @@ extern "C" {
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_velocity. Also called `vel_ecef`.
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_gnss_ecef_velocity mip_gnss_1_gnss_ecef_velocity
-#define mip_gnss_corrections_gnss_ecef_velocity_codec mip_gnss_1_gnss_ecef_velocity_codec
-#define mip_gnss_corrections_gnss_ecef_velocity_decode mip_gnss_1_gnss_ecef_velocity_decode
-#define mip_gnss_corrections_gnss_ecef_velocity_encode mip_gnss_1_gnss_ecef_velocity_encode
-#define MIP_GNSS_CORRECTIONS_GNSS_ECEF_VELOCITY_DESCRIPTOR 0x06
-#define MIP_GNSS_CORRECTIONS_GNSS_ECEF_VELOCITY_NAME "gnss_corrections.gnss_ecef_velocity"
+#define mip_gnss_corrections_ecef_velocity mip_gnss_1_ecef_velocity
+#define mip_gnss_corrections_ecef_velocity_codec mip_gnss_1_ecef_velocity_codec
+#define mip_gnss_corrections_ecef_velocity_decode mip_gnss_1_ecef_velocity_decode
+#define mip_gnss_corrections_ecef_velocity_encode mip_gnss_1_ecef_velocity_encode
+#define MIP_GNSS_CORRECTIONS_ECEF_VELOCITY_DESCRIPTOR 0x06
+#define MIP_GNSS_CORRECTIONS_ECEF_VELOCITY_NAME "gnss_corrections.ecef_velocity"
 
 /**
  * DOP: data (0x93,0x07).
@@ -191,16 +191,16 @@ extern "C" {
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_gnss_hardware_status. Also called `hw_status`.
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_gnss_hardware_status mip_gnss_1_gnss_hardware_status
-#define mip_gnss_corrections_gnss_hardware_status_codec mip_gnss_1_gnss_hardware_status_codec
-#define mip_gnss_corrections_gnss_hardware_status_decode mip_gnss_1_gnss_hardware_status_decode
-#define mip_gnss_corrections_gnss_hardware_status_encode mip_gnss_1_gnss_hardware_status_encode
-#define MIP_GNSS_CORRECTIONS_GNSS_HARDWARE_STATUS_DESCRIPTOR 0x0D
-#define MIP_GNSS_CORRECTIONS_GNSS_HARDWARE_STATUS_NAME "gnss_corrections.gnss_hardware_status"
+#define mip_gnss_corrections_hardware_status mip_gnss_1_hardware_status
+#define mip_gnss_corrections_hardware_status_codec mip_gnss_1_hardware_status_codec
+#define mip_gnss_corrections_hardware_status_decode mip_gnss_1_hardware_status_decode
+#define mip_gnss_corrections_hardware_status_encode mip_gnss_1_hardware_status_encode
+#define MIP_GNSS_CORRECTIONS_HARDWARE_STATUS_DESCRIPTOR 0x0D
+#define MIP_GNSS_CORRECTIONS_HARDWARE_STATUS_NAME "gnss_corrections.hardware_status"
 
 /**
  * DGPS info: data (0x93,0x0E).
@@ -403,7 +403,7 @@ extern "C" {
  *
  * Has the layout of mip_gnss_1_gps_ephemeris.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -444,7 +444,7 @@ extern "C" {
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -465,7 +465,7 @@ extern "C" {
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */

@@ -25,32 +25,32 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_gnss_llh_position. Also called `pos_llh`.
+ * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
-#define mip_gnss_data_gnss_llh_position mip_gnss_1_gnss_llh_position
-#define mip_gnss_data_gnss_llh_position_codec mip_gnss_1_gnss_llh_position_codec
-#define mip_gnss_data_gnss_llh_position_decode mip_gnss_1_gnss_llh_position_decode
-#define mip_gnss_data_gnss_llh_position_encode mip_gnss_1_gnss_llh_position_encode
-#define MIP_GNSS_DATA_GNSS_LLH_POSITION_DESCRIPTOR 0x03
-#define MIP_GNSS_DATA_GNSS_LLH_POSITION_NAME "gnss_data.gnss_llh_position"
+#define mip_gnss_data_llh_position mip_gnss_1_llh_position
+#define mip_gnss_data_llh_position_codec mip_gnss_1_llh_position_codec
+#define mip_gnss_data_llh_position_decode mip_gnss_1_llh_position_decode
+#define mip_gnss_data_llh_position_encode mip_gnss_1_llh_position_encode
+#define MIP_GNSS_DATA_LLH_POSITION_DESCRIPTOR 0x03
+#define MIP_GNSS_DATA_LLH_POSITION_NAME "gnss_data.llh_position"
 
 /**
  * GNSS ECEF position: data (0x81,0x04).
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_position. Also called `pos_ecef`.
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
-#define mip_gnss_data_gnss_ecef_position mip_gnss_1_gnss_ecef_position
-#define mip_gnss_data_gnss_ecef_position_codec mip_gnss_1_gnss_ecef_position_codec
-#define mip_gnss_data_gnss_ecef_position_decode mip_gnss_1_gnss_ecef_position_decode
-#define mip_gnss_data_gnss_ecef_position_encode mip_gnss_1_gnss_ecef_position_encode
-#define MIP_GNSS_DATA_GNSS_ECEF_POSITION_DESCRIPTOR 0x04
-#define MIP_GNSS_DATA_GNSS_ECEF_POSITION_NAME "gnss_data.gnss_ecef_position"
+#define mip_gnss_data_ecef_position mip_gnss_1_ecef_position
+#define mip_gnss_data_ecef_position_codec mip_gnss_1_ecef_position_codec
+#define mip_gnss_data_ecef_position_decode mip_gnss_1_ecef_position_decode
+#define mip_gnss_data_ecef_position_encode mip_gnss_1_ecef_position_encode
+#define MIP_GNSS_DATA_ECEF_POSITION_DESCRIPTOR 0x04
+#define MIP_GNSS_DATA_ECEF_POSITION_NAME "gnss_data.ecef_position"
 
 /**
  * NED velocity: data (0x81,0x05).
@@ -73,16 +73,16 @@ extern "C" {
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_velocity. Also called `vel_ecef`.
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`.
  *
  * - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
  */
-#define mip_gnss_data_gnss_ecef_velocity mip_gnss_1_gnss_ecef_velocity
-#define mip_gnss_data_gnss_ecef_velocity_codec mip_gnss_1_gnss_ecef_velocity_codec
-#define mip_gnss_data_gnss_ecef_velocity_decode mip_gnss_1_gnss_ecef_velocity_decode
-#define mip_gnss_data_gnss_ecef_velocity_encode mip_gnss_1_gnss_ecef_velocity_encode
-#define MIP_GNSS_DATA_GNSS_ECEF_VELOCITY_DESCRIPTOR 0x06
-#define MIP_GNSS_DATA_GNSS_ECEF_VELOCITY_NAME "gnss_data.gnss_ecef_velocity"
+#define mip_gnss_data_ecef_velocity mip_gnss_1_ecef_velocity
+#define mip_gnss_data_ecef_velocity_codec mip_gnss_1_ecef_velocity_codec
+#define mip_gnss_data_ecef_velocity_decode mip_gnss_1_ecef_velocity_decode
+#define mip_gnss_data_ecef_velocity_encode mip_gnss_1_ecef_velocity_encode
+#define MIP_GNSS_DATA_ECEF_VELOCITY_DESCRIPTOR 0x06
+#define MIP_GNSS_DATA_ECEF_VELOCITY_NAME "gnss_data.ecef_velocity"
 
 /**
  * DOP: data (0x81,0x07).
@@ -190,16 +190,16 @@ extern "C" {
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_gnss_hardware_status. Also called `hw_status`.
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
-#define mip_gnss_data_gnss_hardware_status mip_gnss_1_gnss_hardware_status
-#define mip_gnss_data_gnss_hardware_status_codec mip_gnss_1_gnss_hardware_status_codec
-#define mip_gnss_data_gnss_hardware_status_decode mip_gnss_1_gnss_hardware_status_decode
-#define mip_gnss_data_gnss_hardware_status_encode mip_gnss_1_gnss_hardware_status_encode
-#define MIP_GNSS_DATA_GNSS_HARDWARE_STATUS_DESCRIPTOR 0x0D
-#define MIP_GNSS_DATA_GNSS_HARDWARE_STATUS_NAME "gnss_data.gnss_hardware_status"
+#define mip_gnss_data_hardware_status mip_gnss_1_hardware_status
+#define mip_gnss_data_hardware_status_codec mip_gnss_1_hardware_status_codec
+#define mip_gnss_data_hardware_status_decode mip_gnss_1_hardware_status_decode
+#define mip_gnss_data_hardware_status_encode mip_gnss_1_hardware_status_encode
+#define MIP_GNSS_DATA_HARDWARE_STATUS_DESCRIPTOR 0x0D
+#define MIP_GNSS_DATA_HARDWARE_STATUS_NAME "gnss_data.hardware_status"
 
 /**
  * DGPS info: data (0x81,0x0E).
@@ -403,7 +403,7 @@ extern "C" {
  *
  * Has the layout of mip_gnss_1_gps_ephemeris.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -444,7 +444,7 @@ extern "C" {
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -465,7 +465,7 @@ extern "C" {
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */

@@ -27,33 +27,32 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_gnss_llh_position. Also called `pos_llh`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03)
  */
-#define mip_gnss_external_gnss_llh_position mip_gnss_1_gnss_llh_position
-#define mip_gnss_external_gnss_llh_position_codec mip_gnss_1_gnss_llh_position_codec
-#define mip_gnss_external_gnss_llh_position_decode mip_gnss_1_gnss_llh_position_decode
-#define mip_gnss_external_gnss_llh_position_encode mip_gnss_1_gnss_llh_position_encode
-#define MIP_GNSS_EXTERNAL_GNSS_LLH_POSITION_DESCRIPTOR 0x03
-#define MIP_GNSS_EXTERNAL_GNSS_LLH_POSITION_NAME "gnss_external.gnss_llh_position"
+#define mip_gnss_external_llh_position mip_gnss_1_llh_position
+#define mip_gnss_external_llh_position_codec mip_gnss_1_llh_position_codec
+#define mip_gnss_external_llh_position_decode mip_gnss_1_llh_position_decode
+#define mip_gnss_external_llh_position_encode mip_gnss_1_llh_position_encode
+#define MIP_GNSS_EXTERNAL_LLH_POSITION_DESCRIPTOR 0x03
+#define MIP_GNSS_EXTERNAL_LLH_POSITION_NAME "gnss_external.llh_position"
 
 /**
  * GNSS ECEF position: data (0x94,0x04).
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_position. Also called `pos_ecef`.
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
-#define mip_gnss_external_gnss_ecef_position mip_gnss_1_gnss_ecef_position
-#define mip_gnss_external_gnss_ecef_position_codec mip_gnss_1_gnss_ecef_position_codec
-#define mip_gnss_external_gnss_ecef_position_decode mip_gnss_1_gnss_ecef_position_decode
-#define mip_gnss_external_gnss_ecef_position_encode mip_gnss_1_gnss_ecef_position_encode
-#define MIP_GNSS_EXTERNAL_GNSS_ECEF_POSITION_DESCRIPTOR 0x04
-#define MIP_GNSS_EXTERNAL_GNSS_ECEF_POSITION_NAME "gnss_external.gnss_ecef_position"
+#define mip_gnss_external_ecef_position mip_gnss_1_ecef_position
+#define mip_gnss_external_ecef_position_codec mip_gnss_1_ecef_position_codec
+#define mip_gnss_external_ecef_position_decode mip_gnss_1_ecef_position_decode
+#define mip_gnss_external_ecef_position_encode mip_gnss_1_ecef_position_encode
+#define MIP_GNSS_EXTERNAL_ECEF_POSITION_DESCRIPTOR 0x04
+#define MIP_GNSS_EXTERNAL_ECEF_POSITION_NAME "gnss_external.ecef_position"
 
 /**
  * NED velocity: data (0x94,0x05).
@@ -76,16 +75,16 @@ extern "C" {
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_velocity. Also called `vel_ecef`.
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
-#define mip_gnss_external_gnss_ecef_velocity mip_gnss_1_gnss_ecef_velocity
-#define mip_gnss_external_gnss_ecef_velocity_codec mip_gnss_1_gnss_ecef_velocity_codec
-#define mip_gnss_external_gnss_ecef_velocity_decode mip_gnss_1_gnss_ecef_velocity_decode
-#define mip_gnss_external_gnss_ecef_velocity_encode mip_gnss_1_gnss_ecef_velocity_encode
-#define MIP_GNSS_EXTERNAL_GNSS_ECEF_VELOCITY_DESCRIPTOR 0x06
-#define MIP_GNSS_EXTERNAL_GNSS_ECEF_VELOCITY_NAME "gnss_external.gnss_ecef_velocity"
+#define mip_gnss_external_ecef_velocity mip_gnss_1_ecef_velocity
+#define mip_gnss_external_ecef_velocity_codec mip_gnss_1_ecef_velocity_codec
+#define mip_gnss_external_ecef_velocity_decode mip_gnss_1_ecef_velocity_decode
+#define mip_gnss_external_ecef_velocity_encode mip_gnss_1_ecef_velocity_encode
+#define MIP_GNSS_EXTERNAL_ECEF_VELOCITY_DESCRIPTOR 0x06
+#define MIP_GNSS_EXTERNAL_ECEF_VELOCITY_NAME "gnss_external.ecef_velocity"
 
 /**
  * DOP: data (0x94,0x07).
@@ -193,16 +192,16 @@ extern "C" {
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_gnss_hardware_status. Also called `hw_status`.
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
-#define mip_gnss_external_gnss_hardware_status mip_gnss_1_gnss_hardware_status
-#define mip_gnss_external_gnss_hardware_status_codec mip_gnss_1_gnss_hardware_status_codec
-#define mip_gnss_external_gnss_hardware_status_decode mip_gnss_1_gnss_hardware_status_decode
-#define mip_gnss_external_gnss_hardware_status_encode mip_gnss_1_gnss_hardware_status_encode
-#define MIP_GNSS_EXTERNAL_GNSS_HARDWARE_STATUS_DESCRIPTOR 0x0D
-#define MIP_GNSS_EXTERNAL_GNSS_HARDWARE_STATUS_NAME "gnss_external.gnss_hardware_status"
+#define mip_gnss_external_hardware_status mip_gnss_1_hardware_status
+#define mip_gnss_external_hardware_status_codec mip_gnss_1_hardware_status_codec
+#define mip_gnss_external_hardware_status_decode mip_gnss_1_hardware_status_decode
+#define mip_gnss_external_hardware_status_encode mip_gnss_1_hardware_status_encode
+#define MIP_GNSS_EXTERNAL_HARDWARE_STATUS_DESCRIPTOR 0x0D
+#define MIP_GNSS_EXTERNAL_HARDWARE_STATUS_NAME "gnss_external.hardware_status"
 
 /**
  * DGPS info: data (0x94,0x0E).
@@ -405,7 +404,7 @@ extern "C" {
  *
  * Has the layout of mip_gnss_1_gps_ephemeris.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -446,7 +445,7 @@ extern "C" {
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -467,7 +466,7 @@ extern "C" {
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */

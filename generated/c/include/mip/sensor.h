@@ -41,7 +41,7 @@ typedef uint16_t mip_sensor_overrange_flags;
 /** Bit 10. Magnetometer Z axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Z 0x0400U
 /** Bit 12. Pressure sensor. */
-#define MIP_SENSOR_OVERRANGE_FLAGS_PRESS 0x1000U
+#define MIP_SENSOR_OVERRANGE_FLAGS_PRESSURE 0x1000U
 
 /** Whether the odometer values are valid. */
 typedef uint16_t mip_sensor_odometer_flags;
@@ -241,14 +241,14 @@ mip_error mip_sensor_delta_velocity_encode(const struct mip_sensor_delta_velocit
  *
  * Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
  *
- * Also called `comp_orientation_matrix`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)
  * - 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
  */
-struct mip_sensor_complementary_filter_orientation_matrix {
+struct mip_sensor_comp_orientation_matrix {
     /**
      * Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
      * m31, m32, m33. Unit: 1. On the 3DM-GX5-15: From the NED frame to the sensor frame.
@@ -256,31 +256,28 @@ struct mip_sensor_complementary_filter_orientation_matrix {
     float m[9];
 };
 
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_DESCRIPTOR 0x09
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_NAME \
-    "sensor.complementary_filter_orientation_matrix"
+#define MIP_SENSOR_COMP_ORIENTATION_MATRIX_DESCRIPTOR 0x09
+#define MIP_SENSOR_COMP_ORIENTATION_MATRIX_NAME "sensor.comp_orientation_matrix"
 
-extern const struct mip_codec mip_sensor_complementary_filter_orientation_matrix_codec;
-mip_error mip_sensor_complementary_filter_orientation_matrix_decode(
-    struct mip_sensor_complementary_filter_orientation_matrix *value,
-    const struct mip_field *field);
-mip_error mip_sensor_complementary_filter_orientation_matrix_encode(
-    const struct mip_sensor_complementary_filter_orientation_matrix *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_sensor_comp_orientation_matrix_codec;
+mip_error mip_sensor_comp_orientation_matrix_decode(
+    struct mip_sensor_comp_orientation_matrix *value, const struct mip_field *field);
+mip_error mip_sensor_comp_orientation_matrix_encode(
+    const struct mip_sensor_comp_orientation_matrix *value, struct mip_builder *builder);
 
 /**
  * Complementary filter quaternion: data (0x80,0x0A).
  *
  * Attitude by the complementary filter as a quaternion, relative to the NED frame.
  *
- * Also called `comp_quaternion`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
  * - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
  */
-struct mip_sensor_complementary_filter_quaternion {
+struct mip_sensor_comp_quaternion {
     /**
      * Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. On the
      * 3DM-GX5-15: Between NED and the sensor frame.
@@ -288,14 +285,14 @@ struct mip_sensor_complementary_filter_quaternion {
     float q[4];
 };
 
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_DESCRIPTOR 0x0A
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_NAME "sensor.complementary_filter_quaternion"
+#define MIP_SENSOR_COMP_QUATERNION_DESCRIPTOR 0x0A
+#define MIP_SENSOR_COMP_QUATERNION_NAME "sensor.comp_quaternion"
 
-extern const struct mip_codec mip_sensor_complementary_filter_quaternion_codec;
-mip_error mip_sensor_complementary_filter_quaternion_decode(
-    struct mip_sensor_complementary_filter_quaternion *value, const struct mip_field *field);
-mip_error mip_sensor_complementary_filter_quaternion_encode(
-    const struct mip_sensor_complementary_filter_quaternion *value, struct mip_builder *builder);
+extern const struct mip_codec mip_sensor_comp_quaternion_codec;
+mip_error mip_sensor_comp_quaternion_decode(struct mip_sensor_comp_quaternion *value,
+                                            const struct mip_field *field);
+mip_error mip_sensor_comp_quaternion_encode(const struct mip_sensor_comp_quaternion *value,
+                                            struct mip_builder *builder);
 
 /**
  * Complementary filter orientation update matrix: data (0x80,0x0B).
@@ -328,14 +325,14 @@ mip_error mip_sensor_comp_orientation_update_matrix_encode(
  *
  * Attitude by the complementary filter as Euler angles, relative to the NED frame.
  *
- * Also called `comp_euler_angles`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The rotations are in the order yaw, pitch, roll (3-2-1).
  *
  * - 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C)
  * - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
  */
-struct mip_sensor_complementary_filter_euler_angles {
+struct mip_sensor_comp_euler_angles {
     /** Roll angle. Unit: rad. */
     float roll;
     /** Pitch angle. Unit: rad. */
@@ -344,39 +341,39 @@ struct mip_sensor_complementary_filter_euler_angles {
     float yaw;
 };
 
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_DESCRIPTOR 0x0C
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_NAME "sensor.complementary_filter_euler_angles"
+#define MIP_SENSOR_COMP_EULER_ANGLES_DESCRIPTOR 0x0C
+#define MIP_SENSOR_COMP_EULER_ANGLES_NAME "sensor.comp_euler_angles"
 
-extern const struct mip_codec mip_sensor_complementary_filter_euler_angles_codec;
-mip_error mip_sensor_complementary_filter_euler_angles_decode(
-    struct mip_sensor_complementary_filter_euler_angles *value, const struct mip_field *field);
-mip_error mip_sensor_complementary_filter_euler_angles_encode(
-    const struct mip_sensor_complementary_filter_euler_angles *value, struct mip_builder *builder);
+extern const struct mip_codec mip_sensor_comp_euler_angles_codec;
+mip_error mip_sensor_comp_euler_angles_decode(struct mip_sensor_comp_euler_angles *value,
+                                              const struct mip_field *field);
+mip_error mip_sensor_comp_euler_angles_encode(const struct mip_sensor_comp_euler_angles *value,
+                                              struct mip_builder *builder);
 
 /**
  * Orientation raw temperatures: data (0x80,0x0D).
  *
  * Raw readings of four temperature sensors.
  *
- * Deprecated: the SDK marks it so and names no replacement.
+ * Deprecated: the SDK marks it so and names no replacement. Also called `orientation_raw_temp`.
  *
  * - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
  */
-struct mip_sensor_orientation_raw_temp {
+struct mip_sensor_orientation_raw_temperature {
     /**
      * Temperatures in counts. Unit: 1. Uncertain: The scale. Uncertain: and which sensor is which.
      */
-    uint16_t raw_temp[4];
+    uint16_t raw_temperature[4];
 };
 
-#define MIP_SENSOR_ORIENTATION_RAW_TEMP_DESCRIPTOR 0x0D
-#define MIP_SENSOR_ORIENTATION_RAW_TEMP_NAME "sensor.orientation_raw_temp"
+#define MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE_DESCRIPTOR 0x0D
+#define MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE_NAME "sensor.orientation_raw_temperature"
 
-extern const struct mip_codec mip_sensor_orientation_raw_temp_codec;
-mip_error mip_sensor_orientation_raw_temp_decode(struct mip_sensor_orientation_raw_temp *value,
-                                                 const struct mip_field *field);
-mip_error mip_sensor_orientation_raw_temp_encode(
-    const struct mip_sensor_orientation_raw_temp *value, struct mip_builder *builder);
+extern const struct mip_codec mip_sensor_orientation_raw_temperature_codec;
+mip_error mip_sensor_orientation_raw_temperature_decode(
+    struct mip_sensor_orientation_raw_temperature *value, const struct mip_field *field);
+mip_error mip_sensor_orientation_raw_temperature_encode(
+    const struct mip_sensor_orientation_raw_temperature *value, struct mip_builder *builder);
 
 /**
  * Internal timestamp: data (0x80,0x0E).
@@ -431,7 +428,7 @@ mip_error mip_sensor_pps_timestamp_encode(const struct mip_sensor_pps_timestamp 
  *
  * Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
  *
- * Also called `north_vector`. Supported by 3DM-GX5-15.
+ * Supported by 3DM-GX5-15.
  *
  * Without magnetic disturbance it equals the measured magnetic field.
  *
@@ -439,35 +436,32 @@ mip_error mip_sensor_pps_timestamp_encode(const struct mip_sensor_pps_timestamp 
  *
  * - 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
  */
-struct mip_sensor_complementary_filter_stabilized_north_vector {
+struct mip_sensor_north_vector {
     /** Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor. */
     float stabilized_mag[3];
 };
 
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_DESCRIPTOR 0x10
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_NAME \
-    "sensor.complementary_filter_stabilized_north_vector"
+#define MIP_SENSOR_NORTH_VECTOR_DESCRIPTOR 0x10
+#define MIP_SENSOR_NORTH_VECTOR_NAME "sensor.north_vector"
 
-extern const struct mip_codec mip_sensor_complementary_filter_stabilized_north_vector_codec;
-mip_error mip_sensor_complementary_filter_stabilized_north_vector_decode(
-    struct mip_sensor_complementary_filter_stabilized_north_vector *value,
-    const struct mip_field *field);
-mip_error mip_sensor_complementary_filter_stabilized_north_vector_encode(
-    const struct mip_sensor_complementary_filter_stabilized_north_vector *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_sensor_north_vector_codec;
+mip_error mip_sensor_north_vector_decode(struct mip_sensor_north_vector *value,
+                                         const struct mip_field *field);
+mip_error mip_sensor_north_vector_encode(const struct mip_sensor_north_vector *value,
+                                         struct mip_builder *builder);
 
 /**
  * Complementary filter stabilized up vector: data (0x80,0x11).
  *
  * Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
  *
- * Also called `up_vector`. Supported by 3DM-GX5-15.
+ * Supported by 3DM-GX5-15.
  *
  * At rest it equals the measured acceleration.
  *
  * - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
  */
-struct mip_sensor_complementary_filter_stabilized_up_vector {
+struct mip_sensor_up_vector {
     /**
      * The part of the measured acceleration that gravity causes. Elements: x, y, z. Unit: g. Frame:
      * sensor.
@@ -475,17 +469,14 @@ struct mip_sensor_complementary_filter_stabilized_up_vector {
     float stabilized_accel[3];
 };
 
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_DESCRIPTOR 0x11
-#define MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_NAME \
-    "sensor.complementary_filter_stabilized_up_vector"
+#define MIP_SENSOR_UP_VECTOR_DESCRIPTOR 0x11
+#define MIP_SENSOR_UP_VECTOR_NAME "sensor.up_vector"
 
-extern const struct mip_codec mip_sensor_complementary_filter_stabilized_up_vector_codec;
-mip_error mip_sensor_complementary_filter_stabilized_up_vector_decode(
-    struct mip_sensor_complementary_filter_stabilized_up_vector *value,
-    const struct mip_field *field);
-mip_error mip_sensor_complementary_filter_stabilized_up_vector_encode(
-    const struct mip_sensor_complementary_filter_stabilized_up_vector *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_sensor_up_vector_codec;
+mip_error mip_sensor_up_vector_decode(struct mip_sensor_up_vector *value,
+                                      const struct mip_field *field);
+mip_error mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value,
+                                      struct mip_builder *builder);
 
 /**
  * GPS timestamp: data (0x80,0x12).
@@ -543,11 +534,11 @@ mip_error mip_sensor_gps_timestamp_encode(const struct mip_sensor_gps_timestamp 
  */
 struct mip_sensor_temperature_statistics {
     /** Lowest temperature. Unit: degC. */
-    float min_temp;
+    float min_temperature;
     /** Highest temperature. Unit: degC. */
-    float max_temp;
+    float max_temperature;
     /** Mean temperature. Unit: degC. */
-    float mean_temp;
+    float mean_temperature;
 };
 
 #define MIP_SENSOR_TEMPERATURE_STATISTICS_DESCRIPTOR 0x14

@@ -80,7 +80,7 @@ struct mip_system_data_time_sync_status {
     /** True while the lock is valid; false if the PPS is disabled or no pulse is found. */
     mip_bool time_sync;
     /** Time since the last pulse, at most 255. Unit: s. */
-    uint8_t last_pps_rcvd;
+    uint8_t last_pps_received;
 };
 
 #define MIP_SYSTEM_DATA_TIME_SYNC_STATUS_DESCRIPTOR 0x02

@@ -24,9 +24,9 @@ typedef uint32_t mip_gx5_built_in_test;
 /** Bit 0. The watchdog has reset the processor; cleared by the first commanded test. */
 #define MIP_GX5_BUILT_IN_TEST_WATCHDOG_RESET UINT32_C(0x00000001)
 /** Bit 8. No communication with the inertial sensor. */
-#define MIP_GX5_BUILT_IN_TEST_IMU_COMMUNICATION_FAULT UINT32_C(0x00000100)
+#define MIP_GX5_BUILT_IN_TEST_IMU_COMM_FAULT UINT32_C(0x00000100)
 /** Bit 9. Magnetometer fault, on devices that have one. */
-#define MIP_GX5_BUILT_IN_TEST_MAGNETOMETER_FAULT UINT32_C(0x00000200)
+#define MIP_GX5_BUILT_IN_TEST_MAG_FAULT UINT32_C(0x00000200)
 /** Bit 10. Pressure sensor fault, on devices that have one. */
 #define MIP_GX5_BUILT_IN_TEST_PRESSURE_SENSOR_FAULT UINT32_C(0x00000400)
 /** Bit 24. Fault of the estimation filter solution. */
@@ -47,11 +47,11 @@ typedef uint32_t mip_cv7_built_in_test;
 /** Bit 3. A data buffer was full, mostly because too much is streamed. */
 #define MIP_CV7_BUILT_IN_TEST_BUFFER_OVERRUN UINT32_C(0x00000008)
 /** Bit 12. The accelerometer is damaged or does not work. */
-#define MIP_CV7_BUILT_IN_TEST_ACCELEROMETER_FAULT UINT32_C(0x00001000)
+#define MIP_CV7_BUILT_IN_TEST_ACCEL_FAULT UINT32_C(0x00001000)
 /** Bit 13. The gyroscope is damaged or does not work. */
-#define MIP_CV7_BUILT_IN_TEST_GYROSCOPE_FAULT UINT32_C(0x00002000)
+#define MIP_CV7_BUILT_IN_TEST_GYRO_FAULT UINT32_C(0x00002000)
 /** Bit 14. The magnetometer is damaged or does not work. */
-#define MIP_CV7_BUILT_IN_TEST_MAGNETOMETER_FAULT UINT32_C(0x00004000)
+#define MIP_CV7_BUILT_IN_TEST_MAG_FAULT UINT32_C(0x00004000)
 /** Bit 15. The pressure sensor is damaged or does not work. */
 #define MIP_CV7_BUILT_IN_TEST_PRESSURE_SENSOR_FAULT UINT32_C(0x00008000)
 /** Bit 18. At least one calibration table of the sensors is invalid. */
@@ -255,11 +255,11 @@ static inline void mip_cv7_continuous_built_in_test_set_gnss_receiver_2_stall(
 }
 
 /** Bit 33. No communication with the inertial sensors. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_communication_fault(
+static inline bool mip_cv7_continuous_built_in_test_get_imu_comm_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 33, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_communication_fault(
+static inline void mip_cv7_continuous_built_in_test_set_imu_comm_fault(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 33, 1, value);
 }
@@ -275,121 +275,121 @@ static inline void mip_cv7_continuous_built_in_test_set_imu_timing_overrun(
 }
 
 /** Bit 36. Fault of the accelerometer calibration. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_accelerometer(
+static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_accel(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_accelerometer(
+static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_accel(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
 /** Bit 37. Fault of the gyroscope calibration. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_gyroscope(
+static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_gyro(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_gyroscope(
+static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_gyro(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
 /** Bit 38. Fault of the magnetometer calibration. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_magnetometer(
+static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_mag(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_magnetometer(
+static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_mag(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 38, 1, value);
 }
 
 /** Bit 40. The accelerometer does not initialize. */
-static inline bool mip_cv7_continuous_built_in_test_get_accelerometer_general_fault(
+static inline bool mip_cv7_continuous_built_in_test_get_accel_general_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 40, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_accelerometer_general_fault(
+static inline void mip_cv7_continuous_built_in_test_set_accel_general_fault(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 40, 1, value);
 }
 
 /** Bit 41. An axis is near or outside the selected range. */
-static inline bool mip_cv7_continuous_built_in_test_get_accelerometer_over_range(
+static inline bool mip_cv7_continuous_built_in_test_get_accel_over_range(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 41, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_accelerometer_over_range(
+static inline void mip_cv7_continuous_built_in_test_set_accel_over_range(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 41, 1, value);
 }
 
 /** Bit 42. The self test failed; updated by the commanded test. */
-static inline bool mip_cv7_continuous_built_in_test_get_accelerometer_self_test_fail(
+static inline bool mip_cv7_continuous_built_in_test_get_accel_self_test_fail(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 42, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_accelerometer_self_test_fail(
+static inline void mip_cv7_continuous_built_in_test_set_accel_self_test_fail(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 42, 1, value);
 }
 
 /** Bit 44. The gyroscope does not initialize. */
-static inline bool mip_cv7_continuous_built_in_test_get_gyroscope_general_fault(
+static inline bool mip_cv7_continuous_built_in_test_get_gyro_general_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 44, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_gyroscope_general_fault(
+static inline void mip_cv7_continuous_built_in_test_set_gyro_general_fault(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 44, 1, value);
 }
 
 /** Bit 45. An axis is near or outside the selected range. */
-static inline bool mip_cv7_continuous_built_in_test_get_gyroscope_over_range(
+static inline bool mip_cv7_continuous_built_in_test_get_gyro_over_range(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 45, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_gyroscope_over_range(
+static inline void mip_cv7_continuous_built_in_test_set_gyro_over_range(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 45, 1, value);
 }
 
 /** Bit 46. The self test failed; updated by the commanded test. */
-static inline bool mip_cv7_continuous_built_in_test_get_gyroscope_self_test_fail(
+static inline bool mip_cv7_continuous_built_in_test_get_gyro_self_test_fail(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 46, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_gyroscope_self_test_fail(
+static inline void mip_cv7_continuous_built_in_test_set_gyro_self_test_fail(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 46, 1, value);
 }
 
 /** Bit 48. The magnetometer does not initialize. */
-static inline bool mip_cv7_continuous_built_in_test_get_magnetometer_general_fault(
+static inline bool mip_cv7_continuous_built_in_test_get_mag_general_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 48, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_magnetometer_general_fault(
+static inline void mip_cv7_continuous_built_in_test_set_mag_general_fault(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 48, 1, value);
 }
 
 /** Bit 49. An axis is near or outside the supported range. */
-static inline bool mip_cv7_continuous_built_in_test_get_magnetometer_over_range(
+static inline bool mip_cv7_continuous_built_in_test_get_mag_over_range(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 49, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_magnetometer_over_range(
+static inline void mip_cv7_continuous_built_in_test_set_mag_over_range(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 49, 1, value);
 }
 
 /** Bit 50. The self test failed; updated by the commanded test. */
-static inline bool mip_cv7_continuous_built_in_test_get_magnetometer_self_test_fail(
+static inline bool mip_cv7_continuous_built_in_test_get_mag_self_test_fail(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 50, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_magnetometer_self_test_fail(
+static inline void mip_cv7_continuous_built_in_test_set_mag_self_test_fail(
     struct mip_cv7_continuous_built_in_test *flags, bool value) {
     mip_set_bits(flags->bytes, 50, 1, value);
 }
@@ -621,12 +621,12 @@ void mip_event_trigger_gpio_write(struct mip_writer *w, const struct mip_event_t
 /** Two thresholds with a window between them. */
 struct mip_event_threshold_window {
     /** Lower threshold, in the unit of the watched value. */
-    double low_thres;
+    double low_threshold;
     /**
      * Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger
      * is active outside of the window.
      */
-    double high_thres;
+    double high_threshold;
 };
 
 void mip_event_threshold_window_read(struct mip_reader *r, struct mip_event_threshold_window *v);
@@ -638,10 +638,11 @@ struct mip_event_threshold_interval {
     /**
      * The trigger is active while the remainder is at most this, in the unit of the watched value.
      */
-    double int_thres;
+    double interval_threshold;
     /**
      * Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the
-     * two swap roles: the trigger is active while the value modulo int_thres is above this.
+     * two swap roles: the trigger is active while the value modulo interval_threshold is above
+     * this.
      */
     double interval;
 };
@@ -669,14 +670,14 @@ union mip_event_trigger_threshold_thresholds {
  */
 struct mip_event_trigger_threshold {
     /** Data descriptor set of the watched value. */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /** Field descriptor of the watched value. */
-    uint8_t field_desc;
+    uint8_t field_descriptor;
     /**
      * Number of the value in its field, counted from 1; each element of a vector counts. Range: at
      * least 1.
      */
-    uint8_t param_id;
+    uint8_t parameter_id;
     /** Kind of comparison. */
     mip_event_threshold_type type;
     /** What the value is compared with. Selected by type. */
@@ -734,7 +735,7 @@ void mip_event_action_gpio_write(struct mip_writer *w, const struct mip_event_ac
  */
 struct mip_event_action_message {
     /** Data descriptor set of the packet. */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /**
      * 0 sends one packet per activation. Any other value streams while the trigger is active, at
      * the base rate of the descriptor set divided by it.
@@ -1071,7 +1072,7 @@ struct mip_nmea_message {
     /** The talker that the sentence names. */
     mip_nmea_talker_id talker_id;
     /** Data descriptor set that the contents are taken from. */
-    uint8_t source_desc_set;
+    uint8_t source_descriptor_set;
     /** Base rate of the source descriptor set divided by the wanted rate; a poll ignores it. */
     uint16_t decimation;
 };

@@ -4,21 +4,7 @@
 //! [`AnyField::to_value`](crate::AnyField::to_value) makes a tree of it with the names of the
 //! specification, and [`AnyField::from_value`](crate::AnyField::from_value) goes the other way.
 
-mod aiding;
-mod base;
-mod filter;
-mod filter_data;
-mod gnss;
-mod gnss_1;
-mod macros;
-mod mip_3dm;
-mod protocol;
-mod rtk;
-mod sensor;
-mod shared;
-mod system;
-mod system_data;
-mod types;
 mod value;
 
+pub(crate) use value::Alternative;
 pub use value::{FromValue, Record, ToValue, Value, ValueError};

@@ -5,7 +5,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::codec::{Bool, EncodeError};
+use crate::codec::{Bool, EncodeError, Union};
 use crate::{List, Text, VarText};
 
 /// A value of any kind.
@@ -78,6 +78,12 @@ pub trait FromValue: Sized {
     fn from_value(value: &Value) -> Result<Self, ValueError>;
 }
 
+/// A union, which comes from a [`Value`] and its tag.
+pub(crate) trait Alternative: Union {
+    /// The alternative of the tag.
+    fn of_value(tag: Self::Tag, value: &Value) -> Result<Self, ValueError>;
+}
+
 impl Value {
     /// The items of an array.
     #[must_use]
@@ -117,10 +123,10 @@ impl Value {
         }
     }
 
-    /// A record that has no other values than these.
-    pub(crate) fn record(&self, known: &[&str]) -> Result<&Record, ValueError> {
+    /// A record that has no other values than those of these steps.
+    pub(crate) fn record(&self, steps: &[&[&str]]) -> Result<&Record, ValueError> {
         let record = self.as_record().ok_or(ValueError::Kind)?;
-        match record.names().all(|name| known.contains(&name)) {
+        match record.names().all(|name| steps.iter().any(|step| step.contains(&name))) {
             true => Ok(record),
             false => Err(ValueError::Unknown),
         }
@@ -226,6 +232,28 @@ impl Record {
     /// A value that may be absent.
     pub(crate) fn take_some<T: FromValue>(&self, name: &str) -> Result<Option<T>, ValueError> {
         self.get(name).map(T::from_value).transpose()
+    }
+
+    /// The alternative of a tag.
+    pub(crate) fn take_union<U: Alternative>(
+        &self,
+        name: &str,
+        tag: U::Tag,
+    ) -> Result<U, ValueError> {
+        U::of_value(tag, self.need(name)?)
+    }
+
+    /// The alternative of a tag, where both may be absent.
+    pub(crate) fn take_some_union<U: Alternative>(
+        &self,
+        name: &str,
+        tag: impl Into<Option<U::Tag>>,
+    ) -> Result<Option<U>, ValueError> {
+        match (self.get(name), tag.into()) {
+            (Some(value), Some(tag)) => U::of_value(tag, value).map(Some),
+            (Some(_), None) => Err(ValueError::Missing),
+            (None, _) => Ok(None),
+        }
     }
 
     /// Demands that a counter tells the number of elements of an array.

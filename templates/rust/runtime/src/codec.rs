@@ -5,8 +5,6 @@
 
 use core::fmt;
 
-use crate::{List, VarText};
-
 /// Why the data of a field could not be decoded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -87,6 +85,12 @@ pub trait Union: Sized {
     fn encode_as(&self, tag: Self::Tag, writer: &mut Writer<'_>) -> Result<(), EncodeError>;
 }
 
+/// Items whose number another value tells. As a [`Wire`] they are as many as are still there.
+pub trait Counted: Wire {
+    /// Reads so many items.
+    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
+}
+
 /// Takes values off the front of a field's data.
 #[derive(Clone, Copy, Debug)]
 pub struct Reader<'a> {
@@ -138,44 +142,8 @@ impl<'a> Reader<'a> {
     }
 
     /// As many items as a counter says.
-    pub fn list<T, const N: usize>(
-        &mut self,
-        count: impl Into<u64>,
-    ) -> Result<List<T, N>, DecodeError>
-    where
-        T: Wire + Copy + Default,
-    {
-        let count = usize::try_from(count.into()).unwrap_or(usize::MAX);
-        if count > N || count.saturating_mul(T::SIZE) > self.data.len() {
-            return Err(DecodeError::Count);
-        }
-        let mut list = List::new();
-        for _ in 0..count {
-            list.push(self.read()?).map_err(|_| DecodeError::Count)?;
-        }
-        Ok(list)
-    }
-
-    /// As many items as are still there.
-    pub fn rest<T, const N: usize>(&mut self) -> Result<List<T, N>, DecodeError>
-    where
-        T: Wire + Copy + Default,
-    {
-        let count = self.data.len().checked_div(T::SIZE).unwrap_or(0).min(N);
-        self.list(u64::try_from(count).unwrap_or(0))
-    }
-
-    /// As many characters as a counter says.
-    pub fn text<const N: usize>(
-        &mut self,
-        count: impl Into<u64>,
-    ) -> Result<VarText<N>, DecodeError> {
-        self.list(count).map(VarText)
-    }
-
-    /// As many characters as are still there.
-    pub fn rest_of_text<const N: usize>(&mut self) -> Result<VarText<N>, DecodeError> {
-        self.rest().map(VarText)
+    pub fn counted<L: Counted>(&mut self, count: impl Into<u64>) -> Result<L, DecodeError> {
+        L::decode_counted(usize::try_from(count.into()).unwrap_or(usize::MAX), self)
     }
 
     /// The alternative of a tag.
@@ -193,6 +161,11 @@ impl<'a> Reader<'a> {
             Some(tag) => self.group(required, |reader| reader.union(tag)),
             None => Ok(None),
         }
+    }
+
+    /// A value that is a group by itself.
+    pub fn some<T: Wire>(&mut self, required: bool) -> Result<Option<T>, DecodeError> {
+        self.group(required, Self::read)
     }
 
     /// A group of values that come and go together: read if it must be there or is wholly there.

@@ -2,7 +2,7 @@
 
 use core::{fmt, ops};
 
-use crate::{EncodeError, Wire, Writer};
+use crate::codec::{Counted, DecodeError, EncodeError, Reader, Wire, Writer};
 
 /// At most `N` items, kept in place. It is a slice for nearly all purposes.
 ///
@@ -149,11 +149,30 @@ impl<'a, T, const N: usize> IntoIterator for &'a List<T, N> {
     }
 }
 
-/// The items alone; what counts them is another value of the field.
-impl<T: Wire, const N: usize> List<T, N> {
-    /// Writes the items.
-    pub fn encode_items(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+/// The items alone. What counts them, if anything does, is another value of the field.
+impl<T: Wire + Copy + Default, const N: usize> Wire for List<T, N> {
+    const SIZE: usize = T::SIZE.saturating_mul(N);
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let count = reader.remaining().checked_div(T::SIZE).unwrap_or(0);
+        Self::decode_counted(count.min(N), reader)
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         self.iter().try_for_each(|item| writer.write(item))
+    }
+}
+
+impl<T: Wire + Copy + Default, const N: usize> Counted for List<T, N> {
+    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        if count > N || count.saturating_mul(T::SIZE) > reader.remaining() {
+            return Err(DecodeError::Count);
+        }
+        let mut list = Self::new();
+        for _ in 0..count {
+            list.push(reader.read()?).map_err(|_| DecodeError::Count)?;
+        }
+        Ok(list)
     }
 }
 

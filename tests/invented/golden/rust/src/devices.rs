@@ -1,7 +1,10 @@
 //! What each device supports.
 
-use crate::macros::device_fields;
-use crate::types::{AckCode, FunctionSelector};
+use crate::protocol::{AckCode, FunctionSelector};
+
+mod known;
+
+pub use known::*;
 
 /// What is known about a device.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,8 +25,8 @@ pub struct Device {
     pub ports: &'static [Port],
     /// Numbers that bound what it can do.
     pub limits: &'static [Limit],
-    /// Values that it reads in its own way.
-    pub readings: &'static [Reading],
+    /// Parameters that are something else than on other devices.
+    pub variants: &'static [Variant],
     /// The codes that its acknowledges carry.
     pub ack_codes: &'static [AckCode],
 }
@@ -76,13 +79,15 @@ pub struct Limit {
     pub description: &'static str,
 }
 
-/// A value that a device reads in its own way.
+/// A parameter that is something else on a device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Reading {
-    /// A parameter (`set.field.parameter`) or a type, by its name in the specification.
-    pub of: &'static str,
-    /// The type that it is read as.
-    pub read_as: &'static str,
+pub struct Variant {
+    /// The parameter by its name in the specification, `set.field.parameter`.
+    pub parameter: &'static str,
+    /// The type that names its values or bits, where it is another.
+    pub read_as: Option<&'static str>,
+    /// What is different.
+    pub difference: &'static str,
 }
 
 impl Device {
@@ -119,94 +124,3 @@ impl Device {
         self.limits.iter().find(|limit| limit.name == name).map(|limit| limit.value)
     }
 }
-
-/// All devices.
-pub static ALL: &[&Device] = &[&MODEL_A, &MODEL_B];
-
-/// Model A
-///
-/// Supports nearly everything.
-///
-/// # Pins
-///
-/// What each pin can do.
-///
-/// | Pin | Use |
-/// | --- | --- |
-/// | 1 | pulse |
-/// | 2 | serial |
-pub static MODEL_A: Device = Device {
-    id: "model-a",
-    title: "Model A",
-    description: "Supports nearly everything.",
-    model_number: Some(4711),
-    fields: device_fields! {
-        0x01 0x01 "tools.ping" [];
-        0x01 0x02 "tools.settings" [WRITE READ SAVE LOAD DEFAULT APPLY];
-        0x01 0x03 "tools.set_time" [WRITE READ APPLY];
-        0x01 0x04 "tools.status" [];
-        0x01 0x05 "tools.bias" [WRITE READ SAVE LOAD DEFAULT];
-        0x01 0x06 "tools.capture_bias" [];
-        0x01 0x07 "tools.formats" [];
-        0x01 0x08 "tools.choice" [WRITE READ];
-        0x01 0x09 "tools.list" [WRITE READ SAVE];
-        0x01 0x0A "tools.inventory" [];
-        0x01 0x0B "tools.pin" [WRITE READ];
-        0x80 0x01 "measurements.accel" [];
-        0x80 0x02 "measurements.numbers" [];
-        0x80 0x03 "measurements.strings" [];
-        0x80 0x04 "measurements.health" [];
-        0x80 0x05 "measurements.arrays" [];
-        0x80 0x06 "measurements.growing" [];
-        0x80 0x07 "measurements.cloud" [];
-        0x81 0x01 "more.accel" [];
-        0x81 0x03 "more.strings" [];
-        0x81 0x07 "more.own" [];
-        0xFF 0xD3 "shared.timestamp" [];
-        0x0C 0x10 "3d.default" [];
-    },
-    base_rates: &[BaseRate { set: 0x80, hertz: 1000.0 }, BaseRate { set: 0x81, hertz: 500.0 }],
-    ports: &[
-        Port {
-            name: "Main",
-            id: Some(0x11),
-            baud_rates: &[9600, 115200],
-            protocols: &["MIP", "NMEA"],
-        },
-        Port { name: "USB", id: None, baud_rates: &[], protocols: &["MIP"] },
-    ],
-    limits: &[
-        Limit { name: "segments", value: 12.0, unit: None, description: "In a format." },
-        Limit { name: "range", value: 2.5, unit: Some("g"), description: "Of the sensor." },
-    ],
-    readings: &[
-        Reading { of: "tools.status_short.flags", read_as: "model_a_faults" },
-        Reading { of: "tools.status_long.flags", read_as: "model_a_faults" },
-    ],
-    ack_codes: &[AckCode::OK, AckCode::UNKNOWN_COMMAND, AckCode::INVALID_PARAMETER],
-};
-
-/// Model B
-///
-/// Small, and reads the acknowledge code in its own way.
-pub static MODEL_B: Device = Device {
-    id: "model-b",
-    title: "Model B",
-    description: "Small, and reads the acknowledge code in its own way.",
-    model_number: None,
-    fields: device_fields! {
-        0x01 0x01 "tools.ping" [];
-        0x01 0x02 "tools.settings" [WRITE READ];
-        0x01 0x04 "tools.status" [];
-        0x80 0x01 "measurements.accel" [];
-    },
-    base_rates: &[BaseRate { set: 0x80, hertz: 0.0 }],
-    ports: &[],
-    limits: &[],
-    readings: &[
-        Reading { of: "tools.status_short.flags", read_as: "model_b_faults" },
-        Reading { of: "tools.status_long.flags", read_as: "model_b_faults" },
-        Reading { of: "ack_code", read_as: "mode" },
-    ],
-    ack_codes: &[AckCode::OK, AckCode::UNKNOWN_COMMAND],
-};

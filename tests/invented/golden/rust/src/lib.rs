@@ -20,12 +20,14 @@ extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;
 
+#[macro_use]
+mod macros;
+
 mod bits;
 pub mod client;
 pub mod codec;
 pub mod field;
 mod list;
-mod macros;
 pub mod packet;
 mod parser;
 #[cfg(feature = "std")]
@@ -37,19 +39,15 @@ pub mod devices;
 pub mod dynamic;
 pub mod protocol;
 pub mod registry;
+mod sets;
 pub mod types;
 
-pub mod copy;
-pub mod measurements;
-pub mod mip_3d;
-pub mod more;
-pub mod shared;
-pub mod tools;
+pub use sets::*;
 
 pub use bits::Bits;
-pub use client::{Answer, Client, Event, RequestError, Ticket};
+pub use client::{Answer, Client, Event, Outcome, RequestError, Ticket};
 pub use codec::{Bool, DecodeError, EncodeError, Reader, Union, Wire, Writer};
-pub use field::{Command, Field, RawField, Response, ResponseOf, Role};
+pub use field::{Command, Field, RawField, Response, ResponseCheck, ResponseOf, Role};
 pub use list::{CapacityError, List};
 pub use packet::{checksum, FieldLengthError, Packet, PacketBuilder, PacketError};
 pub use parser::Parser;

@@ -1,8 +1,5 @@
 //! Types that several descriptor sets share.
 
-use crate::macros::{bitfield, open_enum, vector};
-use crate::{DecodeError, EncodeError, Reader, Wire, Writer};
-
 open_enum! {
     /// What a settings command is asked to do.
     FunctionSelector: u8 {
@@ -61,10 +58,12 @@ open_enum! {
 
 open_enum! {
     /// What the device does.
+    ///
+    /// Uncertain: Whether there are more.
     Mode: u8 {
         /// A keyword in three languages.
         DEFAULT = 0, "default";
-        /// Quick.
+        /// Quick. Uncertain: How quick.
         FAST = 1, "fast";
         /// Careful. Deprecated.
         SLOW = 2, "slow";
@@ -84,121 +83,90 @@ open_enum! {
 bitfield! {
     /// Bits of all kinds.
     StateFlags: u16 {
-        /// Ready to measure.
+        /// Ready to measure. Bit 0.
         READY: bool = 0,
-            "ready", ready, set_ready, with_ready;
-        /// Too hot.
+            ready, set_ready, with_ready;
+        /// Too hot. Bit 1. Uncertain: The limit; 85 degrees is likely.
         HOT: bool = 1,
-            "hot", hot, set_hot, with_hot;
-        /// A number from 0 to 7.
+            hot, set_hot, with_hot;
+        /// A number from 0 to 7. Bits 4 to 6.
         LEVEL: u8 = 4..=6,
-            "level", level, set_level, with_level;
-        /// An enumeration inside the bitfield.
+            level, set_level, with_level;
+        /// An enumeration inside the bitfield. Bits 8 to 9. A value of [`Mode`].
         MODE: Mode = 8..=9,
-            "mode", mode, set_mode, with_mode;
-        /// Ready or hot.
+            mode, set_mode, with_mode;
+        /// Ready or hot. Bits 0 to 1. Overlaps other bits.
         ANY: u8 = 0..=1,
-            "any", any, set_any, with_any;
+            any, set_any, with_any;
     }
 }
 
 bitfield! {
     /// One hundred and twenty-eight bits, least significant byte first.
     Health: [u8; 16] {
-        /// The clock has failed.
+        /// The clock has failed. Bit 0.
         CLOCK: bool = 0,
-            "clock", clock, set_clock, with_clock;
-        /// The supply is out of range.
+            clock, set_clock, with_clock;
+        /// The supply is out of range. Bit 9.
         POWER: bool = 9,
-            "power", power, set_power, with_power;
-        /// A number across two bytes.
+            power, set_power, with_power;
+        /// A number across two bytes. Bits 30 to 33.
         COUNT: u8 = 30..=33,
-            "count", count, set_count, with_count;
-        /// The very last bit.
+            count, set_count, with_count;
+        /// The very last bit. Bit 127.
         LAST: bool = 127,
-            "last", last, set_last, with_last;
+            last, set_last, with_last;
     }
 }
 
-/// A place in a plane.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Point {
-    /// Eastward.
-    ///
-    /// Unit: m.
-    pub x: i16,
-    /// Northward.
-    ///
-    /// Unit: m.
-    pub y: i16,
+record! {
+    /// A place in a plane.
+    #[derive(Default)]
+    pub struct Point {
+        /// Eastward.
+        ///
+        /// Unit: m.
+        pub x: i16,
+        /// Northward.
+        ///
+        /// Unit: m.
+        pub y: i16,
+    }
 }
 
-impl Point {
+constructors! {
+    Point
+
     /// Puts the values together.
-    #[must_use]
-    pub fn new(x: i16, y: i16) -> Self {
-        Self { x, y }
+    fn new(x: i16, y: i16);
+}
+
+record! {
+    /// Two places, nested.
+    #[derive(Default)]
+    pub struct Segment {
+        /// Begins here.
+        pub from: Point,
+        /// Ends here.
+        pub to: Point,
+        /// Of its ends.
+        pub weights: [u8; 2],
     }
 }
 
-impl Wire for Point {
-    const SIZE: usize = 4;
+constructors! {
+    Segment
 
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let x = reader.read()?;
-        let y = reader.read()?;
-        Ok(Self { x, y })
-    }
-
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.x)?;
-        writer.write(&self.y)?;
-        Ok(())
-    }
-}
-
-/// Two places, nested.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Segment {
-    /// Begins here.
-    pub from: Point,
-    /// Ends here.
-    pub to: Point,
-    /// Of its ends.
-    pub weights: [u8; 2],
-}
-
-impl Segment {
     /// Puts the values together.
-    #[must_use]
-    pub fn new(from: Point, to: Point, weights: [u8; 2]) -> Self {
-        Self { from, to, weights }
-    }
+    fn new(
+        from: Point,
+        to: Point,
+        weights: [u8; 2],
+    );
 }
 
-impl Wire for Segment {
-    const SIZE: usize = 10;
-
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let from = reader.read()?;
-        let to = reader.read()?;
-        let weights = reader.read()?;
-        Ok(Self { from, to, weights })
-    }
-
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.from)?;
-        writer.write(&self.to)?;
-        writer.write(&self.weights)?;
-        Ok(())
-    }
-}
-
-/// How the Model B reads it.
+/// On the Model B: values of [`Mode`].
+#[rustfmt::skip]
 impl From<AckCode> for Mode {
     fn from(value: AckCode) -> Self {
         Self(value.0)

@@ -4,14 +4,7 @@
 //! [`AnyField::to_value`](crate::AnyField::to_value) makes a tree of it with the names of the
 //! specification, and [`AnyField::from_value`](crate::AnyField::from_value) goes the other way.
 
-mod macros;
-mod measurements;
-mod mip_3d;
-mod more;
-mod protocol;
-mod shared;
-mod tools;
-mod types;
 mod value;
 
+pub(crate) use value::Alternative;
 pub use value::{FromValue, Record, ToValue, Value, ValueError};

@@ -1,0 +1,815 @@
+//! The devices.
+
+use super::{BaseRate, Device, Limit, Port, Variant};
+use crate::protocol::AckCode;
+
+/// All devices.
+#[rustfmt::skip]
+pub static ALL: &[&Device] = &[&CV7_GNSS_INS, &GX5_15];
+
+/// 3DM-CV7-GNSS/INS
+///
+/// Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure
+/// sensor.
+///
+/// # Ports
+///
+/// The main port is USB 1 while a host has it open (DTR set), else UART 1. MIP is always enabled on
+/// it. The others must be enabled first. All ports stream the same data; replies to polls go to the
+/// port that asked.
+///
+/// | Port | Id | Pins |
+/// | --- | --- | --- |
+/// | Main | 0x01 | alias of USB 1 or UART 1 |
+/// | UART 1 | 0x11 | connector pins 4 (RxD) and 5 (TxD) |
+/// | UART 2 | 0x12 | GPIO 1 and GPIO 2 |
+/// | UART 3 | 0x13 | GPIO 3 and GPIO 4 |
+/// | USB 1 | 0x21 | connector pins 1 and 2 |
+/// | USB 2 | 0x22 | connector pins 1 and 2 |
+///
+/// # Anti-aliasing low-pass filter
+///
+/// Data that the low-pass anti-aliasing filter command (0x0C,0x54) can filter.
+///
+/// | Set | Descriptor | Data |
+/// | --- | --- | --- |
+/// | 0x80 | 0x04 | Scaled accel |
+/// | 0x80 | 0x05 | Scaled gyro |
+/// | 0x80 | 0x06 | Scaled mag |
+/// | 0x80 | 0x17 | Scaled pressure |
+/// | 0x82 | 0x1C | Compensated acceleration |
+/// | 0x82 | 0x0E | Compensated angular rate |
+/// | 0x82 | 0x0D | Linear acceleration |
+///
+/// # GPIO pins
+///
+/// Features of each pin; all are unused by default. The encoder feature is not available. The
+/// manual marks PPS on pins 2 to 4 with an asterisk that it does not explain.
+///
+/// | Pin | Connector pin | Features | UART |
+/// | --- | --- | --- | --- |
+/// | 1 | 7 | GPIO, PPS, timestamp, UART | UART 2 |
+/// | 2 | 9 | GPIO, PPS (restricted), timestamp, UART | UART 2 |
+/// | 3 | 6 | GPIO, PPS (restricted), timestamp, UART | UART 3 |
+/// | 4 | 10 | GPIO, PPS (restricted), timestamp, UART | UART 3 |
+///
+/// # GPIO behaviors and pin modes
+///
+/// Values of the behavior for each feature, and the pin modes that go with it. Two pins cannot have
+/// the same direction of the same UART. PPS output from an internal receiver is always push-pull.
+///
+/// | Feature | Behavior | Pins | Pin modes |
+/// | --- | --- | --- | --- |
+/// | unused (0) | unused (0) | 1 to 4 | none |
+/// | gpio (1) | input (1) | 1 to 4 | pull-up or pull-down |
+/// | gpio (1) | output low (2) | 1 to 4 | open drain, then also pull-up |
+/// | gpio (1) | output high (3) | 1 to 4 | open drain, then also pull-up |
+/// | pps (2) | input (1) | 1; restricted on 2 to 4 | none |
+/// | pps (2) | output (2) | 1; restricted on 2 to 4 | none |
+/// | timestamp (4) | rising (1) | 1 to 4 | pull-up or pull-down |
+/// | timestamp (4) | falling (2) | 1 to 4 | pull-up or pull-down |
+/// | timestamp (4) | either (3) | 1 to 4 | pull-up or pull-down |
+/// | uart (5) | UART 2 transmit (33) | 1 and 2 | open drain, then also pull-up |
+/// | uart (5) | UART 2 receive (34) | 1 and 2 | pull-up or pull-down |
+/// | uart (5) | UART 3 transmit (49) | 3 and 4 | open drain, then also pull-up |
+/// | uart (5) | UART 3 receive (50) | 3 and 4 | pull-up or pull-down |
+///
+/// # NMEA output
+///
+/// Sentences of the NMEA message format (0x0C,0x0C). The talkers are GN (GNSS), GP (GPS), GA
+/// (Galileo) and GL (GLONASS). A sentence is sent only while its data are valid. A GNSS source has
+/// a base rate of 5 Hz, so its decimation must be 3 or more.
+///
+/// | Sentence | Contents | Talkers | Sources |
+/// | --- | --- | --- | --- |
+/// | GGA | GNSS fix | GN, GP, GA, GL | GNSS, filter |
+/// | GLL | Latitude and longitude | GN, GP, GA, GL | GNSS, filter |
+/// | GSV | Satellites in view | by constellation | GNSS |
+/// | RMC | Recommended minimum | GN, GP, GA, GL | GNSS, filter |
+/// | VTG | Course and speed over ground | GN, GP, GA, GL | GNSS, filter |
+/// | HDT | True heading | GN, GP, GA, GL | GNSS, filter |
+/// | ZDA | Time and date | GN, GP, GA, GL | GNSS |
+/// | GST | Error statistics | GN, GP, GA, GL | GNSS, filter |
+/// | PMSRA | Euler angles | proprietary | filter |
+/// | PMSRR | Angular rate and acceleration | proprietary | sensor |
+///
+/// # NMEA input
+///
+/// Accepted from an external receiver, whatever the talker: RMC, ZDA, HDT, GGA, VTG, GLL and GSV.
+/// They come in by the main port, USB 2, or a UART on GPIO pins; while such a UART is set to
+/// receive, by that one only. An epoch is processed when a sentence with another time arrives.
+///
+/// # RTCM input
+///
+/// RTCM 3 messages that the GNSS receivers use.
+///
+/// | Contents | Messages |
+/// | --- | --- |
+/// | GPS observations | 1074, 1075, 1077 |
+/// | GLONASS observations | 1084, 1085, 1087 |
+/// | Galileo observations | 1094, 1095, 1097 |
+/// | BeiDou observations | 1124, 1125, 1127 |
+/// | Station coordinates | 1005, 1006 |
+/// | Antenna description | 1007 |
+/// | Antenna and receiver description | 1033 |
+/// | GLONASS biases | 1230 |
+///
+/// # GNSS signals
+///
+/// GPS or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused. Signals that can be
+/// enabled together by (0x0E,0x02).
+///
+/// | Constellation | Choices |
+/// | --- | --- |
+/// | GPS | none, L1, L1 + L5 |
+/// | GLONASS | none, L1 |
+/// | Galileo | none, L1 + L5 |
+/// | BeiDou | none, L1, L1 + L5 |
+///
+/// # Sensor ranges
+///
+/// Settings of the sensor range command (0x0C,0x52). The manual prints them for sister models and
+/// cuts the gyroscope column off; ask the device by (0x0C,0x53).
+///
+/// | Sensor | Setting | Range |
+/// | --- | --- | --- |
+/// | Accelerometer | 2 | 4 g |
+/// | Accelerometer | 3 | 8 g |
+/// | Accelerometer | 4 | 16 g |
+/// | Gyroscope | 2 | 250 deg/s |
+///
+/// # Pulse per second
+///
+/// Without a valid PPS the filter neither starts nor takes measurements in. A PPS output has a duty
+/// cycle of 50 % and its rising edge begins the second.
+#[rustfmt::skip]
+pub static CV7_GNSS_INS: Device = Device {
+    id: "3dm-cv7-gnss-ins",
+    title: "3DM-CV7-GNSS/INS",
+    description: "Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure sensor.",
+    model_number: Some(6292),
+    fields: supported! {
+        0x01 0x01 "base.ping" [];
+        0x01 0x02 "base.set_idle" [];
+        0x01 0x03 "base.get_device_info" [];
+        0x01 0x04 "base.get_device_descriptors" [];
+        0x01 0x05 "base.built_in_test" [];
+        0x01 0x06 "base.resume" [];
+        0x01 0x07 "base.get_extended_descriptors" [];
+        0x01 0x08 "base.continuous_built_in_test" [];
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT];
+        0x01 0x72 "base.gps_time_update" [WRITE];
+        0x01 0x7E "base.soft_reset" [];
+        0x0C 0x04 "3dm.poll_nmea_data" [];
+        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x0D "3dm.poll_data" [];
+        0x0C 0x0E "3dm.get_base_rate" [];
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x10 "3dm.factory_streaming" [];
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x2A "3dm.get_event_support" [];
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x2C "3dm.get_event_trigger_status" [];
+        0x0C 0x2D "3dm.get_event_action_status" [];
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT];
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x39 "3dm.capture_gyro_bias" [];
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ];
+        0x0C 0x43 "3dm.odometer_config" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [];
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x01 "filter.reset" [];
+        0x0D 0x03 "filter.set_initial_heading" [];
+        0x0D 0x05 "filter.run" [];
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x17 "filter.external_heading_update" [];
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x1F "filter.external_heading_update_with_time" [];
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x54 "filter.multi_antenna_offset" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x61 "filter.speed_lever_arm" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x63 "filter.wheeled_vehicle_constraint_control" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [WRITE READ SAVE LOAD DEFAULT];
+        0x0E 0x01 "gnss.receiver_info" [];
+        0x0E 0x02 "gnss.signal_config" [WRITE READ SAVE LOAD DEFAULT];
+        0x0E 0x20 "gnss.spartn_config" [WRITE READ SAVE LOAD DEFAULT];
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT];
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT];
+        0x13 0x21 "aiding.ecef_position" [];
+        0x13 0x22 "aiding.llh_position" [];
+        0x13 0x23 "aiding.height_above_ellipsoid" [];
+        0x13 0x28 "aiding.ecef_velocity" [];
+        0x13 0x29 "aiding.ned_velocity" [];
+        0x13 0x2A "aiding.body_frame_velocity" [];
+        0x13 0x31 "aiding.true_heading" [];
+        0x13 0x32 "aiding.magnetic_field" [];
+        0x13 0x33 "aiding.pressure" [];
+        0x80 0x04 "sensor.scaled_accel" [];
+        0x80 0x05 "sensor.scaled_gyro" [];
+        0x80 0x06 "sensor.scaled_mag" [];
+        0x80 0x07 "sensor.delta_theta" [];
+        0x80 0x08 "sensor.delta_velocity" [];
+        0x80 0x09 "sensor.comp_orientation_matrix" [];
+        0x80 0x0A "sensor.comp_quaternion" [];
+        0x80 0x0C "sensor.comp_euler_angles" [];
+        0x80 0x12 "sensor.gps_timestamp" [];
+        0x80 0x14 "sensor.temperature_statistics" [];
+        0x80 0x17 "sensor.scaled_pressure" [];
+        0x80 0x18 "sensor.overrange_status" [];
+        0x80 0x40 "sensor.odometer" [];
+        0x82 0x01 "filter_data.llh_position" [];
+        0x82 0x02 "filter_data.ned_velocity" [];
+        0x82 0x03 "filter_data.attitude_quaternion" [];
+        0x82 0x04 "filter_data.attitude_dcm" [];
+        0x82 0x05 "filter_data.euler_angles" [];
+        0x82 0x06 "filter_data.gyro_bias" [];
+        0x82 0x07 "filter_data.accel_bias" [];
+        0x82 0x08 "filter_data.llh_position_uncertainty" [];
+        0x82 0x09 "filter_data.ned_velocity_uncertainty" [];
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [];
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [];
+        0x82 0x0C "filter_data.accel_bias_uncertainty" [];
+        0x82 0x0D "filter_data.linear_accel" [];
+        0x82 0x0E "filter_data.comp_angular_rate" [];
+        0x82 0x10 "filter_data.status" [];
+        0x82 0x11 "filter_data.timestamp" [];
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [];
+        0x82 0x13 "filter_data.gravity_vector" [];
+        0x82 0x15 "filter_data.magnetic_model" [];
+        0x82 0x1C "filter_data.comp_accel" [];
+        0x82 0x21 "filter_data.pressure_altitude" [];
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [];
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [];
+        0x82 0x36 "filter_data.ecef_position_uncertainty" [];
+        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [];
+        0x82 0x40 "filter_data.ecef_position" [];
+        0x82 0x41 "filter_data.ecef_velocity" [];
+        0x82 0x42 "filter_data.ned_relative_position" [];
+        0x82 0x43 "filter_data.gnss_position_aiding_status" [];
+        0x82 0x46 "filter_data.aiding_measurement_summary" [];
+        0x82 0x47 "filter_data.odometer_scale_factor_error" [];
+        0x82 0x48 "filter_data.odometer_scale_factor_error_uncertainty" [];
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [];
+        0x82 0x50 "filter_data.aiding_frame_config_error" [];
+        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [];
+        0x91 0x03 "gnss_1.llh_position" [];
+        0x91 0x04 "gnss_1.ecef_position" [];
+        0x91 0x05 "gnss_1.ned_velocity" [];
+        0x91 0x06 "gnss_1.ecef_velocity" [];
+        0x91 0x07 "gnss_1.dop" [];
+        0x91 0x08 "gnss_1.utc_time" [];
+        0x91 0x09 "gnss_1.gps_time" [];
+        0x91 0x0B "gnss_1.fix_info" [];
+        0x91 0x0D "gnss_1.hardware_status" [];
+        0x91 0x10 "gnss_1.clock_info_2" [];
+        0x91 0x11 "gnss_1.gps_leap_seconds" [];
+        0x91 0x12 "gnss_1.sbas_info" [];
+        0x91 0x20 "gnss_1.satellite_status" [];
+        0x91 0x22 "gnss_1.raw" [];
+        0x91 0x61 "gnss_1.gps_ephemeris" [];
+        0x91 0x62 "gnss_1.glonass_ephemeris" [];
+        0x91 0x63 "gnss_1.galileo_ephemeris" [];
+        0x91 0x64 "gnss_1.beidou_ephemeris" [];
+        0x92 0x03 "gnss_2.llh_position" [];
+        0x92 0x04 "gnss_2.ecef_position" [];
+        0x92 0x05 "gnss_2.ned_velocity" [];
+        0x92 0x06 "gnss_2.ecef_velocity" [];
+        0x92 0x07 "gnss_2.dop" [];
+        0x92 0x08 "gnss_2.utc_time" [];
+        0x92 0x09 "gnss_2.gps_time" [];
+        0x92 0x0B "gnss_2.fix_info" [];
+        0x92 0x0D "gnss_2.hardware_status" [];
+        0x92 0x10 "gnss_2.clock_info_2" [];
+        0x92 0x11 "gnss_2.gps_leap_seconds" [];
+        0x92 0x12 "gnss_2.sbas_info" [];
+        0x92 0x20 "gnss_2.satellite_status" [];
+        0x92 0x22 "gnss_2.raw" [];
+        0x92 0x61 "gnss_2.gps_ephemeris" [];
+        0x92 0x62 "gnss_2.glonass_ephemeris" [];
+        0x92 0x63 "gnss_2.galileo_ephemeris" [];
+        0x92 0x64 "gnss_2.beidou_ephemeris" [];
+        0x93 0x30 "gnss_corrections.base_station_info" [];
+        0x93 0x31 "gnss_corrections.rtk_corrections_status" [];
+        0x94 0x03 "gnss_external.llh_position" [];
+        0x94 0x05 "gnss_external.ned_velocity" [];
+        0x94 0x08 "gnss_external.utc_time" [];
+        0x94 0x0B "gnss_external.fix_info" [];
+        0x94 0x20 "gnss_external.satellite_status" [];
+        0xA0 0x01 "system_data.built_in_test" [];
+        0xA0 0x02 "system_data.time_sync_status" [];
+        0xA0 0x03 "system_data.gpio_state" [];
+        0xFF 0xD0 "shared.event_source" [];
+        0xFF 0xD3 "shared.gps_timestamp" [];
+        0xFF 0xD4 "shared.delta_time" [];
+        0xFF 0xD5 "shared.reference_timestamp" [];
+        0xFF 0xD6 "shared.reference_time_delta" [];
+        0xFF 0xD7 "shared.external_timestamp" [];
+        0xFF 0xD8 "shared.external_time_delta" [];
+    },
+    base_rates: &[
+        BaseRate { set: 0x80, hertz: 1000.0 },
+        BaseRate { set: 0x82, hertz: 1000.0 },
+        BaseRate { set: 0x91, hertz: 5.0 },
+        BaseRate { set: 0x92, hertz: 5.0 },
+        BaseRate { set: 0x93, hertz: 0.0 },
+        BaseRate { set: 0x94, hertz: 0.0 },
+        BaseRate { set: 0xA0, hertz: 1000.0 },
+    ],
+    ports: &[
+        Port {
+            name: "Main",
+            id: Some(0x01),
+            baud_rates: &[],
+            protocols: &["MIP", "NMEA", "RTCM", "SPARTN"],
+        },
+        Port {
+            name: "UART 1",
+            id: Some(0x11),
+            baud_rates: &[115200, 230400, 460800, 921600, 3000000],
+            protocols: &["MIP", "NMEA", "RTCM", "SPARTN"],
+        },
+        Port {
+            name: "UART 2",
+            id: Some(0x12),
+            baud_rates: &[4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600],
+            protocols: &["MIP", "NMEA", "RTCM", "SPARTN"],
+        },
+        Port {
+            name: "UART 3",
+            id: Some(0x13),
+            baud_rates: &[4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600],
+            protocols: &["MIP", "NMEA", "RTCM", "SPARTN"],
+        },
+        Port {
+            name: "USB 1",
+            id: Some(0x21),
+            baud_rates: &[],
+            protocols: &["MIP", "NMEA", "RTCM", "SPARTN"],
+        },
+        Port {
+            name: "USB 2",
+            id: Some(0x22),
+            baud_rates: &[],
+            protocols: &["MIP", "NMEA", "RTCM", "SPARTN"],
+        },
+    ],
+    limits: &[
+        Limit {
+            name: "event_triggers",
+            value: 12.0,
+            unit: None,
+            description: "Triggers in all.",
+        },
+        Limit {
+            name: "event_gpio_triggers",
+            value: 4.0,
+            unit: None,
+            description: "GPIO triggers.",
+        },
+        Limit {
+            name: "event_threshold_triggers",
+            value: 8.0,
+            unit: None,
+            description: "Threshold triggers.",
+        },
+        Limit {
+            name: "event_combination_triggers",
+            value: 8.0,
+            unit: None,
+            description: "Combination triggers.",
+        },
+        Limit {
+            name: "event_actions",
+            value: 12.0,
+            unit: None,
+            description: "Actions in all.",
+        },
+        Limit {
+            name: "event_gpio_actions",
+            value: 6.0,
+            unit: None,
+            description: "GPIO actions.",
+        },
+        Limit {
+            name: "event_message_actions",
+            value: 8.0,
+            unit: None,
+            description: "Message actions.",
+        },
+        Limit {
+            name: "event_message_fields",
+            value: 12.0,
+            unit: None,
+            description: "Fields in the packet of one message action.",
+        },
+        Limit {
+            name: "event_tick_rate",
+            value: 1000.0,
+            unit: Some("Hz"),
+            description: "Rate of the event cycle; always the base rate of the system data set.",
+        },
+        Limit {
+            name: "gpio_pins",
+            value: 4.0,
+            unit: None,
+            description: "User GPIO pins.",
+        },
+        Limit {
+            name: "aiding_frames",
+            value: 4.0,
+            unit: None,
+            description: "Frames that the aiding frame configuration can define.",
+        },
+        Limit {
+            name: "nmea_rate",
+            value: 10.0,
+            unit: Some("Hz"),
+            description: "Highest rate of an NMEA sentence from the sensor or filter data set.",
+        },
+        Limit {
+            name: "nmea_gnss_rate",
+            value: 2.0,
+            unit: Some("Hz"),
+            description: "Highest rate of an NMEA sentence from a GNSS set.",
+        },
+        Limit {
+            name: "mip_input_ports",
+            value: 2.0,
+            unit: None,
+            description: "Ports besides the main port that may accept MIP.",
+        },
+        Limit {
+            name: "nmea_input_ports",
+            value: 1.0,
+            unit: None,
+            description: "Ports that may accept NMEA.",
+        },
+        Limit {
+            name: "rtcm_input_ports",
+            value: 1.0,
+            unit: None,
+            description: "Ports that may accept RTCM.",
+        },
+        Limit {
+            name: "spartn_input_ports",
+            value: 1.0,
+            unit: None,
+            description: "Ports that may accept SPARTN.",
+        },
+        Limit {
+            name: "baud_rate_delay",
+            value: 250.0,
+            unit: Some("ms"),
+            description: "Time to wait after a change of the baud rate.",
+        },
+        Limit {
+            name: "time_update_window",
+            value: 250.0,
+            unit: Some("ms"),
+            description: "Time after the rising edge of the PPS within which the GPS time update must arrive.",
+        },
+        Limit {
+            name: "save_time",
+            value: 1.0,
+            unit: Some("s"),
+            description: "Time that a save of all settings may take.",
+        },
+        Limit {
+            name: "motion_latency",
+            value: 1.9,
+            unit: Some("ms"),
+            description: "Typical time from a motion to the message that reports it, without its transmission.",
+        },
+        Limit {
+            name: "timestamp_repeatability",
+            value: 1.0,
+            unit: Some("us"),
+            description: "Bound of the typical variation of sensor timestamps by internal processing.",
+        },
+        Limit {
+            name: "gpio_timestamp_accuracy",
+            value: 1.0,
+            unit: Some("us"),
+            description: "Bound of the typical error of GPIO timestamps, which is far smaller.",
+        },
+        Limit {
+            name: "antenna_offset_error",
+            value: 0.5,
+            unit: Some("m"),
+            description: "Highest value of the maximum offset of the antenna lever arm calibration.",
+        },
+    ],
+    variants: &[
+        Variant {
+            parameter: "base.built_in_test_response.result",
+            read_as: Some("cv7_built_in_test"),
+            difference: "values of cv7_built_in_test",
+        },
+        Variant {
+            parameter: "base.continuous_built_in_test_response.result",
+            read_as: Some("cv7_continuous_built_in_test"),
+            difference: "values of cv7_continuous_built_in_test",
+        },
+        Variant {
+            parameter: "3dm.imu_low_pass_filter.target_descriptor",
+            read_as: None,
+            difference: "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read",
+        },
+        Variant {
+            parameter: "filter_data.status.filter_state",
+            read_as: Some("cv7_filter_state"),
+            difference: "values of cv7_filter_state",
+        },
+        Variant {
+            parameter: "filter_data.status.dynamics_mode",
+            read_as: Some("cv7_dynamics_mode"),
+            difference: "values of cv7_dynamics_mode",
+        },
+        Variant {
+            parameter: "filter_data.status.status_flags",
+            read_as: Some("cv7_status_flags"),
+            difference: "values of cv7_status_flags",
+        },
+        Variant {
+            parameter: "system_data.built_in_test.result",
+            read_as: Some("cv7_continuous_built_in_test"),
+            difference: "values of cv7_continuous_built_in_test",
+        },
+    ],
+    ack_codes: &[
+        AckCode::OK,
+        AckCode::UNKNOWN_COMMAND,
+        AckCode::BAD_CHECKSUM,
+        AckCode::INVALID_PARAMETER,
+        AckCode::COMMAND_FAILED,
+        AckCode::COMMAND_TIMEOUT,
+        AckCode::UNKNOWN_DESCRIPTOR_SET,
+    ],
+};
+
+/// 3DM-GX5-15
+///
+/// Vertical reference unit with an inertial sensor, a pressure sensor and an estimation filter.
+///
+/// # Base rates
+///
+/// The manual gives both 1000 and 500 for each stream. Read the base rates from the device before
+/// computing a decimation.
+///
+/// # Frame of the sensor data
+///
+/// The sensor-to-vehicle transformation (0x0D,0x11) turns scaled acceleration and angular rate,
+/// delta theta and delta velocity, as well as the outputs of the estimation filter other than the
+/// gyroscope bias. Until it is set, they are in the sensor frame. It does not turn the outputs of
+/// the complementary filter.
+///
+/// # Low-pass filter
+///
+/// Data that the low-pass filter command (0x0C,0x50) can select.
+///
+/// | Set | Descriptor | Data |
+/// | --- | --- | --- |
+/// | 0x80 | 0x04 | Scaled accel |
+/// | 0x80 | 0x05 | Scaled gyro |
+/// | 0x80 | 0x17 | Scaled pressure |
+///
+/// # UART
+///
+/// The default baud rate is 115200. There is no handshake; data that do not fit are dropped.
+///
+/// # Time synchronization
+///
+/// The pulse per second goes to pin 7 of the connector. Send the GPS time update (0x01,0x72) once
+/// per second. The filter timestamp and the sensor timestamp follow it.
+///
+/// # Direct mode
+///
+/// Communication mode (0x7F,0x10) connects the port to the inertial sensor inside. Only that
+/// command and device status (0x0C,0x64) stay available meanwhile.
+#[rustfmt::skip]
+pub static GX5_15: Device = Device {
+    id: "3dm-gx5-15",
+    title: "3DM-GX5-15",
+    description: "Vertical reference unit with an inertial sensor, a pressure sensor and an estimation filter.",
+    model_number: Some(6254),
+    fields: supported! {
+        0x01 0x01 "base.ping" [];
+        0x01 0x02 "base.set_idle" [];
+        0x01 0x03 "base.get_device_info" [];
+        0x01 0x04 "base.get_device_descriptors" [];
+        0x01 0x05 "base.built_in_test" [];
+        0x01 0x06 "base.resume" [];
+        0x01 0x07 "base.get_extended_descriptors" [];
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY];
+        0x01 0x7E "base.soft_reset" [];
+        0x0C 0x01 "3dm.poll_imu_data" [];
+        0x0C 0x03 "3dm.poll_filter_data" [];
+        0x0C 0x06 "3dm.get_imu_base_rate" [];
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x0B "3dm.get_filter_base_rate" [];
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT];
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY];
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY];
+        0x0C 0x39 "3dm.capture_gyro_bias" [];
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT];
+        0x0C 0x64 "3dm.device_status" [];
+        0x0D 0x01 "filter.reset" [];
+        0x0D 0x02 "filter.set_initial_attitude" [];
+        0x0D 0x03 "filter.set_initial_heading" [];
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x17 "filter.external_heading_update" [];
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x1F "filter.external_heading_update_with_time" [];
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x21 "filter.tare_orientation" [WRITE SAVE LOAD DEFAULT];
+        0x0D 0x23 "filter.commanded_angular_zupt" [];
+        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT];
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT];
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT];
+        0x80 0x04 "sensor.scaled_accel" [];
+        0x80 0x05 "sensor.scaled_gyro" [];
+        0x80 0x07 "sensor.delta_theta" [];
+        0x80 0x08 "sensor.delta_velocity" [];
+        0x80 0x09 "sensor.comp_orientation_matrix" [];
+        0x80 0x0A "sensor.comp_quaternion" [];
+        0x80 0x0C "sensor.comp_euler_angles" [];
+        0x80 0x10 "sensor.north_vector" [];
+        0x80 0x11 "sensor.up_vector" [];
+        0x80 0x12 "sensor.gps_timestamp" [];
+        0x80 0x17 "sensor.scaled_pressure" [];
+        0x82 0x03 "filter_data.attitude_quaternion" [];
+        0x82 0x04 "filter_data.attitude_dcm" [];
+        0x82 0x05 "filter_data.euler_angles" [];
+        0x82 0x06 "filter_data.gyro_bias" [];
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [];
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [];
+        0x82 0x0D "filter_data.linear_accel" [];
+        0x82 0x0E "filter_data.comp_angular_rate" [];
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [];
+        0x82 0x10 "filter_data.status" [];
+        0x82 0x11 "filter_data.timestamp" [];
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [];
+        0x82 0x13 "filter_data.gravity_vector" [];
+        0x82 0x14 "filter_data.heading_update_state" [];
+        0x82 0x1C "filter_data.comp_accel" [];
+        0x82 0x21 "filter_data.pressure_altitude" [];
+    },
+    base_rates: &[
+        BaseRate { set: 0x80, hertz: 1000.0 },
+        BaseRate { set: 0x82, hertz: 500.0 },
+    ],
+    ports: &[
+        Port {
+            name: "UART 1",
+            id: None,
+            baud_rates: &[9600, 19200, 115200, 230400, 460800, 921600],
+            protocols: &["MIP"],
+        },
+        Port {
+            name: "USB",
+            id: None,
+            baud_rates: &[],
+            protocols: &["MIP"],
+        },
+    ],
+    limits: &[
+        Limit {
+            name: "low_pass_cutoff",
+            value: 250.0,
+            unit: Some("Hz"),
+            description: "Highest cutoff of the low-pass filters.",
+        },
+        Limit {
+            name: "external_heading_rate",
+            value: 20.0,
+            unit: Some("Hz"),
+            description: "Highest rate of external heading updates.",
+        },
+        Limit {
+            name: "zero_angular_rate_update_rate",
+            value: 10.0,
+            unit: Some("Hz"),
+            description: "Highest rate of commanded zero angular rate updates.",
+        },
+        Limit {
+            name: "baud_rate_delay",
+            value: 250.0,
+            unit: Some("ms"),
+            description: "Time from the acknowledge of a new baud rate until commands are answered at that rate.",
+        },
+    ],
+    variants: &[
+        Variant {
+            parameter: "base.built_in_test_response.result",
+            read_as: Some("gx5_built_in_test"),
+            difference: "values of gx5_built_in_test",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.uart_baud_rate.baud",
+            read_as: None,
+            difference: "default 115200",
+        },
+        Variant {
+            parameter: "3dm.imu_low_pass_filter.frequency",
+            read_as: None,
+            difference: "range at most 250",
+        },
+        Variant {
+            parameter: "3dm.complementary_filter.pitch_roll_enable",
+            read_as: None,
+            difference: "default true",
+        },
+        Variant {
+            parameter: "3dm.complementary_filter.heading_enable",
+            read_as: None,
+            difference: "default true",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "sensor.comp_orientation_matrix.m",
+            read_as: None,
+            difference: "From the NED frame to the sensor frame",
+        },
+        Variant {
+            parameter: "sensor.comp_quaternion.q",
+            read_as: None,
+            difference: "Between NED and the sensor frame",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags",
+        },
+        Variant {
+            parameter: "filter_data.status.filter_state",
+            read_as: Some("gx5_filter_state"),
+            difference: "values of gx5_filter_state",
+        },
+        Variant {
+            parameter: "filter_data.status.dynamics_mode",
+            read_as: Some("gx5_dynamics_mode"),
+            difference: "values of gx5_dynamics_mode",
+        },
+        Variant {
+            parameter: "filter_data.status.status_flags",
+            read_as: Some("gx5_status_flags"),
+            difference: "values of gx5_status_flags",
+        },
+    ],
+    ack_codes: &[
+        AckCode::OK,
+        AckCode::UNKNOWN_COMMAND,
+        AckCode::BAD_CHECKSUM,
+        AckCode::INVALID_PARAMETER,
+        AckCode::COMMAND_FAILED,
+        AckCode::COMMAND_TIMEOUT,
+    ],
+};

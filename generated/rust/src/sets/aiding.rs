@@ -1,0 +1,866 @@
+//! Aiding commands (0x13): Measurements of external sensors for the navigation filter, and the
+//! frames of the sensors.
+//!
+//! Source: 3dm-cv7-gnss-ins: Aiding (0x13); 3dm-cv7-gnss-ins: Filter Aiding Measurements.
+
+#[allow(unused_imports)] // some sets name a type in comments only, or none
+use crate::types;
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0x13;
+
+open_enum! {
+    /// How the rotation of an aiding frame is given.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01).
+    AidingFrameFormat: u8 {
+        /// Euler angles: roll, pitch, yaw.
+        EULER = 1, "euler";
+        /// Quaternion: w, x, y, z.
+        QUATERNION = 2, "quaternion";
+    }
+}
+
+open_enum! {
+    /// How the device answers aiding measurements.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F).
+    AidingEchoMode: u8 {
+        /// No acknowledge.
+        SUPPRESS_ACK = 0, "suppress_ack";
+        /// Acknowledge as for any command.
+        STANDARD = 1, "standard";
+        /// The data come back in a response.
+        RESPONSE = 2, "response";
+    }
+}
+
+open_enum! {
+    /// Clock of the time of a measurement.
+    Timebase: u8 {
+        /// Internal reference clock of the device.
+        INTERNAL_REFERENCE = 1, "internal_reference";
+        /// External clock, with which the PPS synchronizes the device.
+        EXTERNAL_TIME = 2, "external_time";
+        /// Latency relative to the arrival of the command.
+        TIME_OF_ARRIVAL = 3, "time_of_arrival";
+    }
+}
+
+record! {
+    /// When a measurement was taken.
+    pub struct MeasurementTime {
+        /// Clock of the time.
+        pub timebase: Timebase,
+        /// Reserved: send 1.
+        pub reserved: u8,
+        /// Time by that clock.
+        ///
+        /// Unit: ns.
+        pub nanoseconds: u64,
+    }
+}
+
+#[rustfmt::skip]
+impl core::default::Default for MeasurementTime {
+    fn default() -> Self {
+        Self {
+            timebase: core::default::Default::default(),
+            reserved: 1,
+            nanoseconds: core::default::Default::default(),
+        }
+    }
+}
+
+constructors! {
+    MeasurementTime
+
+    /// Puts the values together.
+    fn new(timebase: Timebase, nanoseconds: u64), reserved: 1;
+}
+
+bitfield! {
+    /// Which axes of a measurement are valid; the others are ignored.
+    AxisFlags: u16 {
+        /// First axis. Bit 0.
+        X: bool = 0,
+            x, set_x, with_x;
+        /// Second axis. Bit 1.
+        Y: bool = 1,
+            y, set_y, with_y;
+        /// Third axis. Bit 2.
+        Z: bool = 2,
+            z, set_z, with_z;
+    }
+}
+
+bitfield! {
+    /// Which coordinates of a position are valid; the others are ignored.
+    LlhAxisFlags: u16 {
+        /// Latitude and its uncertainty. Bit 0.
+        LATITUDE: bool = 0,
+            latitude, set_latitude, with_latitude;
+        /// Longitude and its uncertainty. Bit 1.
+        LONGITUDE: bool = 1,
+            longitude, set_longitude, with_longitude;
+        /// Height and its uncertainty. Bit 2.
+        HEIGHT: bool = 2,
+            height, set_height, with_height;
+    }
+}
+
+record! {
+    /// Frame configuration (0x13,0x01).
+    ///
+    /// Where and how an external sensor is mounted on the vehicle.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`FrameConfigResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - Aiding measurements name the frame by its number.
+    /// - P_vehicle = R \* p_frame + t, with the rotation R and the translation t.
+    /// - The rotation does not matter for GNSS positions and velocities; set it to zero.
+    /// - A read names the format that the answer shall have.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
+    pub struct FrameConfig {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Number of the frame.
+        ///
+        /// Range: 1 to 4.
+        pub frame_id: Option<u8>,
+        /// How the rotation is given.
+        ///
+        /// Required for write and read.
+        pub format: Option<AidingFrameFormat>,
+        /// Whether the filter estimates the errors of the frame.
+        ///
+        /// Required for write.
+        pub tracking_enabled: Option<crate::Bool>,
+        /// Origin of the frame in the vehicle.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Required for write.
+        pub translation: Option<types::Vector3f>,
+        /// Rotation from the frame to the vehicle.
+        ///
+        /// Selected by `format`. Required for write.
+        pub rotation: Option<FrameConfigRotation>,
+    }
+    wire 32 {
+        [function selects]
+        [frame_id for WRITE READ SAVE LOAD DEFAULT]
+        [format for WRITE READ]
+        [tracking_enabled for WRITE]
+        [translation for WRITE]
+        [rotation as format for WRITE]
+    }
+}
+
+union! {
+    /// The alternatives of `rotation` in [`FrameConfig`].
+    pub enum FrameConfigRotation: AidingFrameFormat {
+        /// Roll, pitch and yaw.
+        ///
+        /// If `format` is [`AidingFrameFormat::EULER`]. Elements: x, y, z. Unit: rad. Range:
+        /// -3.141592653589793 to 3.141592653589793.
+        EULER => Euler(types::Vector3f) "euler",
+        /// Quaternion, scalar part first.
+        ///
+        /// If `format` is [`AidingFrameFormat::QUATERNION`]. Elements: w, x, y, z. Unit: 1.
+        QUATERNION => Quaternion(types::Quatf) "quaternion",
+    }
+    default FrameConfigRotation::Other(AidingFrameFormat(0))
+}
+
+constructors! {
+    FrameConfig { function, frame_id, format, tracking_enabled, translation, rotation }
+
+    /// Apply the new setting.
+    fn write(
+        frame_id: u8,
+        tracking_enabled: bool,
+        translation: impl Into<types::Vector3f>,
+        rotation: FrameConfigRotation,
+    ) = WRITE, format: rotation.tag();
+
+    /// Send the current setting back in a response.
+    fn read(frame_id: u8, format: AidingFrameFormat) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(frame_id: u8) = SAVE;
+
+    /// Load the saved setting.
+    fn load(frame_id: u8) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(frame_id: u8) = DEFAULT;
+}
+
+field! {
+    FrameConfig: 0x13, 0x01, "aiding.frame_config"
+}
+
+command! {
+    FrameConfig -> FrameConfigResponse;
+    responds FrameConfigResponse for READ;
+}
+
+record! {
+    /// Echo control (0x13,0x1F).
+    ///
+    /// How the device answers aiding measurements.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`EchoControlResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The manual does not give the layout of the responses that carry the data back.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F); 3dm-cv7-gnss-ins: Aiding Command Echo
+    /// Control.
+    pub struct EchoControl {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// How they are answered.
+        ///
+        /// Required for write.
+        pub mode: Option<AidingEchoMode>,
+    }
+    wire 2 {
+        [function selects]
+        [mode for WRITE]
+    }
+}
+
+constructors! {
+    EchoControl { function, mode }
+
+    /// Apply the new setting.
+    fn write(mode: AidingEchoMode) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    EchoControl: 0x13, 0x1F, "aiding.echo_control"
+}
+
+command! {
+    EchoControl -> EchoControlResponse;
+    responds EchoControlResponse for READ;
+}
+
+record! {
+    /// ECEF position (0x13,0x21).
+    ///
+    /// A measured position in Earth-fixed coordinates.
+    ///
+    /// Also called `pos_ecef`. Not acknowledged if `mode` of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - Use only one form of position: ECEF or LLH.
+    /// - The uncertainty of a valid axis must be greater than 0.
+    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
+    ///   back in a response of unknown layout.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21); 3dm-cv7-gnss-ins: Filter Aiding
+    /// Measurements \> ECEF Position.
+    #[derive(Default)]
+    pub struct EcefPosition {
+        /// When the measurement was taken.
+        pub time: MeasurementTime,
+        /// Frame of the sensor.
+        ///
+        /// Range: 1 to 4.
+        pub frame_id: u8,
+        /// Position.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid by its bit: x by
+        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// [`valid_flags.z`](AxisFlags::z).
+        pub position: types::Vector3d,
+        /// Uncertainty of the position.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid by its bit: x by
+        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// [`valid_flags.z`](AxisFlags::z).
+        pub uncertainty: types::Vector3f,
+        /// Which axes are valid.
+        pub valid_flags: AxisFlags,
+    }
+}
+
+constructors! {
+    EcefPosition
+
+    /// The command with its parameters.
+    fn new(
+        time: MeasurementTime,
+        frame_id: u8,
+        position: impl Into<types::Vector3d>,
+        uncertainty: impl Into<types::Vector3f>,
+        valid_flags: AxisFlags,
+    );
+}
+
+field! {
+    EcefPosition: 0x13, 0x21, "aiding.ecef_position"
+}
+
+command! {
+    EcefPosition -> ();
+}
+
+record! {
+    /// LLH position (0x13,0x22).
+    ///
+    /// A measured position as latitude, longitude and height.
+    ///
+    /// Also called `pos_llh`. Not acknowledged if `mode` of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - Use only one form of position: ECEF or LLH.
+    /// - The uncertainty of a valid axis must be greater than 0.
+    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
+    ///   back in a response of unknown layout.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: LLH Position (0x13,0x22); 3dm-cv7-gnss-ins: Filter Aiding
+    /// Measurements \> LLH Position.
+    #[derive(Default)]
+    pub struct LlhPosition {
+        /// When the measurement was taken.
+        pub time: MeasurementTime,
+        /// Frame of the sensor.
+        ///
+        /// Range: 1 to 4.
+        pub frame_id: u8,
+        /// Latitude.
+        ///
+        /// Unit: deg. Frame: llh. Valid if [`valid_flags.latitude`](LlhAxisFlags::latitude) is set.
+        pub latitude: f64,
+        /// Longitude.
+        ///
+        /// Unit: deg. Frame: llh. Valid if [`valid_flags.longitude`](LlhAxisFlags::longitude) is
+        /// set.
+        pub longitude: f64,
+        /// Height above the ellipsoid.
+        ///
+        /// Unit: m. Frame: llh. Valid if [`valid_flags.height`](LlhAxisFlags::height) is set.
+        pub height: f64,
+        /// Uncertainty along north, east and down.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: ned. Each element is valid by its bit: x by
+        /// [`valid_flags.latitude`](LlhAxisFlags::latitude), y by
+        /// [`valid_flags.longitude`](LlhAxisFlags::longitude), z by
+        /// [`valid_flags.height`](LlhAxisFlags::height).
+        pub uncertainty: types::Vector3f,
+        /// Which coordinates are valid.
+        pub valid_flags: LlhAxisFlags,
+    }
+}
+
+constructors! {
+    LlhPosition
+
+    /// The command with its parameters.
+    fn new(
+        time: MeasurementTime,
+        frame_id: u8,
+        latitude: f64,
+        longitude: f64,
+        height: f64,
+        uncertainty: impl Into<types::Vector3f>,
+        valid_flags: LlhAxisFlags,
+    );
+}
+
+field! {
+    LlhPosition: 0x13, 0x22, "aiding.llh_position"
+}
+
+command! {
+    LlhPosition -> ();
+}
+
+record! {
+    /// Height above ellipsoid (0x13,0x23).
+    ///
+    /// A measured height.
+    ///
+    /// Not acknowledged if `mode` of [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported
+    /// by 3DM-CV7-GNSS/INS.
+    ///
+    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
+    ///   back in a response of unknown layout.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23).
+    #[derive(Default)]
+    pub struct HeightAboveEllipsoid {
+        /// When the measurement was taken.
+        pub time: MeasurementTime,
+        /// Frame of the sensor.
+        ///
+        /// Range: 1 to 4.
+        pub frame_id: u8,
+        /// Height above the ellipsoid.
+        ///
+        /// Unit: m. Frame: llh.
+        pub height: f32,
+        /// Uncertainty of the height.
+        ///
+        /// Unit: m.
+        pub uncertainty: f32,
+        /// Not 0: the measurement is valid.
+        pub valid_flags: u16,
+    }
+}
+
+constructors! {
+    HeightAboveEllipsoid
+
+    /// The command with its parameters.
+    fn new(
+        time: MeasurementTime,
+        frame_id: u8,
+        height: f32,
+        uncertainty: f32,
+        valid_flags: u16,
+    );
+}
+
+field! {
+    HeightAboveEllipsoid: 0x13, 0x23, "aiding.height_above_ellipsoid"
+}
+
+command! {
+    HeightAboveEllipsoid -> ();
+}
+
+record! {
+    /// ECEF velocity (0x13,0x28).
+    ///
+    /// A measured velocity in Earth-fixed coordinates.
+    ///
+    /// Also called `vel_ecef`. Not acknowledged if `mode` of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - Use only one form of velocity: ECEF or NED.
+    /// - Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
+    /// - The uncertainty of a valid axis must be greater than 0.
+    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
+    ///   back in a response of unknown layout.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28); 3dm-cv7-gnss-ins: Filter Aiding
+    /// Measurements \> ECEF Velocity.
+    #[derive(Default)]
+    pub struct EcefVelocity {
+        /// When the measurement was taken.
+        pub time: MeasurementTime,
+        /// Frame of the sensor.
+        ///
+        /// Range: 1 to 4.
+        pub frame_id: u8,
+        /// Velocity.
+        ///
+        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid by its bit: x by
+        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// [`valid_flags.z`](AxisFlags::z).
+        pub velocity: types::Vector3f,
+        /// Uncertainty of the velocity.
+        ///
+        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid by its bit: x by
+        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// [`valid_flags.z`](AxisFlags::z).
+        pub uncertainty: types::Vector3f,
+        /// Which axes are valid.
+        pub valid_flags: AxisFlags,
+    }
+}
+
+constructors! {
+    EcefVelocity
+
+    /// The command with its parameters.
+    fn new(
+        time: MeasurementTime,
+        frame_id: u8,
+        velocity: impl Into<types::Vector3f>,
+        uncertainty: impl Into<types::Vector3f>,
+        valid_flags: AxisFlags,
+    );
+}
+
+field! {
+    EcefVelocity: 0x13, 0x28, "aiding.ecef_velocity"
+}
+
+command! {
+    EcefVelocity -> ();
+}
+
+record! {
+    /// NED velocity (0x13,0x29).
+    ///
+    /// A measured velocity in the local level frame.
+    ///
+    /// Also called `vel_ned`. Not acknowledged if `mode` of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - Use only one form of velocity: ECEF or NED.
+    /// - Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
+    /// - The uncertainty of a valid axis must be greater than 0.
+    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
+    ///   back in a response of unknown layout.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29); 3dm-cv7-gnss-ins: Filter Aiding
+    /// Measurements \> NED Velocity.
+    #[derive(Default)]
+    pub struct NedVelocity {
+        /// When the measurement was taken.
+        pub time: MeasurementTime,
+        /// Frame of the sensor.
+        ///
+        /// Range: 1 to 4.
+        pub frame_id: u8,
+        /// Velocity.
+        ///
+        /// Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid by its bit: x by
+        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// [`valid_flags.z`](AxisFlags::z).
+        pub velocity: types::Vector3f,
+        /// Uncertainty of the velocity.
+        ///
+        /// Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid by its bit: x by
+        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// [`valid_flags.z`](AxisFlags::z).
+        pub uncertainty: types::Vector3f,
+        /// Which axes are valid.
+        pub valid_flags: AxisFlags,
+    }
+}
+
+constructors! {
+    NedVelocity
+
+    /// The command with its parameters.
+    fn new(
+        time: MeasurementTime,
+        frame_id: u8,
+        velocity: impl Into<types::Vector3f>,
+        uncertainty: impl Into<types::Vector3f>,
+        valid_flags: AxisFlags,
+    );
+}
+
+field! {
+    NedVelocity: 0x13, 0x29, "aiding.ned_velocity"
+}
+
+command! {
+    NedVelocity -> ();
+}
+
+record! {
+    /// Body frame velocity (0x13,0x2A).
+    ///
+    /// A measured velocity of the vehicle in the frame of the sensor.
+    ///
+    /// Also called `vel_body_frame`. Not acknowledged if `mode` of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - An uncertainty of a valid axis that is not greater than 0 is refused as an invalid
+    ///   parameter.
+    /// - The device takes up to four sensors of this kind.
+    /// - A wheeled vehicle constraint is a velocity of 0 with y valid only, sent at least once in a
+    ///   second.
+    /// - A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold
+    ///   of the user.
+    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
+    ///   back in a response of unknown layout.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A); 3dm-cv7-gnss-ins: Filter Aiding
+    /// Measurements \> Body Frame Velocity; 3dm-cv7-gnss-ins: Filter Kinematic Constraints.
+    #[derive(Default)]
+    pub struct BodyFrameVelocity {
+        /// When the measurement was taken.
+        pub time: MeasurementTime,
+        /// Frame of the sensor.
+        ///
+        /// Range: 1 to 4.
+        pub frame_id: u8,
+        /// Velocity in the frame of the sensor.
+        ///
+        /// Elements: x, y, z. Unit: m/s. Each element is valid by its bit: x by
+        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// [`valid_flags.z`](AxisFlags::z).
+        pub velocity: types::Vector3f,
+        /// Standard deviation of the velocity.
+        ///
+        /// Elements: x, y, z. Unit: m/s. Each element is valid by its bit: x by
+        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// [`valid_flags.z`](AxisFlags::z).
+        pub uncertainty: types::Vector3f,
+        /// Which axes are valid.
+        pub valid_flags: AxisFlags,
+    }
+}
+
+constructors! {
+    BodyFrameVelocity
+
+    /// The command with its parameters.
+    fn new(
+        time: MeasurementTime,
+        frame_id: u8,
+        velocity: impl Into<types::Vector3f>,
+        uncertainty: impl Into<types::Vector3f>,
+        valid_flags: AxisFlags,
+    );
+}
+
+field! {
+    BodyFrameVelocity: 0x13, 0x2A, "aiding.body_frame_velocity"
+}
+
+command! {
+    BodyFrameVelocity -> ();
+}
+
+record! {
+    /// True heading (0x13,0x31).
+    ///
+    /// A measured heading relative to true north.
+    ///
+    /// Also called `heading_true`. Not acknowledged if `mode` of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The uncertainty of a valid measurement must be greater than 0.
+    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
+    ///   back in a response of unknown layout.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: True Heading (0x13,0x31); 3dm-cv7-gnss-ins: Filter Aiding
+    /// Measurements \> True Heading.
+    #[derive(Default)]
+    pub struct TrueHeading {
+        /// When the measurement was taken.
+        pub time: MeasurementTime,
+        /// Frame of the sensor.
+        ///
+        /// Range: 1 to 4.
+        pub frame_id: u8,
+        /// Heading.
+        ///
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        pub heading: f32,
+        /// Uncertainty of the heading.
+        ///
+        /// Unit: rad.
+        pub uncertainty: f32,
+        /// Not 0: the measurement is valid.
+        pub valid_flags: u16,
+    }
+}
+
+constructors! {
+    TrueHeading
+
+    /// The command with its parameters.
+    fn new(
+        time: MeasurementTime,
+        frame_id: u8,
+        heading: f32,
+        uncertainty: f32,
+        valid_flags: u16,
+    );
+}
+
+field! {
+    TrueHeading: 0x13, 0x31, "aiding.true_heading"
+}
+
+command! {
+    TrueHeading -> ();
+}
+
+record! {
+    /// Magnetic field (0x13,0x32).
+    ///
+    /// A magnetic field measured by an external magnetometer.
+    ///
+    /// Not acknowledged if `mode` of [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported
+    /// by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The magnetometer must be calibrated.
+    /// - The uncertainty of a valid axis must be greater than 0.
+    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
+    ///   back in a response of unknown layout.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32); 3dm-cv7-gnss-ins: Filter Aiding
+    /// Measurements \> External Magnetometer.
+    #[derive(Default)]
+    pub struct MagneticField {
+        /// When the measurement was taken.
+        pub time: MeasurementTime,
+        /// Frame of the sensor.
+        ///
+        /// Range: 1 to 4.
+        pub frame_id: u8,
+        /// Magnetic field in the frame of the sensor.
+        ///
+        /// Elements: x, y, z. Unit: gauss. Each element is valid by its bit: x by
+        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// [`valid_flags.z`](AxisFlags::z).
+        pub magnetic_field: types::Vector3f,
+        /// Standard deviation of the magnetic field.
+        ///
+        /// Elements: x, y, z. Unit: gauss. Each element is valid by its bit: x by
+        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// [`valid_flags.z`](AxisFlags::z).
+        pub uncertainty: types::Vector3f,
+        /// Which axes are valid.
+        pub valid_flags: AxisFlags,
+    }
+}
+
+constructors! {
+    MagneticField
+
+    /// The command with its parameters.
+    fn new(
+        time: MeasurementTime,
+        frame_id: u8,
+        magnetic_field: impl Into<types::Vector3f>,
+        uncertainty: impl Into<types::Vector3f>,
+        valid_flags: AxisFlags,
+    );
+}
+
+field! {
+    MagneticField: 0x13, 0x32, "aiding.magnetic_field"
+}
+
+command! {
+    MagneticField -> ();
+}
+
+record! {
+    /// Pressure (0x13,0x33).
+    ///
+    /// A static air pressure measured by an external sensor.
+    ///
+    /// Not acknowledged if `mode` of [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported
+    /// by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The uncertainty of a valid measurement must be greater than 0.
+    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
+    ///   back in a response of unknown layout.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Pressure (0x13,0x33); 3dm-cv7-gnss-ins: Filter Aiding Measurements
+    /// \> External Pressure.
+    #[derive(Default)]
+    pub struct Pressure {
+        /// When the measurement was taken.
+        pub time: MeasurementTime,
+        /// Frame of the sensor.
+        ///
+        /// Range: 1 to 4.
+        pub frame_id: u8,
+        /// Air pressure.
+        ///
+        /// Unit: mbar.
+        pub pressure: f32,
+        /// Standard deviation of the pressure.
+        ///
+        /// Unit: mbar.
+        pub uncertainty: f32,
+        /// Not 0: the measurement is valid.
+        pub valid_flags: u16,
+    }
+}
+
+constructors! {
+    Pressure
+
+    /// The command with its parameters.
+    fn new(
+        time: MeasurementTime,
+        frame_id: u8,
+        pressure: f32,
+        uncertainty: f32,
+        valid_flags: u16,
+    );
+}
+
+field! {
+    Pressure: 0x13, 0x33, "aiding.pressure"
+}
+
+command! {
+    Pressure -> ();
+}
+
+record! {
+    /// Frame configuration response (0x13,0x81).
+    ///
+    /// Answers [`FrameConfig`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
+    #[derive(Default)]
+    pub struct FrameConfigResponse {
+        /// Number of the frame.
+        ///
+        /// Range: 1 to 4.
+        pub frame_id: u8,
+        /// How the rotation is given.
+        pub format: AidingFrameFormat,
+        /// Whether the filter estimates the errors of the frame.
+        pub tracking_enabled: crate::Bool,
+        /// Origin of the frame in the vehicle.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: vehicle.
+        pub translation: types::Vector3f,
+        /// Rotation from the frame to the vehicle.
+        ///
+        /// Selected by `format`.
+        pub rotation: FrameConfigRotation,
+    }
+    wire 31 {
+        [frame_id]
+        [format]
+        [tracking_enabled]
+        [translation]
+        [rotation as format]
+    }
+}
+
+field! {
+    FrameConfigResponse: 0x13, 0x81, "aiding.frame_config_response", answers FrameConfig
+}
+
+record! {
+    /// Echo control response (0x13,0x9F).
+    ///
+    /// Answers [`EchoControl`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F); 3dm-cv7-gnss-ins: Aiding Command Echo
+    /// Control.
+    #[derive(Default)]
+    pub struct EchoControlResponse {
+        /// How they are answered.
+        pub mode: AidingEchoMode,
+    }
+}
+
+field! {
+    EchoControlResponse: 0x13, 0x9F, "aiding.echo_control_response", answers EchoControl
+}

@@ -1,0 +1,661 @@
+//! Base (0x01): Commands common to all devices: identity, supported descriptors, idle and resume,
+//! self test, reset.
+//!
+//! Source: 3dm-gx5-15: 4.1 Base Commands; 3dm-cv7-gnss-ins: Base (0x01).
+
+#[allow(unused_imports)] // some sets name a type in comments only, or none
+use crate::types;
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0x01;
+
+record! {
+    /// Identity of a device. The strings are padded with spaces.
+    ///
+    /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
+    /// information (0x01,0x03).
+    #[derive(Default)]
+    pub struct BaseDeviceInfo {
+        /// Firmware version as one decimal number: 1202 stands for 1.2.02.
+        pub firmware_version: u16,
+        /// Name of the model.
+        pub model_name: crate::Text<16>,
+        /// Part number of the model.
+        pub model_number: crate::Text<16>,
+        /// Serial number.
+        pub serial_number: crate::Text<16>,
+        /// Lot number; reserved and blank on some devices.
+        pub lot_number: crate::Text<16>,
+        /// Options of the unit, such as its sensor ranges.
+        pub device_options: crate::Text<16>,
+    }
+}
+
+constructors! {
+    BaseDeviceInfo
+
+    /// Puts the values together.
+    fn new(
+        firmware_version: u16,
+        model_name: crate::Text<16>,
+        model_number: crate::Text<16>,
+        serial_number: crate::Text<16>,
+        lot_number: crate::Text<16>,
+        device_options: crate::Text<16>,
+    );
+}
+
+open_enum! {
+    /// The part of the GPS time that a value holds.
+    GpsTimeField: u8 {
+        /// Week number.
+        WEEK_NUMBER = 1, "week_number";
+        /// Time of week in whole seconds.
+        TOW = 2, "tow";
+    }
+}
+
+record! {
+    /// Ping (0x01,0x01).
+    ///
+    /// Asks whether a device is there and answers commands.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - A device that is not in a normal operating mode may refuse the command.
+    ///
+    /// Source: 3dm-gx5-15: 4.1.1 Ping (0x01, 0x01); 3dm-cv7-gnss-ins: Ping (0x01,0x01).
+    #[derive(Default)]
+    pub struct Ping;
+}
+
+constructors! {
+    Ping
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    Ping: 0x01, 0x01, "base.ping"
+}
+
+command! {
+    Ping -> ();
+}
+
+record! {
+    /// Set to idle (0x01,0x02).
+    ///
+    /// Stops all data streams, and wakes a sleeping device, so that it can be set up.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - The resume command restores the previous mode.
+    /// - While idle the device sends no NMEA sentences either.
+    ///
+    /// Source: 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02); 3dm-cv7-gnss-ins: Set to idle
+    /// (0x01,0x02).
+    #[derive(Default)]
+    pub struct SetIdle;
+}
+
+constructors! {
+    SetIdle
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    SetIdle: 0x01, 0x02, "base.set_idle"
+}
+
+command! {
+    SetIdle -> ();
+}
+
+record! {
+    /// Get device information (0x01,0x03).
+    ///
+    /// Gets the firmware version and the identity strings of the device.
+    ///
+    /// Answered by [`GetDeviceInfoResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
+    /// information (0x01,0x03).
+    #[derive(Default)]
+    pub struct GetDeviceInfo;
+}
+
+constructors! {
+    GetDeviceInfo
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    GetDeviceInfo: 0x01, 0x03, "base.get_device_info"
+}
+
+command! {
+    GetDeviceInfo -> GetDeviceInfoResponse;
+    responds GetDeviceInfoResponse;
+}
+
+record! {
+    /// Get device descriptors (0x01,0x04).
+    ///
+    /// Gets the command and data descriptors that the device supports.
+    ///
+    /// Answered by [`GetDeviceDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - When the list contains [(0x01,0x07)](GetExtendedDescriptors), more descriptors come from
+    ///   the extended command.
+    ///
+    /// Source: 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04); 3dm-cv7-gnss-ins: Get
+    /// device descriptors (0x01,0x04).
+    #[derive(Default)]
+    pub struct GetDeviceDescriptors;
+}
+
+constructors! {
+    GetDeviceDescriptors
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    GetDeviceDescriptors: 0x01, 0x04, "base.get_device_descriptors"
+}
+
+command! {
+    GetDeviceDescriptors -> GetDeviceDescriptorsResponse;
+    responds GetDeviceDescriptorsResponse;
+}
+
+record! {
+    /// Built-in test (0x01,0x05).
+    ///
+    /// Runs the self test of the device and gets its result.
+    ///
+    /// Answered by [`BuiltInTestResponse`]. The device may take 10 s to answer. Supported by
+    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - The test interrupts normal operation for up to several seconds; no data is available
+    ///   meanwhile.
+    /// - The device must be at rest; acceleration, rotation or vibration cause false failures.
+    /// - The continuous built-in test, where there is one, tells more about a failure.
+    ///
+    /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
+    /// (0x01,0x05).
+    #[derive(Default)]
+    pub struct BuiltInTest;
+}
+
+constructors! {
+    BuiltInTest
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    BuiltInTest: 0x01, 0x05, "base.built_in_test"
+}
+
+command! {
+    BuiltInTest -> BuiltInTestResponse;
+    responds BuiltInTestResponse;
+    timeout 10000;
+}
+
+record! {
+    /// Resume (0x01,0x06).
+    ///
+    /// Ends idle mode and returns the device to the mode that it was in before.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - If the device was not idle, it enters its default mode (3DM-GX5-15).
+    ///
+    /// Source: 3dm-gx5-15: 4.1.6 Resume (0x01, 0x06); 3dm-cv7-gnss-ins: Resume (0x01,0x06).
+    #[derive(Default)]
+    pub struct Resume;
+}
+
+constructors! {
+    Resume
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    Resume: 0x01, 0x06, "base.resume"
+}
+
+command! {
+    Resume -> ();
+}
+
+record! {
+    /// Get device descriptors (extended) (0x01,0x07).
+    ///
+    /// Gets the supported descriptors that did not fit into the reply of get device descriptors.
+    ///
+    /// Answered by [`GetExtendedDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS and
+    /// 3DM-GX5-15.
+    ///
+    /// - Only supported if get device descriptors lists [(0x01,0x07)](GetExtendedDescriptors).
+    ///
+    /// Source: 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07);
+    /// 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07).
+    #[derive(Default)]
+    pub struct GetExtendedDescriptors;
+}
+
+constructors! {
+    GetExtendedDescriptors
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    GetExtendedDescriptors: 0x01, 0x07, "base.get_extended_descriptors"
+}
+
+command! {
+    GetExtendedDescriptors -> GetExtendedDescriptorsResponse;
+    responds GetExtendedDescriptorsResponse;
+}
+
+record! {
+    /// Continuous built-in test (0x01,0x08).
+    ///
+    /// Gets the flags of the tests that run all the time. It does not interrupt operation.
+    ///
+    /// Also called `continuous_bit`. Answered by [`ContinuousBuiltInTestResponse`]. Supported by
+    /// 3DM-CV7-GNSS/INS.
+    ///
+    /// - It is less thorough than the built-in test command.
+    /// - Each flag stays set until it is reported by this command, apart from the copy of the
+    ///   streamed field.
+    /// - The self-test flags change only when the built-in test command runs.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08).
+    #[derive(Default)]
+    pub struct ContinuousBuiltInTest;
+}
+
+constructors! {
+    ContinuousBuiltInTest
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    ContinuousBuiltInTest: 0x01, 0x08, "base.continuous_built_in_test"
+}
+
+command! {
+    ContinuousBuiltInTest -> ContinuousBuiltInTestResponse;
+    responds ContinuousBuiltInTestResponse;
+}
+
+record! {
+    /// Comm port speed (0x01,0x09).
+    ///
+    /// Baud rate of one communication port.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`CommSpeedResponse`]. Supported
+    /// by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The change waits until pending data is sent and received, at most 250 ms.
+    /// - Send it alone in a packet while the device is idle, and wait 250 ms before going on.
+    /// - Commands and data during the change may be lost or come at either rate.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09).
+    pub struct CommSpeed {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Port id of the device; 0 means all ports, and is for save, load and default only.
+        pub port: Option<u8>,
+        /// Baud rate; one that the port supports.
+        ///
+        /// Unit: Bd. Required for write.
+        pub baud: Option<u32>,
+    }
+    wire 6 {
+        [function selects]
+        [port for WRITE READ SAVE LOAD DEFAULT]
+        [baud for WRITE]
+    }
+}
+
+constructors! {
+    CommSpeed { function, port, baud }
+
+    /// Apply the new setting.
+    fn write(port: u8, baud: u32) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read(port: u8) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(port: u8) = SAVE;
+
+    /// Load the saved setting.
+    fn load(port: u8) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(port: u8) = DEFAULT;
+}
+
+field! {
+    CommSpeed: 0x01, 0x09, "base.comm_speed"
+}
+
+command! {
+    CommSpeed -> CommSpeedResponse;
+    responds CommSpeedResponse for READ;
+}
+
+record! {
+    /// GPS time update (0x01,0x72).
+    ///
+    /// Sets the week number or the time of week of the external (GPS) time.
+    ///
+    /// Functions: write, read and apply. Answered by [`GpsTimeUpdateWeekNumberResponse`] or
+    /// [`GpsTimeUpdateTowResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+    /// 3DM-CV7-GNSS/INS: write only.
+    ///
+    /// - Send it once for the time of week and once for the week number after the PPS is locked.
+    /// - The PPS supplies the fraction of the second; send the whole second that began at its last
+    ///   edge.
+    /// - Send it within 250 ms after the rising edge of the PPS.
+    /// - The 3DM-GX5-15 wants it once per second; the 3DM-CV7-GNSS/INS at least once.
+    /// - Send it again after a glitch of the PPS. An internal GNSS receiver as PPS source mostly
+    ///   makes it needless.
+    ///
+    /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
+    /// Command (0x01,0x72).
+    pub struct GpsTimeUpdate {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// What the value is.
+        pub field_id: Option<GpsTimeField>,
+        /// What field_id says.
+        ///
+        /// Required for write and apply. If `field_id` is [`GpsTimeField::WEEK_NUMBER`]: unit week.
+        /// GPS week number since 6 January 1980. If `field_id` is [`GpsTimeField::TOW`]: unit s.
+        /// Whole seconds of the GPS week.
+        pub value: Option<u32>,
+    }
+    wire 6 {
+        [function selects]
+        [field_id for WRITE READ APPLY]
+        [value for WRITE APPLY]
+    }
+}
+
+constructors! {
+    GpsTimeUpdate { function, field_id, value }
+
+    /// Apply the new setting.
+    fn write(field_id: GpsTimeField, value: u32) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read(field_id: GpsTimeField) = READ;
+
+    /// Apply the new setting and send no acknowledge (5-series devices).
+    fn apply(field_id: GpsTimeField, value: u32) = APPLY;
+}
+
+field! {
+    GpsTimeUpdate: 0x01, 0x72, "base.gps_time_update"
+}
+
+command! {
+    GpsTimeUpdate -> GpsTimeUpdateResponses;
+    responds GpsTimeUpdateWeekNumberResponse for READ, if field_id = Some(GpsTimeField::WEEK_NUMBER);
+    responds GpsTimeUpdateTowResponse for READ, if field_id = Some(GpsTimeField::TOW);
+    silent for APPLY;
+}
+
+responses! {
+    /// What [`GpsTimeUpdate`] is answered with.
+    pub enum GpsTimeUpdateResponses {
+        /// The response [`GpsTimeUpdateWeekNumberResponse`].
+        WeekNumber(GpsTimeUpdateWeekNumberResponse),
+        /// The response [`GpsTimeUpdateTowResponse`].
+        Tow(GpsTimeUpdateTowResponse),
+    }
+}
+
+record! {
+    /// Reset device (0x01,0x7E).
+    ///
+    /// Acknowledges the command, then resets the device at once.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E); 3dm-cv7-gnss-ins: Reset device
+    /// (0x01,0x7E).
+    #[derive(Default)]
+    pub struct SoftReset;
+}
+
+constructors! {
+    SoftReset
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    SoftReset: 0x01, 0x7E, "base.soft_reset"
+}
+
+command! {
+    SoftReset -> ();
+}
+
+record! {
+    /// Get device information response (0x01,0x81).
+    ///
+    /// Answers [`GetDeviceInfo`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
+    /// information (0x01,0x03).
+    #[derive(Default)]
+    pub struct GetDeviceInfoResponse {
+        /// Identity of the device.
+        pub device_info: BaseDeviceInfo,
+    }
+}
+
+field! {
+    GetDeviceInfoResponse: 0x01, 0x81, "base.get_device_info_response", answers GetDeviceInfo
+}
+
+record! {
+    /// Get device descriptors response (0x01,0x82).
+    ///
+    /// Answers [`GetDeviceDescriptors`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04); 3dm-cv7-gnss-ins: Get
+    /// device descriptors (0x01,0x04).
+    #[derive(Default)]
+    pub struct GetDeviceDescriptorsResponse {
+        /// Supported descriptors: the descriptor set in the high byte, the field descriptor in the
+        /// low byte.
+        pub descriptors: crate::List<u16, 126>,
+    }
+}
+
+field! {
+    GetDeviceDescriptorsResponse: 0x01, 0x82, "base.get_device_descriptors_response", answers GetDeviceDescriptors
+}
+
+record! {
+    /// Built-in test response (0x01,0x83).
+    ///
+    /// Answers [`BuiltInTest`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
+    /// (0x01,0x05).
+    #[derive(Default)]
+    pub struct BuiltInTestResponse {
+        /// Failure flags, defined by each device. Zero means that every test passed.
+        ///
+        /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7BuiltInTest`]. On the 3DM-GX5-15: values
+        /// of [`types::Gx5BuiltInTest`].
+        pub result: u32,
+    }
+}
+
+#[rustfmt::skip]
+impl BuiltInTestResponse {
+    /// Reads `result` as [`types::Cv7BuiltInTest`].
+    ///
+    /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7BuiltInTest`].
+    #[must_use]
+    pub fn result_as_cv7_built_in_test(&self) -> types::Cv7BuiltInTest {
+        self.result.into()
+    }
+
+    /// Reads `result` as [`types::Gx5BuiltInTest`].
+    ///
+    /// On the 3DM-GX5-15: values of [`types::Gx5BuiltInTest`].
+    #[must_use]
+    pub fn result_as_gx5_built_in_test(&self) -> types::Gx5BuiltInTest {
+        self.result.into()
+    }
+}
+
+field! {
+    BuiltInTestResponse: 0x01, 0x83, "base.built_in_test_response", answers BuiltInTest
+}
+
+record! {
+    /// GPS time update, week number (0x01,0x84).
+    ///
+    /// The current week number.
+    ///
+    /// Answers [`GpsTimeUpdate`]. Sent if `field_id` is [`GpsTimeField::WEEK_NUMBER`]. Supported by
+    /// 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
+    /// Command (0x01,0x72).
+    #[derive(Default)]
+    pub struct GpsTimeUpdateWeekNumberResponse {
+        /// GPS week number.
+        ///
+        /// Unit: week.
+        pub week_number: u32,
+    }
+}
+
+field! {
+    GpsTimeUpdateWeekNumberResponse: 0x01, 0x84, "base.gps_time_update_week_number_response", answers GpsTimeUpdate
+}
+
+record! {
+    /// GPS time update, time of week (0x01,0x85).
+    ///
+    /// The current time of week.
+    ///
+    /// Answers [`GpsTimeUpdate`]. Sent if `field_id` is [`GpsTimeField::TOW`]. Supported by
+    /// 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
+    /// Command (0x01,0x72).
+    #[derive(Default)]
+    pub struct GpsTimeUpdateTowResponse {
+        /// GPS time of week in whole seconds.
+        ///
+        /// Unit: s.
+        pub tow: u32,
+    }
+}
+
+field! {
+    GpsTimeUpdateTowResponse: 0x01, 0x85, "base.gps_time_update_tow_response", answers GpsTimeUpdate
+}
+
+record! {
+    /// Get device descriptors (extended) response (0x01,0x86).
+    ///
+    /// Answers [`GetExtendedDescriptors`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07);
+    /// 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07).
+    #[derive(Default)]
+    pub struct GetExtendedDescriptorsResponse {
+        /// Supported descriptors: the descriptor set in the high byte, the field descriptor in the
+        /// low byte.
+        pub descriptors: crate::List<u16, 126>,
+    }
+}
+
+field! {
+    GetExtendedDescriptorsResponse: 0x01, 0x86, "base.get_extended_descriptors_response", answers GetExtendedDescriptors
+}
+
+record! {
+    /// Continuous built-in test response (0x01,0x88).
+    ///
+    /// Also called `continuous_bit_response`. Answers [`ContinuousBuiltInTest`]. Supported by
+    /// 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08).
+    #[derive(Default)]
+    pub struct ContinuousBuiltInTestResponse {
+        /// Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the
+        /// second byte.
+        ///
+        /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7ContinuousBuiltInTest`].
+        pub result: [u8; 16],
+    }
+}
+
+#[rustfmt::skip]
+impl ContinuousBuiltInTestResponse {
+    /// Reads `result` as [`types::Cv7ContinuousBuiltInTest`].
+    ///
+    /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7ContinuousBuiltInTest`].
+    #[must_use]
+    pub fn result_as_cv7_continuous_built_in_test(&self) -> types::Cv7ContinuousBuiltInTest {
+        self.result.into()
+    }
+}
+
+field! {
+    ContinuousBuiltInTestResponse: 0x01, 0x88, "base.continuous_built_in_test_response", answers ContinuousBuiltInTest
+}
+
+record! {
+    /// Comm port speed response (0x01,0x89).
+    ///
+    /// Answers [`CommSpeed`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09).
+    #[derive(Default)]
+    pub struct CommSpeedResponse {
+        /// Port id of the device; 0 means all ports, and is for save, load and default only.
+        pub port: u8,
+        /// Baud rate; one that the port supports.
+        ///
+        /// Unit: Bd.
+        pub baud: u32,
+    }
+}
+
+field! {
+    CommSpeedResponse: 0x01, 0x89, "base.comm_speed_response", answers CommSpeed
+}

@@ -1,0 +1,4363 @@
+//! Filter commands (0x0D): Commands that set up, start and aid the navigation filter.
+//!
+//! Source: 3dm-gx5-15: 4.3 Estimation Filter Commands; 3dm-cv7-gnss-ins: Filter (0x0D).
+
+#[allow(unused_imports)] // some sets name a type in comments only, or none
+use crate::types;
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0x0D;
+
+open_enum! {
+    /// Kind of vehicle that the filter is tuned for.
+    ///
+    /// Uncertain: The SDK names the modes only; the descriptions follow from the names. Uncertain:
+    /// The filter status [(0x82,0x10)](crate::filter_data::Status) reports a mode too, but is known
+    /// to have the values 1 to 3 only.
+    ///
+    /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
+    DynamicsMode: u8 {
+        /// Carried by hand.
+        PORTABLE = 1, "portable";
+        /// Ground vehicle.
+        AUTOMOTIVE = 2, "automotive";
+        /// Aircraft.
+        AIRBORNE = 3, "airborne";
+        /// Aircraft under high acceleration.
+        AIRBORNE_HIGH_G = 4, "airborne_high_g";
+    }
+}
+
+bitfield! {
+    /// States that the filter estimates.
+    EstimatedStates: u16 {
+        /// Estimate the gyroscope bias (recommended). Bit 0.
+        GYRO_BIAS: bool = 0,
+            gyro_bias, set_gyro_bias, with_gyro_bias;
+    }
+}
+
+open_enum! {
+    /// Where the filter takes GNSS data from.
+    GnssAidingSource: u8 {
+        /// All internal receivers.
+        ALL_INTERNAL = 1, "all_internal";
+        /// GNSS measurements that the user sends.
+        EXTERNAL = 2, "external";
+        /// Internal receiver 1 only.
+        INTERNAL_1 = 3, "internal_1";
+        /// Internal receiver 2 only.
+        INTERNAL_2 = 4, "internal_2";
+    }
+}
+
+open_enum! {
+    /// The north that a heading refers to.
+    HeadingType: u8 {
+        /// True north.
+        TRUE_HEADING = 1, "true_heading";
+        /// Magnetic north.
+        MAGNETIC_HEADING = 2, "magnetic_heading";
+    }
+}
+
+open_enum! {
+    /// Where the filter takes heading updates from.
+    HeadingUpdateSource: u8 {
+        /// No heading updates.
+        NONE = 0, "none";
+        /// The heading messages that the user sends.
+        EXTERNAL = 3, "external";
+    }
+}
+
+bitfield! {
+    /// Axes to tare; 0 resets all axes.
+    TareAxes: u8 {
+        /// Tare roll. Bit 0.
+        ROLL: bool = 0,
+            roll, set_roll, with_roll;
+        /// Tare pitch. Bit 1.
+        PITCH: bool = 1,
+            pitch, set_pitch, with_pitch;
+        /// Tare yaw. Bit 2.
+        YAW: bool = 2,
+            yaw, set_yaw, with_yaw;
+    }
+}
+
+bitfield! {
+    /// Measurements that the filter uses.
+    MeasurementFlags: u16 {
+        /// Accelerometer measurements. Bit 0.
+        ACCEL: bool = 0,
+            accel, set_accel, with_accel;
+        /// Magnetometer measurements, on models that have a magnetometer. Bit 1.
+        MAG: bool = 1,
+            mag, set_mag, with_mag;
+    }
+}
+
+open_enum! {
+    /// Where the declination, the inclination or the magnitude of the magnetic field comes from.
+    MagParameterSource: u8 {
+        /// No source. Uncertain: What the device does without a source.
+        NONE = 1, "none";
+        /// The World Magnetic Model, at the estimated position.
+        WMM = 2, "wmm";
+        /// The value that the command gives.
+        MANUAL = 3, "manual";
+    }
+}
+
+open_enum! {
+    /// How measurements are weighted whose magnitude is not as expected.
+    AdaptiveMeasurementSelector: u8 {
+        /// No adaptation.
+        DISABLED = 0, "disabled";
+        /// Adapted by the limits that the command gives.
+        FIXED = 1, "fixed";
+        /// Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later.
+        AUTO = 2, "auto";
+    }
+}
+
+open_enum! {
+    /// What aids the altitude.
+    ///
+    /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
+    AltitudeAidingSource: u8 {
+        /// No aiding.
+        NONE = 0, "none";
+        /// The pressure sensor.
+        PRESSURE = 1, "pressure";
+    }
+}
+
+open_enum! {
+    /// What aids pitch and roll.
+    PitchRollAidingSource: u8 {
+        /// No aiding.
+        NONE = 0, "none";
+        /// The measured gravity vector.
+        GRAVITY_VECTOR = 1, "gravity_vector";
+    }
+}
+
+open_enum! {
+    /// A source of aiding measurements.
+    AidingSource: u16 {
+        /// GNSS position and velocity.
+        GNSS_POSITION_VELOCITY = 0, "gnss_position_velocity";
+        /// GNSS heading of two antennas.
+        GNSS_HEADING = 1, "gnss_heading";
+        /// Built-in pressure altimeter.
+        ALTIMETER = 2, "altimeter";
+        /// Speed sensor or odometer.
+        SPEED = 3, "speed";
+        /// Built-in magnetometer.
+        MAG = 4, "mag";
+        /// Heading that the user sends.
+        EXTERNAL_HEADING = 5, "external_heading";
+        /// Pressure altitude that the user sends.
+        EXTERNAL_ALTIMETER = 6, "external_altimeter";
+        /// Magnetic field that the user sends.
+        EXTERNAL_MAG = 7, "external_mag";
+        /// Velocity in the vehicle that the user sends.
+        BODY_FRAME_VELOCITY = 8, "body_frame_velocity";
+        /// All sources, for save, load and default.
+        ALL = 65535, "all";
+    }
+}
+
+open_enum! {
+    /// What the filter assumes about the acceleration.
+    ///
+    /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
+    AccelConstraint: u8 {
+        /// Nothing.
+        NONE = 0, "none";
+        /// It is zero.
+        ZERO_ACCEL = 1, "zero_accel";
+    }
+}
+
+open_enum! {
+    /// What the filter assumes about the velocity.
+    ///
+    /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
+    VelocityConstraint: u8 {
+        /// Nothing.
+        NONE = 0, "none";
+        /// It is zero.
+        ZERO_VELOCITY = 1, "zero_velocity";
+        /// It is that of a wheeled vehicle.
+        WHEELED_VEHICLE = 2, "wheeled_vehicle";
+    }
+}
+
+open_enum! {
+    /// What the filter assumes about the angular rate.
+    ///
+    /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
+    AngularConstraint: u8 {
+        /// Nothing.
+        NONE = 0, "none";
+        /// It is zero.
+        ZERO_ANGULAR_RATE = 1, "zero_angular_rate";
+    }
+}
+
+open_enum! {
+    /// Which initial conditions the device finds itself and which the user gives.
+    InitialConditionSource: u8 {
+        /// Position, velocity and attitude are found.
+        AUTO_POSITION_VELOCITY_ATTITUDE = 0, "auto_position_velocity_attitude";
+        /// Position, velocity, pitch and roll are found; the heading is given.
+        AUTO_POSITION_VELOCITY_PITCH_ROLL = 1, "auto_position_velocity_pitch_roll";
+        /// Position and velocity are found; the attitude is given.
+        AUTO_POSITION_VELOCITY = 2, "auto_position_velocity";
+        /// Position, velocity and attitude are given.
+        MANUAL = 3, "manual";
+    }
+}
+
+bitfield! {
+    /// Ways in which the device may find its initial heading.
+    HeadingAlignment: u8 {
+        /// From the baseline between two GNSS antennas. Bit 0.
+        DUAL_ANTENNA: bool = 0,
+            dual_antenna, set_dual_antenna, with_dual_antenna;
+        /// From the GNSS velocity; assumes motion along the positive x axis of the vehicle. Bit 1.
+        KINEMATIC: bool = 1,
+            kinematic, set_kinematic, with_kinematic;
+        /// From the built-in magnetometer. Bit 2.
+        MAG: bool = 2,
+            mag, set_mag, with_mag;
+        /// From the heading that the user sends. Bit 3.
+        EXTERNAL: bool = 3,
+            external, set_external, with_external;
+    }
+}
+
+open_enum! {
+    /// Frame in which a position is given.
+    ReferenceFrame: u8 {
+        /// Earth-centred, Earth-fixed coordinates (WGS84).
+        ECEF = 1, "ecef";
+        /// Latitude, longitude and height above the ellipsoid (WGS84).
+        LLH = 2, "llh";
+    }
+}
+
+open_enum! {
+    /// How strongly the filter adapts to measurements that do not fit.
+    AdaptiveLevel: u8 {
+        /// No adaptation.
+        OFF = 0, "off";
+        /// Little adaptation.
+        CONSERVATIVE = 1, "conservative";
+        /// Moderate adaptation.
+        MODERATE = 2, "moderate";
+        /// Strong adaptation.
+        AGGRESSIVE = 3, "aggressive";
+    }
+}
+
+open_enum! {
+    /// Where the reference of relative positions comes from.
+    RelativePositionSource: u8 {
+        /// The base station of the RTK corrections.
+        AUTO = 0, "auto";
+        /// The coordinates that the command gives.
+        MANUAL = 1, "manual";
+    }
+}
+
+open_enum! {
+    /// A point of reference.
+    ReferencePoint: u8 {
+        /// The origin of the vehicle.
+        VEHICLE = 1, "vehicle";
+    }
+}
+
+record! {
+    /// Reset navigation filter (0x0D,0x01).
+    ///
+    /// Puts the filter back into its initialization state.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - If automatic initialization is off, the attitude or heading must be set before the filter
+    ///   runs again.
+    /// - 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
+    ///   found.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01); 3dm-gx5-15: 4.3.1 Reset
+    /// Filter (0x0D, 0x01).
+    #[derive(Default)]
+    pub struct Reset;
+}
+
+constructors! {
+    Reset
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    Reset: 0x0D, 0x01, "filter.reset"
+}
+
+command! {
+    Reset -> ();
+}
+
+record! {
+    /// Set initial attitude (0x0D,0x02).
+    ///
+    /// Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
+    ///
+    /// Supported by 3DM-GX5-15.
+    ///
+    /// - Accepted only in the initialization state.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02).
+    #[derive(Default)]
+    pub struct SetInitialAttitude {
+        /// Roll angle.
+        ///
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        pub roll: f32,
+        /// Pitch angle.
+        ///
+        /// Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
+        pub pitch: f32,
+        /// Heading (yaw) angle.
+        ///
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        pub heading: f32,
+    }
+}
+
+constructors! {
+    SetInitialAttitude
+
+    /// The command with its parameters.
+    fn new(
+        roll: f32,
+        pitch: f32,
+        heading: f32,
+    );
+}
+
+field! {
+    SetInitialAttitude: 0x0D, 0x02, "filter.set_initial_attitude"
+}
+
+command! {
+    SetInitialAttitude -> ();
+}
+
+record! {
+    /// Set initial heading (0x0D,0x03).
+    ///
+    /// Gives the filter its initial heading; pitch and roll come from the accelerometers.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - 3DM-GX5: accepted only in the initialization state.
+    /// - 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
+    ///   ignored.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03); 3dm-gx5-15: 4.3.3 Set
+    /// Initial Heading (0x0D, 0x03).
+    #[derive(Default)]
+    pub struct SetInitialHeading {
+        /// Initial heading.
+        ///
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        pub heading: f32,
+    }
+}
+
+constructors! {
+    SetInitialHeading
+
+    /// The command with its parameters.
+    fn new(heading: f32);
+}
+
+field! {
+    SetInitialHeading: 0x0D, 0x03, "filter.set_initial_heading"
+}
+
+command! {
+    SetInitialHeading -> ();
+}
+
+record! {
+    /// Run navigation filter (0x0D,0x05).
+    ///
+    /// Starts a filter that was set up to wait for this command.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The filter waits in its initialization state if `wait_for_run_command` of
+    ///   `initialization_config` is set.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05).
+    #[derive(Default)]
+    pub struct Run;
+}
+
+constructors! {
+    Run
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    Run: 0x0D, 0x05, "filter.run"
+}
+
+command! {
+    Run -> ();
+}
+
+record! {
+    /// Vehicle dynamics mode (0x0D,0x10).
+    ///
+    /// Kind of vehicle that the filter is tuned for.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`VehicleDynamicsModeResponse`].
+    ///
+    /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
+    pub struct VehicleDynamicsMode {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Kind of vehicle.
+        ///
+        /// Required for write.
+        pub mode: Option<DynamicsMode>,
+    }
+    wire 2 {
+        [function selects]
+        [mode for WRITE]
+    }
+}
+
+constructors! {
+    VehicleDynamicsMode { function, mode }
+
+    /// Apply the new setting.
+    fn write(mode: DynamicsMode) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    VehicleDynamicsMode: 0x0D, 0x10, "filter.vehicle_dynamics_mode"
+}
+
+command! {
+    VehicleDynamicsMode -> VehicleDynamicsModeResponse;
+    responds VehicleDynamicsModeResponse for READ;
+}
+
+record! {
+    /// Sensor to vehicle frame transformation (0x0D,0x11).
+    ///
+    /// Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
+    ///
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`SensorToVehicleRotationEulerResponse`]. Supported by 3DM-GX5-15.
+    ///
+    /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+    ///   velocity, and the orientation, compensated and linear acceleration, angular rate and
+    ///   gravity vector of the filter.
+    /// - The 3DM-CV7 takes the inverse instead:
+    ///   [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler).
+    ///
+    /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
+    pub struct SensorToVehicleRotationEuler {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Roll angle.
+        ///
+        /// Unit: rad. Required for write.
+        pub roll: Option<f32>,
+        /// Pitch angle.
+        ///
+        /// Unit: rad. Required for write.
+        pub pitch: Option<f32>,
+        /// Yaw angle.
+        ///
+        /// Unit: rad. Required for write.
+        pub yaw: Option<f32>,
+    }
+    wire 13 {
+        [function selects]
+        [roll for WRITE]
+        [pitch for WRITE]
+        [yaw for WRITE]
+    }
+}
+
+constructors! {
+    SensorToVehicleRotationEuler { function, roll, pitch, yaw }
+
+    /// Apply the new setting.
+    fn write(
+        roll: f32,
+        pitch: f32,
+        yaw: f32,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    SensorToVehicleRotationEuler: 0x0D, 0x11, "filter.sensor_to_vehicle_rotation_euler"
+}
+
+command! {
+    SensorToVehicleRotationEuler -> SensorToVehicleRotationEulerResponse;
+    responds SensorToVehicleRotationEulerResponse for READ;
+}
+
+record! {
+    /// Sensor to vehicle offset (0x0D,0x12).
+    ///
+    /// Origin of the vehicle frame, as seen from the sensor.
+    ///
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`SensorToVehicleOffsetResponse`]. Uncertain: The direction, from the sensor to the origin
+    /// of the vehicle frame, is inferred from the name.
+    ///
+    /// - It shifts the estimated position [(0x82,0x01)](crate::filter_data::LlhPosition) and
+    ///   nothing else.
+    /// - The shift is constant. It does not follow the attitude, as a lever arm would.
+    /// - The magnitude of the vector is limited to 10 m.
+    ///
+    /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
+    pub struct SensorToVehicleOffset {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// From the sensor to the origin of the vehicle frame.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: sensor. Range: -10 to 10. Required for write.
+        pub offset: Option<types::Vector3f>,
+    }
+    wire 13 {
+        [function selects]
+        [offset for WRITE]
+    }
+}
+
+constructors! {
+    SensorToVehicleOffset { function, offset }
+
+    /// Apply the new setting.
+    fn write(offset: impl Into<types::Vector3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    SensorToVehicleOffset: 0x0D, 0x12, "filter.sensor_to_vehicle_offset"
+}
+
+command! {
+    SensorToVehicleOffset -> SensorToVehicleOffsetResponse;
+    responds SensorToVehicleOffsetResponse for READ;
+}
+
+record! {
+    /// GNSS antenna offset (0x0D,0x13).
+    ///
+    /// Position of the GNSS antenna relative to the origin of the sensor.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`AntennaOffsetResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The magnitude of the vector is limited to 10.
+    /// - 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
+    /// - On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding
+    ///   commands use [`aiding::FrameConfig`](crate::aiding::FrameConfig).
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
+    pub struct AntennaOffset {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// From the sensor origin to the centre of the antenna.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10. Required for write.
+        pub offset: Option<types::Vector3f>,
+    }
+    wire 13 {
+        [function selects]
+        [offset for WRITE]
+    }
+}
+
+constructors! {
+    AntennaOffset { function, offset }
+
+    /// Apply the new setting.
+    fn write(offset: impl Into<types::Vector3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    AntennaOffset: 0x0D, 0x13, "filter.antenna_offset"
+}
+
+command! {
+    AntennaOffset -> AntennaOffsetResponse;
+    responds AntennaOffsetResponse for READ;
+}
+
+record! {
+    /// Estimation control flags (0x0D,0x14).
+    ///
+    /// Which states the filter estimates.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`EstimationControlResponse`].
+    /// Supported by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
+    pub struct EstimationControl {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// States to estimate.
+        ///
+        /// Required for write.
+        pub flags: Option<EstimatedStates>,
+    }
+    wire 3 {
+        [function selects]
+        [flags for WRITE]
+    }
+}
+
+constructors! {
+    EstimationControl { function, flags }
+
+    /// Apply the new setting.
+    fn write(flags: EstimatedStates) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    EstimationControl: 0x0D, 0x14, "filter.estimation_control"
+}
+
+command! {
+    EstimationControl -> EstimationControlResponse;
+    responds EstimationControlResponse for READ;
+}
+
+record! {
+    /// GNSS aiding source (0x0D,0x15).
+    ///
+    /// Which GNSS receiver aids the filter.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`GnssSourceResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - A change while the filter runs may put it back into initialization until the new source
+    ///   gives data.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15).
+    pub struct GnssSource {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Source of the GNSS data.
+        ///
+        /// Required for write.
+        pub source: Option<GnssAidingSource>,
+    }
+    wire 2 {
+        [function selects]
+        [source for WRITE]
+    }
+}
+
+constructors! {
+    GnssSource { function, source }
+
+    /// Apply the new setting.
+    fn write(source: GnssAidingSource) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    GnssSource: 0x0D, 0x15, "filter.gnss_source"
+}
+
+command! {
+    GnssSource -> GnssSourceResponse;
+    responds GnssSourceResponse for READ;
+}
+
+record! {
+    /// External GNSS update (0x0D,0x16).
+    ///
+    /// Gives the filter one position and velocity of a GNSS receiver that the user provides.
+    ///
+    /// - Refused unless the GNSS aiding source [(0x0D,0x15)](GnssSource) is the external one.
+    /// - The highest rate depends on the device.
+    ///
+    /// Source: mip-sdk-4: External Gnss Update (0x0D,0x16).
+    #[derive(Default)]
+    pub struct ExternalGnssUpdate {
+        /// GPS time of week.
+        ///
+        /// Unit: s.
+        pub tow: f64,
+        /// GPS week, counted without rollover.
+        ///
+        /// Unit: week.
+        pub week_number: u16,
+        /// Latitude.
+        ///
+        /// Unit: deg. Frame: llh.
+        pub latitude: f64,
+        /// Longitude.
+        ///
+        /// Unit: deg. Frame: llh.
+        pub longitude: f64,
+        /// Height above the ellipsoid.
+        ///
+        /// Unit: m. Frame: llh.
+        pub height: f64,
+        /// Velocity.
+        ///
+        /// Elements: x, y, z. Unit: m/s. Frame: ned.
+        pub velocity: types::Vector3f,
+        /// Standard deviation of the position.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: ned.
+        pub position_uncertainty: types::Vector3f,
+        /// Standard deviation of the velocity.
+        ///
+        /// Elements: x, y, z. Unit: m/s. Frame: ned.
+        pub velocity_uncertainty: types::Vector3f,
+    }
+}
+
+constructors! {
+    ExternalGnssUpdate
+
+    /// The command with its parameters.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        latitude: f64,
+        longitude: f64,
+        height: f64,
+        velocity: impl Into<types::Vector3f>,
+        position_uncertainty: impl Into<types::Vector3f>,
+        velocity_uncertainty: impl Into<types::Vector3f>,
+    );
+}
+
+field! {
+    ExternalGnssUpdate: 0x0D, 0x16, "filter.external_gnss_update"
+}
+
+command! {
+    ExternalGnssUpdate -> ();
+}
+
+record! {
+    /// External heading update (0x0D,0x17).
+    ///
+    /// Gives the filter one measurement of the heading of the sensor frame in the NED frame.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5
+    ///   and by `aiding_measurement_enable` on the 3DM-CV7.
+    /// - The 3DM-GX5-15 takes at most 20 updates per second.
+    /// - If the declination source is not valid, -25 models refuse true headings and -45 models
+    ///   magnetic ones.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17); 3dm-gx5-15: 4.3.7 External
+    /// Heading Update (0x0D, 0x17).
+    #[derive(Default)]
+    pub struct ExternalHeadingUpdate {
+        /// Heading relative to the north that `type` names.
+        ///
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        pub heading: f32,
+        /// Standard deviation; the device refuses a value out of bounds.
+        ///
+        /// Unit: rad. Range: greater than 0.
+        pub heading_uncertainty: f32,
+        /// North that the heading refers to.
+        pub type_: HeadingType,
+    }
+    wire 9 {
+        [heading]
+        [heading_uncertainty]
+        [type_ "type"]
+    }
+}
+
+constructors! {
+    ExternalHeadingUpdate
+
+    /// The command with its parameters.
+    fn new(
+        heading: f32,
+        heading_uncertainty: f32,
+        type_: HeadingType,
+    );
+}
+
+field! {
+    ExternalHeadingUpdate: 0x0D, 0x17, "filter.external_heading_update"
+}
+
+command! {
+    ExternalHeadingUpdate -> ();
+}
+
+record! {
+    /// Heading update control (0x0D,0x18).
+    ///
+    /// Source of the heading that aids the filter.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`HeadingSourceResponse`].
+    /// Supported by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
+    pub struct HeadingSource {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Source of the heading.
+        ///
+        /// Required for write.
+        pub source: Option<HeadingUpdateSource>,
+    }
+    wire 2 {
+        [function selects]
+        [source for WRITE]
+    }
+}
+
+constructors! {
+    HeadingSource { function, source }
+
+    /// Apply the new setting.
+    fn write(source: HeadingUpdateSource) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    HeadingSource: 0x0D, 0x18, "filter.heading_source"
+}
+
+command! {
+    HeadingSource -> HeadingSourceResponse;
+    responds HeadingSourceResponse for READ;
+}
+
+record! {
+    /// Automatic initialization (0x0D,0x19).
+    ///
+    /// Whether the filter initializes by itself when the device starts.
+    ///
+    /// Also called `auto_init_control`. Functions: write, read, save, load and default. Answered by
+    /// [`AutoInitializationControlResponse`]. Supported by 3DM-GX5-15.
+    ///
+    /// - It needs a valid heading source.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19).
+    pub struct AutoInitializationControl {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// 0 disables, 1 enables.
+        ///
+        /// Range: 0 to 1. Required for write.
+        pub enable: Option<u8>,
+    }
+    wire 2 {
+        [function selects]
+        [enable for WRITE]
+    }
+}
+
+constructors! {
+    AutoInitializationControl { function, enable }
+
+    /// Apply the new setting.
+    fn write(enable: u8) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    AutoInitializationControl: 0x0D, 0x19, "filter.auto_initialization_control"
+}
+
+command! {
+    AutoInitializationControl -> AutoInitializationControlResponse;
+    responds AutoInitializationControlResponse for READ;
+}
+
+record! {
+    /// Accelerometer noise (0x0D,0x1A).
+    ///
+    /// Standard deviation of the accelerometer noise that the filter assumes (process noise).
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`AccelNoiseResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - The factory values suit most laboratory conditions.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A); 3dm-gx5-15:
+    /// 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A).
+    pub struct AccelNoise {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required for write.
+        pub noise: Option<types::Vector3f>,
+    }
+    wire 13 {
+        [function selects]
+        [noise for WRITE]
+    }
+}
+
+constructors! {
+    AccelNoise { function, noise }
+
+    /// Apply the new setting.
+    fn write(noise: impl Into<types::Vector3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    AccelNoise: 0x0D, 0x1A, "filter.accel_noise"
+}
+
+command! {
+    AccelNoise -> AccelNoiseResponse;
+    responds AccelNoiseResponse for READ;
+}
+
+record! {
+    /// Gyroscope noise (0x0D,0x1B).
+    ///
+    /// Standard deviation of the gyroscope noise that the filter assumes (process noise).
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`GyroNoiseResponse`]. Supported
+    /// by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - The factory values suit most laboratory conditions.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B); 3dm-gx5-15: 4.3.13
+    /// Gyroscope Noise Standard Deviation (0x0D, 0x1B).
+    pub struct GyroNoise {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required for write.
+        pub noise: Option<types::Vector3f>,
+    }
+    wire 13 {
+        [function selects]
+        [noise for WRITE]
+    }
+}
+
+constructors! {
+    GyroNoise { function, noise }
+
+    /// Apply the new setting.
+    fn write(noise: impl Into<types::Vector3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    GyroNoise: 0x0D, 0x1B, "filter.gyro_noise"
+}
+
+command! {
+    GyroNoise -> GyroNoiseResponse;
+    responds GyroNoiseResponse for READ;
+}
+
+record! {
+    /// Accelerometer bias model (0x0D,0x1C).
+    ///
+    /// Parameters of the model by which the accelerometer bias drifts.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`AccelBiasModelResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
+    pub struct AccelBiasModel {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Reciprocal of the correlation time per axis.
+        ///
+        /// Elements: x, y, z. Unit: 1/s. Required for write.
+        pub beta: Option<types::Vector3f>,
+        /// Standard deviation of the noise per axis.
+        ///
+        /// Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required for write.
+        pub noise: Option<types::Vector3f>,
+    }
+    wire 25 {
+        [function selects]
+        [beta for WRITE]
+        [noise for WRITE]
+    }
+}
+
+constructors! {
+    AccelBiasModel { function, beta, noise }
+
+    /// Apply the new setting.
+    fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    AccelBiasModel: 0x0D, 0x1C, "filter.accel_bias_model"
+}
+
+command! {
+    AccelBiasModel -> AccelBiasModelResponse;
+    responds AccelBiasModelResponse for READ;
+}
+
+record! {
+    /// Gyroscope bias model (0x0D,0x1D).
+    ///
+    /// Parameters of the model by which the gyroscope bias drifts.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`GyroBiasModelResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
+    /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
+    pub struct GyroBiasModel {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Reciprocal of the correlation time per axis.
+        ///
+        /// Elements: x, y, z. Unit: 1/s. Required for write.
+        pub beta: Option<types::Vector3f>,
+        /// Standard deviation of the noise per axis.
+        ///
+        /// Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required for write.
+        pub noise: Option<types::Vector3f>,
+    }
+    wire 25 {
+        [function selects]
+        [beta for WRITE]
+        [noise for WRITE]
+    }
+}
+
+constructors! {
+    GyroBiasModel { function, beta, noise }
+
+    /// Apply the new setting.
+    fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    GyroBiasModel: 0x0D, 0x1D, "filter.gyro_bias_model"
+}
+
+command! {
+    GyroBiasModel -> GyroBiasModelResponse;
+    responds GyroBiasModelResponse for READ;
+}
+
+record! {
+    /// Automatic zero velocity update (0x0D,0x1E).
+    ///
+    /// Lets the filter take the device as standing still while its GNSS speed is small.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`AutoZuptResponse`].
+    ///
+    /// - The update applies while the magnitude of the GNSS velocity vector is at or below the
+    ///   threshold.
+    /// - The device refuses a negative threshold.
+    ///
+    /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
+    pub struct AutoZupt {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// 0 disables, 1 enables.
+        ///
+        /// Range: 0 to 1. Required for write.
+        pub enable: Option<u8>,
+        /// Largest speed that is taken as zero.
+        ///
+        /// Unit: m/s. Range: at least 0. Required for write.
+        pub threshold: Option<f32>,
+    }
+    wire 6 {
+        [function selects]
+        [enable for WRITE]
+        [threshold for WRITE]
+    }
+}
+
+constructors! {
+    AutoZupt { function, enable, threshold }
+
+    /// Apply the new setting.
+    fn write(enable: u8, threshold: f32) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    AutoZupt: 0x0D, 0x1E, "filter.auto_zupt"
+}
+
+command! {
+    AutoZupt -> AutoZuptResponse;
+    responds AutoZuptResponse for READ;
+}
+
+record! {
+    /// External heading update with time (0x0D,0x1F).
+    ///
+    /// Gives the filter one measurement of the heading of the sensor frame with its GPS time.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - Better than `external_heading_update` where the heading changes quickly; the time must be
+    ///   accurate.
+    /// - Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5
+    ///   and by `aiding_measurement_enable` on the 3DM-CV7.
+    /// - The 3DM-GX5-15 takes at most 20 updates per second.
+    /// - If the declination source is not valid, -25 models refuse true headings and -45 models
+    ///   magnetic ones.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F); 3dm-gx5-15: 4.3.8
+    /// External Heading Update with Timestamp (0x0D, 0x1F).
+    #[derive(Default)]
+    pub struct ExternalHeadingUpdateWithTime {
+        /// GPS time of week of the measurement.
+        ///
+        /// Unit: s.
+        pub tow: f64,
+        /// GPS week, counted without rollover.
+        ///
+        /// Unit: week.
+        pub week_number: u16,
+        /// Heading relative to the north that `type` names.
+        ///
+        /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+        pub heading: f32,
+        /// Standard deviation; the device refuses a value out of bounds.
+        ///
+        /// Unit: rad. Range: greater than 0.
+        pub heading_uncertainty: f32,
+        /// North that the heading refers to.
+        pub type_: HeadingType,
+    }
+    wire 19 {
+        [tow]
+        [week_number]
+        [heading]
+        [heading_uncertainty]
+        [type_ "type"]
+    }
+}
+
+constructors! {
+    ExternalHeadingUpdateWithTime
+
+    /// The command with its parameters.
+    fn new(
+        tow: f64,
+        week_number: u16,
+        heading: f32,
+        heading_uncertainty: f32,
+        type_: HeadingType,
+    );
+}
+
+field! {
+    ExternalHeadingUpdateWithTime: 0x0D, 0x1F, "filter.external_heading_update_with_time"
+}
+
+command! {
+    ExternalHeadingUpdateWithTime -> ();
+}
+
+record! {
+    /// Zero angular rate update (0x0D,0x20).
+    ///
+    /// Lets the filter take the device as not rotating while its angular rate is small.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`AutoAngularZuptResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - The update applies while the magnitude of the angular rate vector is at or below the
+    ///   threshold.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20); 3dm-gx5-15: 4.3.15
+    /// Zero Angular Rate Update Control (0x0D, 0x20).
+    pub struct AutoAngularZupt {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// 0 disables, 1 enables.
+        ///
+        /// Range: 0 to 1. Required for write.
+        pub enable: Option<u8>,
+        /// Largest angular rate that is taken as zero.
+        ///
+        /// Unit: rad/s. Range: at least 0. Required for write.
+        pub threshold: Option<f32>,
+    }
+    wire 6 {
+        [function selects]
+        [enable for WRITE]
+        [threshold for WRITE]
+    }
+}
+
+constructors! {
+    AutoAngularZupt { function, enable, threshold }
+
+    /// Apply the new setting.
+    fn write(enable: u8, threshold: f32) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    AutoAngularZupt: 0x0D, 0x20, "filter.auto_angular_zupt"
+}
+
+command! {
+    AutoAngularZupt -> AutoAngularZuptResponse;
+    responds AutoAngularZuptResponse for READ;
+}
+
+record! {
+    /// Tare orientation (0x0D,0x21).
+    ///
+    /// Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`TareOrientationResponse`].
+    /// Supported by 3DM-GX5-15. On the 3DM-GX5-15: write, save, load and default only.
+    ///
+    /// - Refused while the filter has no valid attitude.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare Orientation
+    /// (0x0D,0x21).
+    pub struct TareOrientation {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Axes to tare; 0 resets all axes.
+        ///
+        /// Required for write.
+        pub axes: Option<TareAxes>,
+    }
+    wire 2 {
+        [function selects]
+        [axes for WRITE]
+    }
+}
+
+constructors! {
+    TareOrientation { function, axes }
+
+    /// Apply the new setting.
+    fn write(axes: TareAxes) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    TareOrientation: 0x0D, 0x21, "filter.tare_orientation"
+}
+
+command! {
+    TareOrientation -> TareOrientationResponse;
+    responds TareOrientationResponse for READ;
+}
+
+record! {
+    /// Commanded zero velocity update (0x0D,0x22).
+    ///
+    /// Tells the filter once that the device stands still.
+    ///
+    /// - The highest rate depends on the device.
+    ///
+    /// Source: mip-sdk-4: Commanded Zupt (0x0D,0x22).
+    #[derive(Default)]
+    pub struct CommandedZupt;
+}
+
+constructors! {
+    CommandedZupt
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    CommandedZupt: 0x0D, 0x22, "filter.commanded_zupt"
+}
+
+command! {
+    CommandedZupt -> ();
+}
+
+record! {
+    /// Commanded zero angular rate update (0x0D,0x23).
+    ///
+    /// Tells the filter once that the device is not rotating.
+    ///
+    /// Supported by 3DM-GX5-15.
+    ///
+    /// - At most 10 per second.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23).
+    #[derive(Default)]
+    pub struct CommandedAngularZupt;
+}
+
+constructors! {
+    CommandedAngularZupt
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    CommandedAngularZupt: 0x0D, 0x23, "filter.commanded_angular_zupt"
+}
+
+command! {
+    CommandedAngularZupt -> ();
+}
+
+record! {
+    /// Set reference position (0x0D,0x26).
+    ///
+    /// Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`ReferencePositionResponse`].
+    /// Supported by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
+    pub struct ReferencePosition {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// 0 disables, 1 enables.
+        ///
+        /// Range: 0 to 1. Required for write.
+        pub enable: Option<u8>,
+        /// Latitude.
+        ///
+        /// Unit: deg. Frame: llh. Required for write.
+        pub latitude: Option<f64>,
+        /// Longitude.
+        ///
+        /// Unit: deg. Frame: llh. Required for write.
+        pub longitude: Option<f64>,
+        /// Altitude.
+        ///
+        /// Unit: m. Frame: llh. Required for write.
+        pub altitude: Option<f64>,
+    }
+    wire 26 {
+        [function selects]
+        [enable for WRITE]
+        [latitude for WRITE]
+        [longitude for WRITE]
+        [altitude for WRITE]
+    }
+}
+
+constructors! {
+    ReferencePosition { function, enable, latitude, longitude, altitude }
+
+    /// Apply the new setting.
+    fn write(
+        enable: u8,
+        latitude: f64,
+        longitude: f64,
+        altitude: f64,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    ReferencePosition: 0x0D, 0x26, "filter.reference_position"
+}
+
+command! {
+    ReferencePosition -> ReferencePositionResponse;
+    responds ReferencePositionResponse for READ;
+}
+
+record! {
+    /// Capture automatic magnetometer calibration (0x0D,0x27).
+    ///
+    /// Makes the automatic magnetometer calibration part of the fixed one.
+    ///
+    /// Also called `mag_capture_auto_cal`. Functions: write and save.
+    ///
+    /// - A write combines the automatic calibration with the hard iron offset
+    ///   [(0x0C,0x3A)](crate::mip_3dm::MagHardIronOffset) and the soft iron matrix
+    ///   [(0x0C,0x3B)](crate::mip_3dm::MagSoftIronMatrix), and resets it.
+    /// - A save does the same as the save of both of these commands.
+    ///
+    /// Source: mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27).
+    pub struct MagCaptureAutoCalibration {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+    }
+}
+
+constructors! {
+    MagCaptureAutoCalibration { function }
+
+    /// Apply the new setting.
+    fn write() = WRITE;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+}
+
+field! {
+    MagCaptureAutoCalibration: 0x0D, 0x27, "filter.mag_capture_auto_calibration"
+}
+
+command! {
+    MagCaptureAutoCalibration -> ();
+}
+
+record! {
+    /// Gravity noise (0x0D,0x28).
+    ///
+    /// Standard deviation of the gravity noise that the filter assumes (process noise).
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`GravityNoiseResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - The factory values suit most laboratory conditions.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28); 3dm-gx5-15: 4.3.11
+    /// Gravity Noise Standard Deviation (0x0D, 0x28).
+    pub struct GravityNoise {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: g. Range: greater than 0. Required for write.
+        pub noise: Option<types::Vector3f>,
+    }
+    wire 13 {
+        [function selects]
+        [noise for WRITE]
+    }
+}
+
+constructors! {
+    GravityNoise { function, noise }
+
+    /// Apply the new setting.
+    fn write(noise: impl Into<types::Vector3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    GravityNoise: 0x0D, 0x28, "filter.gravity_noise"
+}
+
+command! {
+    GravityNoise -> GravityNoiseResponse;
+    responds GravityNoiseResponse for READ;
+}
+
+record! {
+    /// Pressure altitude noise (0x0D,0x29).
+    ///
+    /// Standard deviation of the noise of the pressure altitude model that the filter assumes.
+    ///
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`PressureAltitudeNoiseResponse`].
+    ///
+    /// - A small value follows the pressure faster, and takes weather and draughts for changes of
+    ///   height.
+    ///
+    /// Source: mip-sdk-4: Pressure Altitude Noise (0x0D,0x29).
+    pub struct PressureAltitudeNoise {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Standard deviation.
+        ///
+        /// Unit: m. Range: greater than 0. Required for write.
+        pub noise: Option<f32>,
+    }
+    wire 5 {
+        [function selects]
+        [noise for WRITE]
+    }
+}
+
+constructors! {
+    PressureAltitudeNoise { function, noise }
+
+    /// Apply the new setting.
+    fn write(noise: f32) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    PressureAltitudeNoise: 0x0D, 0x29, "filter.pressure_altitude_noise"
+}
+
+command! {
+    PressureAltitudeNoise -> PressureAltitudeNoiseResponse;
+    responds PressureAltitudeNoiseResponse for READ;
+}
+
+record! {
+    /// Hard iron offset noise (0x0D,0x2B).
+    ///
+    /// Standard deviation of the noise of the estimated hard iron offset (process noise).
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`HardIronOffsetNoiseResponse`].
+    ///
+    /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
+    pub struct HardIronOffsetNoise {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: gauss. Range: greater than 0. Required for write.
+        pub noise: Option<types::Vector3f>,
+    }
+    wire 13 {
+        [function selects]
+        [noise for WRITE]
+    }
+}
+
+constructors! {
+    HardIronOffsetNoise { function, noise }
+
+    /// Apply the new setting.
+    fn write(noise: impl Into<types::Vector3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    HardIronOffsetNoise: 0x0D, 0x2B, "filter.hard_iron_offset_noise"
+}
+
+command! {
+    HardIronOffsetNoise -> HardIronOffsetNoiseResponse;
+    responds HardIronOffsetNoiseResponse for READ;
+}
+
+record! {
+    /// Soft iron matrix noise (0x0D,0x2C).
+    ///
+    /// Standard deviation of the noise of the estimated soft iron matrix (process noise).
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`SoftIronMatrixNoiseResponse`].
+    ///
+    /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
+    pub struct SoftIronMatrixNoise {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Standard deviation per element.
+        ///
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Range: greater than 0.
+        /// Required for write.
+        pub noise: Option<types::Matrix3f>,
+    }
+    wire 37 {
+        [function selects]
+        [noise for WRITE]
+    }
+}
+
+constructors! {
+    SoftIronMatrixNoise { function, noise }
+
+    /// Apply the new setting.
+    fn write(noise: impl Into<types::Matrix3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    SoftIronMatrixNoise: 0x0D, 0x2C, "filter.soft_iron_matrix_noise"
+}
+
+command! {
+    SoftIronMatrixNoise -> SoftIronMatrixNoiseResponse;
+    responds SoftIronMatrixNoiseResponse for READ;
+}
+
+record! {
+    /// Enable or disable measurements (0x0D,0x41).
+    ///
+    /// Which inertial measurements the filter uses.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`EnableMeasurementsResponse`].
+    /// Supported by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
+    pub struct EnableMeasurements {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Measurements to use.
+        ///
+        /// Required for write.
+        pub control: Option<MeasurementFlags>,
+    }
+    wire 3 {
+        [function selects]
+        [control for WRITE]
+    }
+}
+
+constructors! {
+    EnableMeasurements { function, control }
+
+    /// Apply the new setting.
+    fn write(control: MeasurementFlags) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    EnableMeasurements: 0x0D, 0x41, "filter.enable_measurements"
+}
+
+command! {
+    EnableMeasurements -> EnableMeasurementsResponse;
+    responds EnableMeasurementsResponse for READ;
+}
+
+record! {
+    /// Magnetometer noise (0x0D,0x42).
+    ///
+    /// Standard deviation of the magnetometer noise that the filter assumes.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`MagNoiseResponse`]. Uncertain:
+    /// The SDK calls it process noise, although the noise is that of a measurement.
+    ///
+    /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
+    pub struct MagNoise {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: gauss. Range: greater than 0. Required for write.
+        pub noise: Option<types::Vector3f>,
+    }
+    wire 13 {
+        [function selects]
+        [noise for WRITE]
+    }
+}
+
+constructors! {
+    MagNoise { function, noise }
+
+    /// Apply the new setting.
+    fn write(noise: impl Into<types::Vector3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    MagNoise: 0x0D, 0x42, "filter.mag_noise"
+}
+
+command! {
+    MagNoise -> MagNoiseResponse;
+    responds MagNoiseResponse for READ;
+}
+
+record! {
+    /// Magnetic declination source (0x0D,0x43).
+    ///
+    /// Source of the local declination of the magnetic field.
+    ///
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`MagneticDeclinationSourceResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - Without a good declination source, keep automatic magnetometer calibration off.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43).
+    pub struct MagneticDeclinationSource {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Source of the declination.
+        ///
+        /// Required for write.
+        pub source: Option<MagParameterSource>,
+        /// Declination; used only if `source` is manual.
+        ///
+        /// Unit: rad. Required for write.
+        pub declination: Option<f32>,
+    }
+    wire 6 {
+        [function selects]
+        [source for WRITE]
+        [declination for WRITE]
+    }
+}
+
+constructors! {
+    MagneticDeclinationSource { function, source, declination }
+
+    /// Apply the new setting.
+    fn write(source: MagParameterSource, declination: f32) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    MagneticDeclinationSource: 0x0D, 0x43, "filter.magnetic_declination_source"
+}
+
+command! {
+    MagneticDeclinationSource -> MagneticDeclinationSourceResponse;
+    responds MagneticDeclinationSourceResponse for READ;
+}
+
+record! {
+    /// Gravity magnitude error adaptive measurement (0x0D,0x44).
+    ///
+    /// How far the filter trusts gravity measurements whose magnitude is not that of gravity.
+    ///
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`AccelMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by 3DM-GX5-15.
+    ///
+    /// - Also called accelerometer magnitude error adaptive measurement.
+    /// - All parameters after the selector keep their values if they are left out.
+    /// - Filter and limits take effect only with `fixed`.
+    /// - Raise the limits where vibration is strong, lower them where it is weak. High limits cost
+    ///   pitch and roll accuracy under linear acceleration, low limits cost heading accuracy.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
+    pub struct AccelMagnitudeErrorAdaptiveMeasurement {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Kind of adaptation.
+        ///
+        /// Required for write.
+        pub adaptive_measurement: Option<AdaptiveMeasurementSelector>,
+        /// Cut-off frequency of the low-pass filter.
+        ///
+        /// Unit: Hz. Optional.
+        pub frequency: Option<f32>,
+        /// Lower limit of the error.
+        ///
+        /// Unit: m/s^2. Optional.
+        pub low_limit: Option<f32>,
+        /// Upper limit of the error.
+        ///
+        /// Unit: m/s^2. Optional.
+        pub high_limit: Option<f32>,
+        /// Standard deviation at the lower limit.
+        ///
+        /// Unit: m/s^2. Optional.
+        pub low_limit_uncertainty: Option<f32>,
+        /// Standard deviation at the upper limit.
+        ///
+        /// Unit: m/s^2. Optional.
+        pub high_limit_uncertainty: Option<f32>,
+        /// Smallest standard deviation.
+        ///
+        /// Unit: m/s^2. Optional.
+        pub minimum_uncertainty: Option<f32>,
+    }
+    wire 26 {
+        [function selects]
+        [adaptive_measurement for WRITE]
+        [frequency optional]
+        [low_limit optional]
+        [high_limit optional]
+        [low_limit_uncertainty optional]
+        [high_limit_uncertainty optional]
+        [minimum_uncertainty optional]
+    }
+}
+
+constructors! {
+    AccelMagnitudeErrorAdaptiveMeasurement { function, adaptive_measurement, frequency, low_limit, high_limit, low_limit_uncertainty, high_limit_uncertainty, minimum_uncertainty }
+
+    /// Apply the new setting.
+    fn write(adaptive_measurement: AdaptiveMeasurementSelector) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+setters! {
+    AccelMagnitudeErrorAdaptiveMeasurement {
+        fn with_frequency(frequency: f32);
+        fn with_low_limit(low_limit: f32);
+        fn with_high_limit(high_limit: f32);
+        fn with_low_limit_uncertainty(low_limit_uncertainty: f32);
+        fn with_high_limit_uncertainty(high_limit_uncertainty: f32);
+        fn with_minimum_uncertainty(minimum_uncertainty: f32);
+    }
+}
+
+field! {
+    AccelMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x44, "filter.accel_magnitude_error_adaptive_measurement"
+}
+
+command! {
+    AccelMagnitudeErrorAdaptiveMeasurement -> AccelMagnitudeErrorAdaptiveMeasurementResponse;
+    responds AccelMagnitudeErrorAdaptiveMeasurementResponse for READ;
+}
+
+record! {
+    /// Magnetometer magnitude error adaptive measurement (0x0D,0x45).
+    ///
+    /// How far the filter trusts a magnetic field whose magnitude is not as expected.
+    ///
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. Uncertain: Whether the parameters behind
+    /// the selector may be left out on write, as those of
+    /// [(0x0D,0x44)](AccelMagnitudeErrorAdaptiveMeasurement) may.
+    ///
+    /// - The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
+    ///   finds limits.
+    /// - High limits suit high dynamics but let disturbances of the field through; low limits can
+    ///   spoil the heading.
+    ///
+    /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
+    pub struct MagMagnitudeErrorAdaptiveMeasurement {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Kind of adaptation.
+        ///
+        /// Required for write.
+        pub adaptive_measurement: Option<AdaptiveMeasurementSelector>,
+        /// Cut-off frequency of the low-pass filter.
+        ///
+        /// Unit: Hz. Required for write.
+        pub frequency: Option<f32>,
+        /// Lower limit of the error.
+        ///
+        /// Unit: gauss. Required for write. Uncertain: The unit. The SDK prints m/s^2; a manual of
+        /// the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+        pub low_limit: Option<f32>,
+        /// Upper limit of the error.
+        ///
+        /// Unit: gauss. Required for write. Uncertain: The unit. The SDK prints m/s^2; a manual of
+        /// the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+        pub high_limit: Option<f32>,
+        /// Standard deviation at the lower limit.
+        ///
+        /// Unit: gauss. Required for write. Uncertain: The unit. The SDK prints m/s^2; a manual of
+        /// the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+        pub low_limit_uncertainty: Option<f32>,
+        /// Standard deviation at the upper limit.
+        ///
+        /// Unit: gauss. Required for write. Uncertain: The unit. The SDK prints m/s^2; a manual of
+        /// the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+        pub high_limit_uncertainty: Option<f32>,
+        /// Smallest standard deviation.
+        ///
+        /// Unit: gauss. Required for write. Uncertain: The unit. The SDK prints m/s^2; a manual of
+        /// the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+        pub minimum_uncertainty: Option<f32>,
+    }
+    wire 26 {
+        [function selects]
+        [adaptive_measurement for WRITE]
+        [frequency for WRITE]
+        [low_limit for WRITE]
+        [high_limit for WRITE]
+        [low_limit_uncertainty for WRITE]
+        [high_limit_uncertainty for WRITE]
+        [minimum_uncertainty for WRITE]
+    }
+}
+
+constructors! {
+    MagMagnitudeErrorAdaptiveMeasurement { function, adaptive_measurement, frequency, low_limit, high_limit, low_limit_uncertainty, high_limit_uncertainty, minimum_uncertainty }
+
+    /// Apply the new setting.
+    fn write(
+        adaptive_measurement: AdaptiveMeasurementSelector,
+        frequency: f32,
+        low_limit: f32,
+        high_limit: f32,
+        low_limit_uncertainty: f32,
+        high_limit_uncertainty: f32,
+        minimum_uncertainty: f32,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    MagMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x45, "filter.mag_magnitude_error_adaptive_measurement"
+}
+
+command! {
+    MagMagnitudeErrorAdaptiveMeasurement -> MagMagnitudeErrorAdaptiveMeasurementResponse;
+    responds MagMagnitudeErrorAdaptiveMeasurementResponse for READ;
+}
+
+record! {
+    /// Magnetometer dip angle error adaptive measurement (0x0D,0x46).
+    ///
+    /// How far the filter trusts a magnetic field whose dip angle is not as expected.
+    ///
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`MagDipAngleErrorAdaptiveMeasurementResponse`].
+    ///
+    /// - It has no effect while [(0x0D,0x44)](AccelMagnitudeErrorAdaptiveMeasurement) or
+    ///   [(0x0D,0x45)](MagMagnitudeErrorAdaptiveMeasurement) is set to `auto`.
+    /// - High limits suit high dynamics but let disturbances of the field through; low limits can
+    ///   spoil the heading.
+    ///
+    /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
+    pub struct MagDipAngleErrorAdaptiveMeasurement {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Whether the adaptation is on.
+        ///
+        /// Required for write.
+        pub enable: Option<crate::Bool>,
+        /// Cut-off frequency of the low-pass filter.
+        ///
+        /// Unit: Hz. Required for write.
+        pub frequency: Option<f32>,
+        /// Upper limit of the error.
+        ///
+        /// Unit: rad. Required for write. Uncertain: The unit. The SDK prints m/s^2; rad is
+        /// inferred from the quantity.
+        pub high_limit: Option<f32>,
+        /// Standard deviation at the upper limit.
+        ///
+        /// Unit: rad. Required for write. Uncertain: The unit. The SDK prints m/s^2; rad is
+        /// inferred from the quantity.
+        pub high_limit_uncertainty: Option<f32>,
+        /// Smallest standard deviation.
+        ///
+        /// Unit: rad. Required for write. Uncertain: The unit. The SDK prints m/s^2; rad is
+        /// inferred from the quantity.
+        pub minimum_uncertainty: Option<f32>,
+    }
+    wire 18 {
+        [function selects]
+        [enable for WRITE]
+        [frequency for WRITE]
+        [high_limit for WRITE]
+        [high_limit_uncertainty for WRITE]
+        [minimum_uncertainty for WRITE]
+    }
+}
+
+constructors! {
+    MagDipAngleErrorAdaptiveMeasurement { function, enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty }
+
+    /// Apply the new setting.
+    fn write(
+        enable: bool,
+        frequency: f32,
+        high_limit: f32,
+        high_limit_uncertainty: f32,
+        minimum_uncertainty: f32,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    MagDipAngleErrorAdaptiveMeasurement: 0x0D, 0x46, "filter.mag_dip_angle_error_adaptive_measurement"
+}
+
+command! {
+    MagDipAngleErrorAdaptiveMeasurement -> MagDipAngleErrorAdaptiveMeasurementResponse;
+    responds MagDipAngleErrorAdaptiveMeasurementResponse for READ;
+}
+
+record! {
+    /// Altitude aiding (0x0D,0x47).
+    ///
+    /// What aids the altitude beside GNSS.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`AltitudeAidingResponse`].
+    ///
+    /// - GNSS stays the main source of altitude; the aid improves it and bridges outages.
+    /// - Weather and place shift the pressure altitude, at times by more than 40 m.
+    ///
+    /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
+    pub struct AltitudeAiding {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Source of the aiding.
+        ///
+        /// Required for write.
+        pub selector: Option<AltitudeAidingSource>,
+    }
+    wire 2 {
+        [function selects]
+        [selector for WRITE]
+    }
+}
+
+constructors! {
+    AltitudeAiding { function, selector }
+
+    /// Apply the new setting.
+    fn write(selector: AltitudeAidingSource) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    AltitudeAiding: 0x0D, 0x47, "filter.altitude_aiding"
+}
+
+command! {
+    AltitudeAiding -> AltitudeAidingResponse;
+    responds AltitudeAidingResponse for READ;
+}
+
+record! {
+    /// Pitch and roll aiding (0x0D,0x4B).
+    ///
+    /// What aids pitch and roll while the motion is gentle.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`PitchRollAidingResponse`].
+    /// Supported by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
+    pub struct PitchRollAiding {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Source of the aiding.
+        ///
+        /// Required for write.
+        pub aiding: Option<PitchRollAidingSource>,
+    }
+    wire 2 {
+        [function selects]
+        [aiding for WRITE]
+    }
+}
+
+constructors! {
+    PitchRollAiding { function, aiding }
+
+    /// Apply the new setting.
+    fn write(aiding: PitchRollAidingSource) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    PitchRollAiding: 0x0D, 0x4B, "filter.pitch_roll_aiding"
+}
+
+command! {
+    PitchRollAiding -> PitchRollAidingResponse;
+    responds PitchRollAidingResponse for READ;
+}
+
+record! {
+    /// Magnetic inclination source (0x0D,0x4C).
+    ///
+    /// Source of the local inclination (dip angle) of the magnetic field.
+    ///
+    /// Also called `inclination_source`. Functions: write, read, save, load and default. Answered
+    /// by [`MagneticInclinationSourceResponse`].
+    ///
+    /// - Without a good inclination source, keep automatic magnetometer calibration off.
+    ///
+    /// Source: mip-sdk-4: Inclination Source (0x0D,0x4C).
+    pub struct MagneticInclinationSource {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Source of the inclination.
+        ///
+        /// Required for write.
+        pub source: Option<MagParameterSource>,
+        /// Inclination; used only if `source` is manual.
+        ///
+        /// Unit: rad. Required for write. Uncertain: Whether it may be left out if `source` is not
+        /// manual. The SDK sends it always.
+        pub inclination: Option<f32>,
+    }
+    wire 6 {
+        [function selects]
+        [source for WRITE]
+        [inclination for WRITE]
+    }
+}
+
+constructors! {
+    MagneticInclinationSource { function, source, inclination }
+
+    /// Apply the new setting.
+    fn write(source: MagParameterSource, inclination: f32) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    MagneticInclinationSource: 0x0D, 0x4C, "filter.magnetic_inclination_source"
+}
+
+command! {
+    MagneticInclinationSource -> MagneticInclinationSourceResponse;
+    responds MagneticInclinationSourceResponse for READ;
+}
+
+record! {
+    /// Magnetic field magnitude source (0x0D,0x4D).
+    ///
+    /// Source of the local magnitude of the magnetic field.
+    ///
+    /// Also called `mag_field_magnitude_source`. Functions: write, read, save, load and default.
+    /// Answered by [`MagneticMagnitudeSourceResponse`].
+    ///
+    /// - Without a good magnitude source, keep automatic magnetometer calibration off.
+    /// - The adaptive measurement [(0x0D,0x45)](MagMagnitudeErrorAdaptiveMeasurement) relies on it
+    ///   too.
+    ///
+    /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
+    pub struct MagneticMagnitudeSource {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Source of the magnitude.
+        ///
+        /// Required for write.
+        pub source: Option<MagParameterSource>,
+        /// Magnitude; used only if `source` is manual.
+        ///
+        /// Unit: gauss. Required for write. Uncertain: Whether it may be left out if `source` is
+        /// not manual. The SDK sends it always.
+        pub magnitude: Option<f32>,
+    }
+    wire 6 {
+        [function selects]
+        [source for WRITE]
+        [magnitude for WRITE]
+    }
+}
+
+constructors! {
+    MagneticMagnitudeSource { function, source, magnitude }
+
+    /// Apply the new setting.
+    fn write(source: MagParameterSource, magnitude: f32) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    MagneticMagnitudeSource: 0x0D, 0x4D, "filter.magnetic_magnitude_source"
+}
+
+command! {
+    MagneticMagnitudeSource -> MagneticMagnitudeSourceResponse;
+    responds MagneticMagnitudeSourceResponse for READ;
+}
+
+record! {
+    /// Sensor to vehicle rotation, matrix (0x0D,0x4E).
+    ///
+    /// Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
+    ///
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`SensorToVehicleRotationDcmResponse`].
+    ///
+    /// - It is the inverse of the matrix that
+    ///   [(0x0C,0x33)](crate::mip_3dm::SensorToVehicleTransformDcm) takes.
+    /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+    ///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
+    ///   filter.
+    /// - The device refuses a matrix that is not orthonormal to 0.001.
+    /// - The device keeps a quaternion, so the elements read back may differ a little from those
+    ///   written.
+    ///
+    /// Source: mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E).
+    pub struct SensorToVehicleRotationDcm {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Rotation matrix in row-major order.
+        ///
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for write.
+        pub dcm: Option<types::Matrix3f>,
+    }
+    wire 37 {
+        [function selects]
+        [dcm for WRITE]
+    }
+}
+
+constructors! {
+    SensorToVehicleRotationDcm { function, dcm }
+
+    /// Apply the new setting.
+    fn write(dcm: impl Into<types::Matrix3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    SensorToVehicleRotationDcm: 0x0D, 0x4E, "filter.sensor_to_vehicle_rotation_dcm"
+}
+
+command! {
+    SensorToVehicleRotationDcm -> SensorToVehicleRotationDcmResponse;
+    responds SensorToVehicleRotationDcmResponse for READ;
+}
+
+record! {
+    /// Sensor to vehicle rotation, quaternion (0x0D,0x4F).
+    ///
+    /// Rotation from the sensor frame to the vehicle frame as a quaternion.
+    ///
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`SensorToVehicleRotationQuaternionResponse`].
+    ///
+    /// - It is the inverse of the quaternion that
+    ///   [(0x0C,0x32)](crate::mip_3dm::SensorToVehicleTransformQuaternion) takes.
+    /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+    ///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
+    ///   filter.
+    /// - The device refuses a quaternion whose length is not 1 to 0.001.
+    /// - The device normalizes it, so the elements read back may differ a little from those
+    ///   written.
+    ///
+    /// Source: mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F).
+    pub struct SensorToVehicleRotationQuaternion {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Unit quaternion, scalar part first.
+        ///
+        /// Elements: w, x, y, z. Unit: 1. Required for write.
+        pub q: Option<types::Quatf>,
+    }
+    wire 17 {
+        [function selects]
+        [q for WRITE]
+    }
+}
+
+constructors! {
+    SensorToVehicleRotationQuaternion { function, q }
+
+    /// Apply the new setting.
+    fn write(q: impl Into<types::Quatf>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    SensorToVehicleRotationQuaternion: 0x0D, 0x4F, "filter.sensor_to_vehicle_rotation_quaternion"
+}
+
+command! {
+    SensorToVehicleRotationQuaternion -> SensorToVehicleRotationQuaternionResponse;
+    responds SensorToVehicleRotationQuaternionResponse for READ;
+}
+
+record! {
+    /// Aiding measurement control (0x0D,0x50).
+    ///
+    /// Enables or disables one source of aiding measurements.
+    ///
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`AidingMeasurementEnableResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
+    pub struct AidingMeasurementEnable {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// The source; `all` is for save, load and default.
+        pub aiding_source: Option<AidingSource>,
+        /// Whether the filter uses the source.
+        ///
+        /// Required for write.
+        pub enable: Option<crate::Bool>,
+    }
+    wire 4 {
+        [function selects]
+        [aiding_source for WRITE READ SAVE LOAD DEFAULT]
+        [enable for WRITE]
+    }
+}
+
+constructors! {
+    AidingMeasurementEnable { function, aiding_source, enable }
+
+    /// Apply the new setting.
+    fn write(aiding_source: AidingSource, enable: bool) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read(aiding_source: AidingSource) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(aiding_source: AidingSource) = SAVE;
+
+    /// Load the saved setting.
+    fn load(aiding_source: AidingSource) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(aiding_source: AidingSource) = DEFAULT;
+}
+
+field! {
+    AidingMeasurementEnable: 0x0D, 0x50, "filter.aiding_measurement_enable"
+}
+
+command! {
+    AidingMeasurementEnable -> AidingMeasurementEnableResponse;
+    responds AidingMeasurementEnableResponse for READ;
+}
+
+record! {
+    /// Kinematic constraint (0x0D,0x51).
+    ///
+    /// Assumptions about the motion that the filter uses as measurements.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`KinematicConstraintResponse`].
+    /// Uncertain: Whether there are further values. The SDK has plain numbers and gives the values
+    /// in remarks.
+    ///
+    /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
+    pub struct KinematicConstraint {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Assumption about the acceleration.
+        ///
+        /// Default: [`AccelConstraint::NONE`]. Required for write.
+        pub accel_constraint: Option<AccelConstraint>,
+        /// Assumption about the velocity.
+        ///
+        /// Default: [`VelocityConstraint::NONE`]. Required for write.
+        pub velocity_constraint: Option<VelocityConstraint>,
+        /// Assumption about the angular rate.
+        ///
+        /// Default: [`AngularConstraint::NONE`]. Required for write.
+        pub angular_constraint: Option<AngularConstraint>,
+    }
+    wire 4 {
+        [function selects]
+        [accel_constraint for WRITE]
+        [velocity_constraint for WRITE]
+        [angular_constraint for WRITE]
+    }
+}
+
+constructors! {
+    KinematicConstraint { function, accel_constraint, velocity_constraint, angular_constraint }
+
+    /// Apply the new setting.
+    fn write(
+        accel_constraint: AccelConstraint,
+        velocity_constraint: VelocityConstraint,
+        angular_constraint: AngularConstraint,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    KinematicConstraint: 0x0D, 0x51, "filter.kinematic_constraint"
+}
+
+command! {
+    KinematicConstraint -> KinematicConstraintResponse;
+    responds KinematicConstraintResponse for READ;
+}
+
+record! {
+    /// Navigation filter initialization (0x0D,0x52).
+    ///
+    /// Sources and values of the initial attitude, position and velocity of the filter.
+    ///
+    /// Also called `initialization_configuration`. Functions: write, read, save, load and default.
+    /// Answered by [`InitializationConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - Single precision resolves the latitude and longitude of the initial position to about a
+    ///   metre only.
+    /// - Kinematic alignment sets the heading once the speed reaches 2 m/s.
+    /// - External alignment needs a heading at least every 5 seconds.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
+    pub struct InitializationConfig {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// 1: the filter starts only after `run`; 0: as soon as it can.
+        ///
+        /// Range: 0 to 1. Required for write.
+        pub wait_for_run_command: Option<u8>,
+        /// Which initial conditions are found and which are given.
+        ///
+        /// Required for write.
+        pub initial_condition_source: Option<InitialConditionSource>,
+        /// Ways in which the initial heading may be found.
+        ///
+        /// Required for write.
+        pub auto_heading_alignment_selector: Option<HeadingAlignment>,
+        /// Given heading.
+        ///
+        /// Unit: deg. Required for write.
+        pub initial_heading: Option<f32>,
+        /// Given pitch.
+        ///
+        /// Unit: deg. Required for write.
+        pub initial_pitch: Option<f32>,
+        /// Given roll.
+        ///
+        /// Unit: deg. Required for write.
+        pub initial_roll: Option<f32>,
+        /// Given position.
+        ///
+        /// Elements: x, y, z. Required for write. If `reference_frame_selector` is
+        /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If `reference_frame_selector` is
+        /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
+        pub initial_position: Option<types::Vector3f>,
+        /// Given velocity.
+        ///
+        /// Elements: x, y, z. Unit: m/s. Required for write. If `reference_frame_selector` is
+        /// [`ReferenceFrame::ECEF`]: frame ecef. If `reference_frame_selector` is
+        /// [`ReferenceFrame::LLH`]: frame ned.
+        pub initial_velocity: Option<types::Vector3f>,
+        /// Frame of the given position and velocity.
+        ///
+        /// Required for write.
+        pub reference_frame_selector: Option<ReferenceFrame>,
+    }
+    wire 41 {
+        [function selects]
+        [wait_for_run_command for WRITE]
+        [initial_condition_source for WRITE]
+        [auto_heading_alignment_selector for WRITE]
+        [initial_heading for WRITE]
+        [initial_pitch for WRITE]
+        [initial_roll for WRITE]
+        [initial_position for WRITE]
+        [initial_velocity for WRITE]
+        [reference_frame_selector for WRITE]
+    }
+}
+
+constructors! {
+    InitializationConfig { function, wait_for_run_command, initial_condition_source, auto_heading_alignment_selector, initial_heading, initial_pitch, initial_roll, initial_position, initial_velocity, reference_frame_selector }
+
+    /// Apply the new setting.
+    fn write(
+        wait_for_run_command: u8,
+        initial_condition_source: InitialConditionSource,
+        auto_heading_alignment_selector: HeadingAlignment,
+        initial_heading: f32,
+        initial_pitch: f32,
+        initial_roll: f32,
+        initial_position: impl Into<types::Vector3f>,
+        initial_velocity: impl Into<types::Vector3f>,
+        reference_frame_selector: ReferenceFrame,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    InitializationConfig: 0x0D, 0x52, "filter.initialization_config"
+}
+
+command! {
+    InitializationConfig -> InitializationConfigResponse;
+    responds InitializationConfigResponse for READ;
+}
+
+record! {
+    /// Adaptive filter control (0x0D,0x53).
+    ///
+    /// How the filter adapts to measurements that do not fit its model.
+    ///
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`AdaptiveFilterOptionsResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
+    pub struct AdaptiveFilterOptions {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Strength of the adaptation.
+        ///
+        /// Default: 2. Required for write.
+        pub level: Option<AdaptiveLevel>,
+        /// Longest time for which measurements are rejected before the filter recovers.
+        ///
+        /// Unit: ms. Required for write.
+        pub time_limit: Option<u16>,
+    }
+    wire 4 {
+        [function selects]
+        [level for WRITE]
+        [time_limit for WRITE]
+    }
+}
+
+constructors! {
+    AdaptiveFilterOptions { function, level, time_limit }
+
+    /// Apply the new setting.
+    fn write(level: AdaptiveLevel, time_limit: u16) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    AdaptiveFilterOptions: 0x0D, 0x53, "filter.adaptive_filter_options"
+}
+
+command! {
+    AdaptiveFilterOptions -> AdaptiveFilterOptionsResponse;
+    responds AdaptiveFilterOptionsResponse for READ;
+}
+
+record! {
+    /// GNSS multi-antenna offset (0x0D,0x54).
+    ///
+    /// Position of the antenna of one receiver on devices with several antennas.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`MultiAntennaOffsetResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The magnitude of the vector is limited to 10.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
+    pub struct MultiAntennaOffset {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Number of the receiver, from 1.
+        ///
+        /// Range: at least 1.
+        pub receiver_id: Option<u8>,
+        /// From the sensor to the antenna.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10. Required for write.
+        pub antenna_offset: Option<types::Vector3f>,
+    }
+    wire 14 {
+        [function selects]
+        [receiver_id for WRITE READ SAVE LOAD DEFAULT]
+        [antenna_offset for WRITE]
+    }
+}
+
+constructors! {
+    MultiAntennaOffset { function, receiver_id, antenna_offset }
+
+    /// Apply the new setting.
+    fn write(receiver_id: u8, antenna_offset: impl Into<types::Vector3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read(receiver_id: u8) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(receiver_id: u8) = SAVE;
+
+    /// Load the saved setting.
+    fn load(receiver_id: u8) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(receiver_id: u8) = DEFAULT;
+}
+
+field! {
+    MultiAntennaOffset: 0x0D, 0x54, "filter.multi_antenna_offset"
+}
+
+command! {
+    MultiAntennaOffset -> MultiAntennaOffsetResponse;
+    responds MultiAntennaOffsetResponse for READ;
+}
+
+record! {
+    /// Relative position configuration (0x0D,0x55).
+    ///
+    /// Reference point of the relative position that the filter reports.
+    ///
+    /// Also called `rel_pos_configuration`. Functions: write, read, save, load and default.
+    /// Answered by [`RelativePositionConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
+    pub struct RelativePositionConfig {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Source of the reference point.
+        ///
+        /// Required for write.
+        pub source: Option<RelativePositionSource>,
+        /// Frame of the coordinates.
+        ///
+        /// Required for write.
+        pub reference_frame_selector: Option<ReferenceFrame>,
+        /// Reference point.
+        ///
+        /// Elements: x, y, z. Required for write. If `reference_frame_selector` is
+        /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If `reference_frame_selector` is
+        /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
+        pub reference_coordinates: Option<types::Vector3d>,
+    }
+    wire 27 {
+        [function selects]
+        [source for WRITE]
+        [reference_frame_selector for WRITE]
+        [reference_coordinates for WRITE]
+    }
+}
+
+constructors! {
+    RelativePositionConfig { function, source, reference_frame_selector, reference_coordinates }
+
+    /// Apply the new setting.
+    fn write(
+        source: RelativePositionSource,
+        reference_frame_selector: ReferenceFrame,
+        reference_coordinates: impl Into<types::Vector3d>,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    RelativePositionConfig: 0x0D, 0x55, "filter.relative_position_config"
+}
+
+command! {
+    RelativePositionConfig -> RelativePositionConfigResponse;
+    responds RelativePositionConfigResponse for READ;
+}
+
+record! {
+    /// Reference point lever arm (0x0D,0x56).
+    ///
+    /// Moves the point to which the position and the velocity of the filter refer.
+    ///
+    /// Also called `ref_point_lever_arm`. Functions: write, read, save, load and default. Answered
+    /// by [`ReferencePointLeverArmResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - It shifts `llh_position`, `ned_velocity`, `ecef_position`, `ecef_velocity` and
+    ///   `ned_relative_position` of set `filter_data`, depending on the attitude and, for
+    ///   velocities, on the angular rate.
+    /// - The magnitude of the vector is limited to 10.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
+    pub struct ReferencePointLeverArm {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Point to move; it must be 1.
+        ///
+        /// Required for write.
+        pub reference_point: Option<ReferencePoint>,
+        /// From the sensor to the point.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10. Required for write.
+        pub lever_arm_offset: Option<types::Vector3f>,
+    }
+    wire 14 {
+        [function selects]
+        [reference_point for WRITE]
+        [lever_arm_offset for WRITE]
+    }
+}
+
+constructors! {
+    ReferencePointLeverArm { function, reference_point, lever_arm_offset }
+
+    /// Apply the new setting.
+    fn write(reference_point: ReferencePoint, lever_arm_offset: impl Into<types::Vector3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    ReferencePointLeverArm: 0x0D, 0x56, "filter.reference_point_lever_arm"
+}
+
+command! {
+    ReferencePointLeverArm -> ReferencePointLeverArmResponse;
+    responds ReferencePointLeverArmResponse for READ;
+}
+
+record! {
+    /// Speed measurement (0x0D,0x60).
+    ///
+    /// Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
+    ///
+    /// Uncertain: The SDK names a response (0x0D,0xE0) but has no layout of it.
+    ///
+    /// - It must not be used together with the odometer of the device.
+    /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
+    ///
+    /// Source: mip-sdk-4: Speed Measurement (0x0D,0x60).
+    pub struct SpeedMeasurement {
+        /// Send 1.
+        ///
+        /// Reserved: send 1.
+        pub source: u8,
+        /// GPS time of week of the measurement.
+        ///
+        /// Unit: s. Uncertain: The unit; the SDK prints none.
+        pub tow: f32,
+        /// Speed, negative in reverse.
+        ///
+        /// Unit: m/s. Frame: vehicle.
+        pub speed: f32,
+        /// Standard deviation of the speed.
+        ///
+        /// Unit: m/s.
+        pub speed_uncertainty: f32,
+    }
+}
+
+#[rustfmt::skip]
+impl core::default::Default for SpeedMeasurement {
+    fn default() -> Self {
+        Self {
+            source: 1,
+            tow: core::default::Default::default(),
+            speed: core::default::Default::default(),
+            speed_uncertainty: core::default::Default::default(),
+        }
+    }
+}
+
+constructors! {
+    SpeedMeasurement
+
+    /// The command with its parameters.
+    fn new(
+        tow: f32,
+        speed: f32,
+        speed_uncertainty: f32,
+    ), source: 1;
+}
+
+field! {
+    SpeedMeasurement: 0x0D, 0x60, "filter.speed_measurement"
+}
+
+command! {
+    SpeedMeasurement -> ();
+}
+
+record! {
+    /// Speed measurement lever arm (0x0D,0x61).
+    ///
+    /// Position of the point whose speed is measured, such as the wheel that an odometer is on.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`SpeedLeverArmResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - It corrects for the speed that such a point has only because the vehicle turns.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61).
+    pub struct SpeedLeverArm {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Reserved: send 1.
+        pub source: Option<u8>,
+        /// From the sensor to the point of measurement.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Required for write.
+        pub lever_arm_offset: Option<types::Vector3f>,
+    }
+    wire 14 {
+        [function selects]
+        [source for WRITE READ SAVE LOAD DEFAULT]
+        [lever_arm_offset for WRITE]
+    }
+}
+
+constructors! {
+    SpeedLeverArm { function, source, lever_arm_offset }
+
+    /// Apply the new setting.
+    fn write(lever_arm_offset: impl Into<types::Vector3f>) = WRITE, source: 1;
+
+    /// Send the current setting back in a response.
+    fn read() = READ, source: 1;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE, source: 1;
+
+    /// Load the saved setting.
+    fn load() = LOAD, source: 1;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT, source: 1;
+}
+
+field! {
+    SpeedLeverArm: 0x0D, 0x61, "filter.speed_lever_arm"
+}
+
+command! {
+    SpeedLeverArm -> SpeedLeverArmResponse;
+    responds SpeedLeverArmResponse for READ;
+}
+
+record! {
+    /// Vertical gyro constraint (0x0D,0x62).
+    ///
+    /// Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
+    ///
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`VerticalGyroConstraintControlResponse`].
+    ///
+    /// - It takes the linear acceleration as zero.
+    ///
+    /// Source: mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62).
+    pub struct VerticalGyroConstraintControl {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// 0 disables, 1 enables.
+        ///
+        /// Range: 0 to 1. Required for write.
+        pub enable: Option<u8>,
+    }
+    wire 2 {
+        [function selects]
+        [enable for WRITE]
+    }
+}
+
+constructors! {
+    VerticalGyroConstraintControl { function, enable }
+
+    /// Apply the new setting.
+    fn write(enable: u8) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    VerticalGyroConstraintControl: 0x0D, 0x62, "filter.vertical_gyro_constraint_control"
+}
+
+command! {
+    VerticalGyroConstraintControl -> VerticalGyroConstraintControlResponse;
+    responds VerticalGyroConstraintControlResponse for READ;
+}
+
+record! {
+    /// Wheeled vehicle constraint (0x0D,0x63).
+    ///
+    /// Lets the filter assume that the vehicle moves only along its x axis.
+    ///
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`WheeledVehicleConstraintControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - It improves the heading of cars and the like, above all when GNSS comes and goes. It is
+    ///   wrong for vehicles that move sideways, such as aircraft.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63).
+    pub struct WheeledVehicleConstraintControl {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// 0 disables, 1 enables.
+        ///
+        /// Range: 0 to 1. Required for write.
+        pub enable: Option<u8>,
+    }
+    wire 2 {
+        [function selects]
+        [enable for WRITE]
+    }
+}
+
+constructors! {
+    WheeledVehicleConstraintControl { function, enable }
+
+    /// Apply the new setting.
+    fn write(enable: u8) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    WheeledVehicleConstraintControl: 0x0D, 0x63, "filter.wheeled_vehicle_constraint_control"
+}
+
+command! {
+    WheeledVehicleConstraintControl -> WheeledVehicleConstraintControlResponse;
+    responds WheeledVehicleConstraintControlResponse for READ;
+}
+
+record! {
+    /// GNSS antenna offset calibration (0x0D,0x64).
+    ///
+    /// Lets the filter track the error of the antenna offset.
+    ///
+    /// Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default.
+    /// Answered by [`GnssAntennaCalibrationControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64);
+    /// 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration.
+    pub struct GnssAntennaCalibrationControl {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// 0 disables, 1 enables.
+        ///
+        /// Range: 0 to 1. Required for write.
+        pub enable: Option<u8>,
+        /// Largest absolute error that is tracked; the limits are those of the 3DM-CV7.
+        ///
+        /// Unit: m. Frame: vehicle. Range: 0 to 0.5. Default: 0.1. Required for write.
+        pub max_offset: Option<f32>,
+    }
+    wire 6 {
+        [function selects]
+        [enable for WRITE]
+        [max_offset for WRITE]
+    }
+}
+
+constructors! {
+    GnssAntennaCalibrationControl { function, enable, max_offset }
+
+    /// Apply the new setting.
+    fn write(enable: u8, max_offset: f32) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    GnssAntennaCalibrationControl: 0x0D, 0x64, "filter.gnss_antenna_calibration_control"
+}
+
+command! {
+    GnssAntennaCalibrationControl -> GnssAntennaCalibrationControlResponse;
+    responds GnssAntennaCalibrationControlResponse for READ;
+}
+
+record! {
+    /// Vehicle dynamics mode response (0x0D,0x80).
+    ///
+    /// Answers [`VehicleDynamicsMode`].
+    ///
+    /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
+    #[derive(Default)]
+    pub struct VehicleDynamicsModeResponse {
+        /// Kind of vehicle.
+        pub mode: DynamicsMode,
+    }
+}
+
+field! {
+    VehicleDynamicsModeResponse: 0x0D, 0x80, "filter.vehicle_dynamics_mode_response", answers VehicleDynamicsMode
+}
+
+record! {
+    /// Sensor to vehicle frame transformation response (0x0D,0x81).
+    ///
+    /// Answers [`SensorToVehicleRotationEuler`]. Supported by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
+    #[derive(Default)]
+    pub struct SensorToVehicleRotationEulerResponse {
+        /// Roll angle.
+        ///
+        /// Unit: rad.
+        pub roll: f32,
+        /// Pitch angle.
+        ///
+        /// Unit: rad.
+        pub pitch: f32,
+        /// Yaw angle.
+        ///
+        /// Unit: rad.
+        pub yaw: f32,
+    }
+}
+
+field! {
+    SensorToVehicleRotationEulerResponse: 0x0D, 0x81, "filter.sensor_to_vehicle_rotation_euler_response", answers SensorToVehicleRotationEuler
+}
+
+record! {
+    /// Sensor to vehicle offset response (0x0D,0x82).
+    ///
+    /// Answers [`SensorToVehicleOffset`].
+    ///
+    /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
+    #[derive(Default)]
+    pub struct SensorToVehicleOffsetResponse {
+        /// From the sensor to the origin of the vehicle frame.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: sensor. Range: -10 to 10.
+        pub offset: types::Vector3f,
+    }
+}
+
+field! {
+    SensorToVehicleOffsetResponse: 0x0D, 0x82, "filter.sensor_to_vehicle_offset_response", answers SensorToVehicleOffset
+}
+
+record! {
+    /// GNSS antenna offset response (0x0D,0x83).
+    ///
+    /// Answers [`AntennaOffset`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
+    #[derive(Default)]
+    pub struct AntennaOffsetResponse {
+        /// From the sensor origin to the centre of the antenna.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+        pub offset: types::Vector3f,
+    }
+}
+
+field! {
+    AntennaOffsetResponse: 0x0D, 0x83, "filter.antenna_offset_response", answers AntennaOffset
+}
+
+record! {
+    /// Estimation control flags response (0x0D,0x84).
+    ///
+    /// Answers [`EstimationControl`]. Supported by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
+    #[derive(Default)]
+    pub struct EstimationControlResponse {
+        /// States to estimate.
+        pub flags: EstimatedStates,
+    }
+}
+
+field! {
+    EstimationControlResponse: 0x0D, 0x84, "filter.estimation_control_response", answers EstimationControl
+}
+
+record! {
+    /// GNSS aiding source response (0x0D,0x86).
+    ///
+    /// Answers [`GnssSource`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15).
+    #[derive(Default)]
+    pub struct GnssSourceResponse {
+        /// Source of the GNSS data.
+        pub source: GnssAidingSource,
+    }
+}
+
+field! {
+    GnssSourceResponse: 0x0D, 0x86, "filter.gnss_source_response", answers GnssSource
+}
+
+record! {
+    /// Heading update control response (0x0D,0x87).
+    ///
+    /// Answers [`HeadingSource`]. Supported by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
+    #[derive(Default)]
+    pub struct HeadingSourceResponse {
+        /// Source of the heading.
+        pub source: HeadingUpdateSource,
+    }
+}
+
+field! {
+    HeadingSourceResponse: 0x0D, 0x87, "filter.heading_source_response", answers HeadingSource
+}
+
+record! {
+    /// Automatic initialization response (0x0D,0x88).
+    ///
+    /// Also called `auto_init_control_response`. Answers [`AutoInitializationControl`]. Supported
+    /// by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19).
+    #[derive(Default)]
+    pub struct AutoInitializationControlResponse {
+        /// 0 disables, 1 enables.
+        ///
+        /// Range: 0 to 1.
+        pub enable: u8,
+    }
+}
+
+field! {
+    AutoInitializationControlResponse: 0x0D, 0x88, "filter.auto_initialization_control_response", answers AutoInitializationControl
+}
+
+record! {
+    /// Accelerometer noise response (0x0D,0x89).
+    ///
+    /// Answers [`AccelNoise`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A); 3dm-gx5-15:
+    /// 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A).
+    #[derive(Default)]
+    pub struct AccelNoiseResponse {
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: m/s^2. Range: greater than 0.
+        pub noise: types::Vector3f,
+    }
+}
+
+field! {
+    AccelNoiseResponse: 0x0D, 0x89, "filter.accel_noise_response", answers AccelNoise
+}
+
+record! {
+    /// Gyroscope noise response (0x0D,0x8A).
+    ///
+    /// Answers [`GyroNoise`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B); 3dm-gx5-15: 4.3.13
+    /// Gyroscope Noise Standard Deviation (0x0D, 0x1B).
+    #[derive(Default)]
+    pub struct GyroNoiseResponse {
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: rad/s. Range: greater than 0.
+        pub noise: types::Vector3f,
+    }
+}
+
+field! {
+    GyroNoiseResponse: 0x0D, 0x8A, "filter.gyro_noise_response", answers GyroNoise
+}
+
+record! {
+    /// Accelerometer bias model response (0x0D,0x8B).
+    ///
+    /// Answers [`AccelBiasModel`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
+    #[derive(Default)]
+    pub struct AccelBiasModelResponse {
+        /// Reciprocal of the correlation time per axis.
+        ///
+        /// Elements: x, y, z. Unit: 1/s.
+        pub beta: types::Vector3f,
+        /// Standard deviation of the noise per axis.
+        ///
+        /// Elements: x, y, z. Unit: m/s^2. Range: greater than 0.
+        pub noise: types::Vector3f,
+    }
+}
+
+field! {
+    AccelBiasModelResponse: 0x0D, 0x8B, "filter.accel_bias_model_response", answers AccelBiasModel
+}
+
+record! {
+    /// Gyroscope bias model response (0x0D,0x8C).
+    ///
+    /// Answers [`GyroBiasModel`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
+    /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
+    #[derive(Default)]
+    pub struct GyroBiasModelResponse {
+        /// Reciprocal of the correlation time per axis.
+        ///
+        /// Elements: x, y, z. Unit: 1/s.
+        pub beta: types::Vector3f,
+        /// Standard deviation of the noise per axis.
+        ///
+        /// Elements: x, y, z. Unit: rad/s. Range: greater than 0.
+        pub noise: types::Vector3f,
+    }
+}
+
+field! {
+    GyroBiasModelResponse: 0x0D, 0x8C, "filter.gyro_bias_model_response", answers GyroBiasModel
+}
+
+record! {
+    /// Automatic zero velocity update response (0x0D,0x8D).
+    ///
+    /// Answers [`AutoZupt`].
+    ///
+    /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
+    #[derive(Default)]
+    pub struct AutoZuptResponse {
+        /// 0 disables, 1 enables.
+        ///
+        /// Range: 0 to 1.
+        pub enable: u8,
+        /// Largest speed that is taken as zero.
+        ///
+        /// Unit: m/s. Range: at least 0.
+        pub threshold: f32,
+    }
+}
+
+field! {
+    AutoZuptResponse: 0x0D, 0x8D, "filter.auto_zupt_response", answers AutoZupt
+}
+
+record! {
+    /// Zero angular rate update response (0x0D,0x8E).
+    ///
+    /// Answers [`AutoAngularZupt`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20); 3dm-gx5-15: 4.3.15
+    /// Zero Angular Rate Update Control (0x0D, 0x20).
+    #[derive(Default)]
+    pub struct AutoAngularZuptResponse {
+        /// 0 disables, 1 enables.
+        ///
+        /// Range: 0 to 1.
+        pub enable: u8,
+        /// Largest angular rate that is taken as zero.
+        ///
+        /// Unit: rad/s. Range: at least 0.
+        pub threshold: f32,
+    }
+}
+
+field! {
+    AutoAngularZuptResponse: 0x0D, 0x8E, "filter.auto_angular_zupt_response", answers AutoAngularZupt
+}
+
+record! {
+    /// Set reference position response (0x0D,0x90).
+    ///
+    /// Answers [`ReferencePosition`]. Supported by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
+    #[derive(Default)]
+    pub struct ReferencePositionResponse {
+        /// 0 disables, 1 enables.
+        ///
+        /// Range: 0 to 1.
+        pub enable: u8,
+        /// Latitude.
+        ///
+        /// Unit: deg. Frame: llh.
+        pub latitude: f64,
+        /// Longitude.
+        ///
+        /// Unit: deg. Frame: llh.
+        pub longitude: f64,
+        /// Altitude.
+        ///
+        /// Unit: m. Frame: llh.
+        pub altitude: f64,
+    }
+}
+
+field! {
+    ReferencePositionResponse: 0x0D, 0x90, "filter.reference_position_response", answers ReferencePosition
+}
+
+record! {
+    /// Gravity noise response (0x0D,0x93).
+    ///
+    /// Answers [`GravityNoise`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28); 3dm-gx5-15: 4.3.11
+    /// Gravity Noise Standard Deviation (0x0D, 0x28).
+    #[derive(Default)]
+    pub struct GravityNoiseResponse {
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: g. Range: greater than 0.
+        pub noise: types::Vector3f,
+    }
+}
+
+field! {
+    GravityNoiseResponse: 0x0D, 0x93, "filter.gravity_noise_response", answers GravityNoise
+}
+
+record! {
+    /// Pressure altitude noise response (0x0D,0x94).
+    ///
+    /// Answers [`PressureAltitudeNoise`].
+    ///
+    /// Source: mip-sdk-4: Pressure Altitude Noise (0x0D,0x29).
+    #[derive(Default)]
+    pub struct PressureAltitudeNoiseResponse {
+        /// Standard deviation.
+        ///
+        /// Unit: m. Range: greater than 0.
+        pub noise: f32,
+    }
+}
+
+field! {
+    PressureAltitudeNoiseResponse: 0x0D, 0x94, "filter.pressure_altitude_noise_response", answers PressureAltitudeNoise
+}
+
+record! {
+    /// Hard iron offset noise response (0x0D,0x96).
+    ///
+    /// Answers [`HardIronOffsetNoise`].
+    ///
+    /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
+    #[derive(Default)]
+    pub struct HardIronOffsetNoiseResponse {
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: gauss. Range: greater than 0.
+        pub noise: types::Vector3f,
+    }
+}
+
+field! {
+    HardIronOffsetNoiseResponse: 0x0D, 0x96, "filter.hard_iron_offset_noise_response", answers HardIronOffsetNoise
+}
+
+record! {
+    /// Soft iron matrix noise response (0x0D,0x97).
+    ///
+    /// Answers [`SoftIronMatrixNoise`].
+    ///
+    /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
+    #[derive(Default)]
+    pub struct SoftIronMatrixNoiseResponse {
+        /// Standard deviation per element.
+        ///
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Range: greater than 0.
+        pub noise: types::Matrix3f,
+    }
+}
+
+field! {
+    SoftIronMatrixNoiseResponse: 0x0D, 0x97, "filter.soft_iron_matrix_noise_response", answers SoftIronMatrixNoise
+}
+
+record! {
+    /// Tare orientation response (0x0D,0xA1).
+    ///
+    /// Answers [`TareOrientation`]. Uncertain: Which devices send it. The SDK reads the setting
+    /// back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the
+    /// response.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare Orientation
+    /// (0x0D,0x21).
+    #[derive(Default)]
+    pub struct TareOrientationResponse {
+        /// Axes to tare; 0 resets all axes.
+        pub axes: TareAxes,
+    }
+}
+
+field! {
+    TareOrientationResponse: 0x0D, 0xA1, "filter.tare_orientation_response", answers TareOrientation
+}
+
+record! {
+    /// Enable or disable measurements response (0x0D,0xB0).
+    ///
+    /// Answers [`EnableMeasurements`]. Supported by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
+    #[derive(Default)]
+    pub struct EnableMeasurementsResponse {
+        /// Measurements to use.
+        pub control: MeasurementFlags,
+    }
+}
+
+field! {
+    EnableMeasurementsResponse: 0x0D, 0xB0, "filter.enable_measurements_response", answers EnableMeasurements
+}
+
+record! {
+    /// Magnetometer noise response (0x0D,0xB1).
+    ///
+    /// Answers [`MagNoise`].
+    ///
+    /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
+    #[derive(Default)]
+    pub struct MagNoiseResponse {
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: gauss. Range: greater than 0.
+        pub noise: types::Vector3f,
+    }
+}
+
+field! {
+    MagNoiseResponse: 0x0D, 0xB1, "filter.mag_noise_response", answers MagNoise
+}
+
+record! {
+    /// Magnetic declination source response (0x0D,0xB2).
+    ///
+    /// Answers [`MagneticDeclinationSource`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43).
+    #[derive(Default)]
+    pub struct MagneticDeclinationSourceResponse {
+        /// Source of the declination.
+        pub source: MagParameterSource,
+        /// Declination; used only if `source` is manual.
+        ///
+        /// Unit: rad.
+        pub declination: f32,
+    }
+}
+
+field! {
+    MagneticDeclinationSourceResponse: 0x0D, 0xB2, "filter.magnetic_declination_source_response", answers MagneticDeclinationSource
+}
+
+record! {
+    /// Gravity magnitude error adaptive measurement response (0x0D,0xB3).
+    ///
+    /// Answers [`AccelMagnitudeErrorAdaptiveMeasurement`]. Supported by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
+    #[derive(Default)]
+    pub struct AccelMagnitudeErrorAdaptiveMeasurementResponse {
+        /// Kind of adaptation.
+        pub adaptive_measurement: AdaptiveMeasurementSelector,
+        /// Cut-off frequency of the low-pass filter.
+        ///
+        /// Unit: Hz.
+        pub frequency: f32,
+        /// Lower limit of the error.
+        ///
+        /// Unit: m/s^2.
+        pub low_limit: f32,
+        /// Upper limit of the error.
+        ///
+        /// Unit: m/s^2.
+        pub high_limit: f32,
+        /// Standard deviation at the lower limit.
+        ///
+        /// Unit: m/s^2.
+        pub low_limit_uncertainty: f32,
+        /// Standard deviation at the upper limit.
+        ///
+        /// Unit: m/s^2.
+        pub high_limit_uncertainty: f32,
+        /// Smallest standard deviation.
+        ///
+        /// Unit: m/s^2.
+        pub minimum_uncertainty: f32,
+    }
+}
+
+field! {
+    AccelMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB3, "filter.accel_magnitude_error_adaptive_measurement_response", answers AccelMagnitudeErrorAdaptiveMeasurement
+}
+
+record! {
+    /// Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
+    ///
+    /// Answers [`MagMagnitudeErrorAdaptiveMeasurement`].
+    ///
+    /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
+    #[derive(Default)]
+    pub struct MagMagnitudeErrorAdaptiveMeasurementResponse {
+        /// Kind of adaptation.
+        pub adaptive_measurement: AdaptiveMeasurementSelector,
+        /// Cut-off frequency of the low-pass filter.
+        ///
+        /// Unit: Hz.
+        pub frequency: f32,
+        /// Lower limit of the error.
+        ///
+        /// Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45
+        /// prints m/s^2 in the command and gauss in the response.
+        pub low_limit: f32,
+        /// Upper limit of the error.
+        ///
+        /// Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45
+        /// prints m/s^2 in the command and gauss in the response.
+        pub high_limit: f32,
+        /// Standard deviation at the lower limit.
+        ///
+        /// Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45
+        /// prints m/s^2 in the command and gauss in the response.
+        pub low_limit_uncertainty: f32,
+        /// Standard deviation at the upper limit.
+        ///
+        /// Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45
+        /// prints m/s^2 in the command and gauss in the response.
+        pub high_limit_uncertainty: f32,
+        /// Smallest standard deviation.
+        ///
+        /// Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45
+        /// prints m/s^2 in the command and gauss in the response.
+        pub minimum_uncertainty: f32,
+    }
+}
+
+field! {
+    MagMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB4, "filter.mag_magnitude_error_adaptive_measurement_response", answers MagMagnitudeErrorAdaptiveMeasurement
+}
+
+record! {
+    /// Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
+    ///
+    /// Answers [`MagDipAngleErrorAdaptiveMeasurement`].
+    ///
+    /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
+    #[derive(Default)]
+    pub struct MagDipAngleErrorAdaptiveMeasurementResponse {
+        /// Whether the adaptation is on.
+        pub enable: crate::Bool,
+        /// Cut-off frequency of the low-pass filter.
+        ///
+        /// Unit: Hz.
+        pub frequency: f32,
+        /// Upper limit of the error.
+        ///
+        /// Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is inferred from the quantity.
+        pub high_limit: f32,
+        /// Standard deviation at the upper limit.
+        ///
+        /// Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is inferred from the quantity.
+        pub high_limit_uncertainty: f32,
+        /// Smallest standard deviation.
+        ///
+        /// Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is inferred from the quantity.
+        pub minimum_uncertainty: f32,
+    }
+}
+
+field! {
+    MagDipAngleErrorAdaptiveMeasurementResponse: 0x0D, 0xB5, "filter.mag_dip_angle_error_adaptive_measurement_response", answers MagDipAngleErrorAdaptiveMeasurement
+}
+
+record! {
+    /// Altitude aiding response (0x0D,0xB7).
+    ///
+    /// Answers [`AltitudeAiding`].
+    ///
+    /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
+    #[derive(Default)]
+    pub struct AltitudeAidingResponse {
+        /// Source of the aiding.
+        pub selector: AltitudeAidingSource,
+    }
+}
+
+field! {
+    AltitudeAidingResponse: 0x0D, 0xB7, "filter.altitude_aiding_response", answers AltitudeAiding
+}
+
+record! {
+    /// Pitch and roll aiding response (0x0D,0xBB).
+    ///
+    /// Answers [`PitchRollAiding`]. Supported by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
+    #[derive(Default)]
+    pub struct PitchRollAidingResponse {
+        /// Source of the aiding.
+        pub aiding: PitchRollAidingSource,
+    }
+}
+
+field! {
+    PitchRollAidingResponse: 0x0D, 0xBB, "filter.pitch_roll_aiding_response", answers PitchRollAiding
+}
+
+record! {
+    /// Magnetic inclination source response (0x0D,0xBC).
+    ///
+    /// Also called `inclination_source_response`. Answers [`MagneticInclinationSource`].
+    ///
+    /// Source: mip-sdk-4: Inclination Source (0x0D,0x4C).
+    #[derive(Default)]
+    pub struct MagneticInclinationSourceResponse {
+        /// Source of the inclination.
+        pub source: MagParameterSource,
+        /// Inclination; used only if `source` is manual.
+        ///
+        /// Unit: rad. Uncertain: Whether it may be left out if `source` is not manual. The SDK
+        /// sends it always.
+        pub inclination: f32,
+    }
+}
+
+field! {
+    MagneticInclinationSourceResponse: 0x0D, 0xBC, "filter.magnetic_inclination_source_response", answers MagneticInclinationSource
+}
+
+record! {
+    /// Magnetic field magnitude source response (0x0D,0xBD).
+    ///
+    /// Also called `mag_field_magnitude_source_response`. Answers [`MagneticMagnitudeSource`].
+    ///
+    /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
+    #[derive(Default)]
+    pub struct MagneticMagnitudeSourceResponse {
+        /// Source of the magnitude.
+        pub source: MagParameterSource,
+        /// Magnitude; used only if `source` is manual.
+        ///
+        /// Unit: gauss. Uncertain: Whether it may be left out if `source` is not manual. The SDK
+        /// sends it always.
+        pub magnitude: f32,
+    }
+}
+
+field! {
+    MagneticMagnitudeSourceResponse: 0x0D, 0xBD, "filter.magnetic_magnitude_source_response", answers MagneticMagnitudeSource
+}
+
+record! {
+    /// Sensor to vehicle rotation, matrix response (0x0D,0xBE).
+    ///
+    /// Answers [`SensorToVehicleRotationDcm`].
+    ///
+    /// Source: mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E).
+    #[derive(Default)]
+    pub struct SensorToVehicleRotationDcmResponse {
+        /// Rotation matrix in row-major order.
+        ///
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1.
+        pub dcm: types::Matrix3f,
+    }
+}
+
+field! {
+    SensorToVehicleRotationDcmResponse: 0x0D, 0xBE, "filter.sensor_to_vehicle_rotation_dcm_response", answers SensorToVehicleRotationDcm
+}
+
+record! {
+    /// Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
+    ///
+    /// Answers [`SensorToVehicleRotationQuaternion`].
+    ///
+    /// Source: mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F).
+    #[derive(Default)]
+    pub struct SensorToVehicleRotationQuaternionResponse {
+        /// Unit quaternion, scalar part first.
+        ///
+        /// Elements: w, x, y, z. Unit: 1.
+        pub q: types::Quatf,
+    }
+}
+
+field! {
+    SensorToVehicleRotationQuaternionResponse: 0x0D, 0xBF, "filter.sensor_to_vehicle_rotation_quaternion_response", answers SensorToVehicleRotationQuaternion
+}
+
+record! {
+    /// Aiding measurement control response (0x0D,0xD0).
+    ///
+    /// Answers [`AidingMeasurementEnable`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
+    #[derive(Default)]
+    pub struct AidingMeasurementEnableResponse {
+        /// The source; `all` is for save, load and default.
+        pub aiding_source: AidingSource,
+        /// Whether the filter uses the source.
+        pub enable: crate::Bool,
+    }
+}
+
+field! {
+    AidingMeasurementEnableResponse: 0x0D, 0xD0, "filter.aiding_measurement_enable_response", answers AidingMeasurementEnable
+}
+
+record! {
+    /// Kinematic constraint response (0x0D,0xD1).
+    ///
+    /// Answers [`KinematicConstraint`].
+    ///
+    /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
+    #[derive(Default)]
+    pub struct KinematicConstraintResponse {
+        /// Assumption about the acceleration.
+        ///
+        /// Default: [`AccelConstraint::NONE`].
+        pub accel_constraint: AccelConstraint,
+        /// Assumption about the velocity.
+        ///
+        /// Default: [`VelocityConstraint::NONE`].
+        pub velocity_constraint: VelocityConstraint,
+        /// Assumption about the angular rate.
+        ///
+        /// Default: [`AngularConstraint::NONE`].
+        pub angular_constraint: AngularConstraint,
+    }
+}
+
+field! {
+    KinematicConstraintResponse: 0x0D, 0xD1, "filter.kinematic_constraint_response", answers KinematicConstraint
+}
+
+record! {
+    /// Navigation filter initialization response (0x0D,0xD2).
+    ///
+    /// Also called `initialization_configuration_response`. Answers [`InitializationConfig`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
+    #[derive(Default)]
+    pub struct InitializationConfigResponse {
+        /// 1: the filter starts only after `run`; 0: as soon as it can.
+        ///
+        /// Range: 0 to 1.
+        pub wait_for_run_command: u8,
+        /// Which initial conditions are found and which are given.
+        pub initial_condition_source: InitialConditionSource,
+        /// Ways in which the initial heading may be found.
+        pub auto_heading_alignment_selector: HeadingAlignment,
+        /// Given heading.
+        ///
+        /// Unit: deg.
+        pub initial_heading: f32,
+        /// Given pitch.
+        ///
+        /// Unit: deg.
+        pub initial_pitch: f32,
+        /// Given roll.
+        ///
+        /// Unit: deg.
+        pub initial_roll: f32,
+        /// Given position.
+        ///
+        /// Elements: x, y, z. If `reference_frame_selector` is [`ReferenceFrame::ECEF`]: unit m;
+        /// frame ecef. If `reference_frame_selector` is [`ReferenceFrame::LLH`]: unit deg, deg, m;
+        /// frame llh.
+        pub initial_position: types::Vector3f,
+        /// Given velocity.
+        ///
+        /// Elements: x, y, z. Unit: m/s. If `reference_frame_selector` is [`ReferenceFrame::ECEF`]:
+        /// frame ecef. If `reference_frame_selector` is [`ReferenceFrame::LLH`]: frame ned.
+        pub initial_velocity: types::Vector3f,
+        /// Frame of the given position and velocity.
+        pub reference_frame_selector: ReferenceFrame,
+    }
+}
+
+field! {
+    InitializationConfigResponse: 0x0D, 0xD2, "filter.initialization_config_response", answers InitializationConfig
+}
+
+record! {
+    /// Adaptive filter control response (0x0D,0xD3).
+    ///
+    /// Answers [`AdaptiveFilterOptions`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
+    #[derive(Default)]
+    pub struct AdaptiveFilterOptionsResponse {
+        /// Strength of the adaptation.
+        ///
+        /// Default: 2.
+        pub level: AdaptiveLevel,
+        /// Longest time for which measurements are rejected before the filter recovers.
+        ///
+        /// Unit: ms.
+        pub time_limit: u16,
+    }
+}
+
+field! {
+    AdaptiveFilterOptionsResponse: 0x0D, 0xD3, "filter.adaptive_filter_options_response", answers AdaptiveFilterOptions
+}
+
+record! {
+    /// GNSS multi-antenna offset response (0x0D,0xD4).
+    ///
+    /// Answers [`MultiAntennaOffset`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
+    #[derive(Default)]
+    pub struct MultiAntennaOffsetResponse {
+        /// Number of the receiver, from 1.
+        ///
+        /// Range: at least 1.
+        pub receiver_id: u8,
+        /// From the sensor to the antenna.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+        pub antenna_offset: types::Vector3f,
+    }
+}
+
+field! {
+    MultiAntennaOffsetResponse: 0x0D, 0xD4, "filter.multi_antenna_offset_response", answers MultiAntennaOffset
+}
+
+record! {
+    /// Relative position configuration response (0x0D,0xD5).
+    ///
+    /// Also called `rel_pos_configuration_response`. Answers [`RelativePositionConfig`]. Supported
+    /// by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
+    #[derive(Default)]
+    pub struct RelativePositionConfigResponse {
+        /// Source of the reference point.
+        pub source: RelativePositionSource,
+        /// Frame of the coordinates.
+        pub reference_frame_selector: ReferenceFrame,
+        /// Reference point.
+        ///
+        /// Elements: x, y, z. If `reference_frame_selector` is [`ReferenceFrame::ECEF`]: unit m;
+        /// frame ecef. If `reference_frame_selector` is [`ReferenceFrame::LLH`]: unit deg, deg, m;
+        /// frame llh.
+        pub reference_coordinates: types::Vector3d,
+    }
+}
+
+field! {
+    RelativePositionConfigResponse: 0x0D, 0xD5, "filter.relative_position_config_response", answers RelativePositionConfig
+}
+
+record! {
+    /// Reference point lever arm response (0x0D,0xD6).
+    ///
+    /// Also called `ref_point_lever_arm_response`. Answers [`ReferencePointLeverArm`]. Supported by
+    /// 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
+    #[derive(Default)]
+    pub struct ReferencePointLeverArmResponse {
+        /// Point to move; it must be 1.
+        pub reference_point: ReferencePoint,
+        /// From the sensor to the point.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+        pub lever_arm_offset: types::Vector3f,
+    }
+}
+
+field! {
+    ReferencePointLeverArmResponse: 0x0D, 0xD6, "filter.reference_point_lever_arm_response", answers ReferencePointLeverArm
+}
+
+record! {
+    /// Speed measurement lever arm response (0x0D,0xE1).
+    ///
+    /// Answers [`SpeedLeverArm`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61).
+    pub struct SpeedLeverArmResponse {
+        /// Reserved.
+        pub source: u8,
+        /// From the sensor to the point of measurement.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: vehicle.
+        pub lever_arm_offset: types::Vector3f,
+    }
+}
+
+#[rustfmt::skip]
+impl core::default::Default for SpeedLeverArmResponse {
+    fn default() -> Self {
+        Self {
+            source: 1,
+            lever_arm_offset: core::default::Default::default(),
+        }
+    }
+}
+
+field! {
+    SpeedLeverArmResponse: 0x0D, 0xE1, "filter.speed_lever_arm_response", answers SpeedLeverArm
+}
+
+record! {
+    /// Vertical gyro constraint response (0x0D,0xE2).
+    ///
+    /// Answers [`VerticalGyroConstraintControl`].
+    ///
+    /// Source: mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62).
+    #[derive(Default)]
+    pub struct VerticalGyroConstraintControlResponse {
+        /// 0 disables, 1 enables.
+        ///
+        /// Range: 0 to 1.
+        pub enable: u8,
+    }
+}
+
+field! {
+    VerticalGyroConstraintControlResponse: 0x0D, 0xE2, "filter.vertical_gyro_constraint_control_response", answers VerticalGyroConstraintControl
+}
+
+record! {
+    /// Wheeled vehicle constraint response (0x0D,0xE3).
+    ///
+    /// Answers [`WheeledVehicleConstraintControl`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63).
+    #[derive(Default)]
+    pub struct WheeledVehicleConstraintControlResponse {
+        /// 0 disables, 1 enables.
+        ///
+        /// Range: 0 to 1.
+        pub enable: u8,
+    }
+}
+
+field! {
+    WheeledVehicleConstraintControlResponse: 0x0D, 0xE3, "filter.wheeled_vehicle_constraint_control_response", answers WheeledVehicleConstraintControl
+}
+
+record! {
+    /// GNSS antenna offset calibration response (0x0D,0xE4).
+    ///
+    /// Also called `gnss_antenna_cal_control_response`. Answers [`GnssAntennaCalibrationControl`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64);
+    /// 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration.
+    #[derive(Default)]
+    pub struct GnssAntennaCalibrationControlResponse {
+        /// 0 disables, 1 enables.
+        ///
+        /// Range: 0 to 1.
+        pub enable: u8,
+        /// Largest absolute error that is tracked; the limits are those of the 3DM-CV7.
+        ///
+        /// Unit: m. Frame: vehicle. Range: 0 to 0.5. Default: 0.1.
+        pub max_offset: f32,
+    }
+}
+
+field! {
+    GnssAntennaCalibrationControlResponse: 0x0D, 0xE4, "filter.gnss_antenna_calibration_control_response", answers GnssAntennaCalibrationControl
+}

@@ -1,0 +1,1957 @@
+//! Filter data (0x82): Estimates of the navigation filter and its status.
+//!
+//! Source: 3dm-gx5-15: 5.2 Estimation Filter Data; 3dm-cv7-gnss-ins: Filter (0x82).
+
+#[allow(unused_imports)] // some sets name a type in comments only, or none
+use crate::types;
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0x82;
+
+bitfield! {
+    /// Whether the values of a field may be used.
+    ValidFlags: u16 {
+        /// All values of the field are valid. Bit 0.
+        VALID: bool = 0,
+            valid, set_valid, with_valid;
+    }
+}
+
+bitfield! {
+    /// Sources of heading updates; 0 if heading updates are disabled.
+    HeadingSourceFlags: u16 {
+        /// Heading messages that the user sends. Bit 2.
+        EXTERNAL: bool = 2,
+            external, set_external, with_external;
+    }
+}
+
+bitfield! {
+    /// How the filter uses one GNSS receiver.
+    GnssAidingStatus: u16 {
+        /// Raw ranges of the receiver are used. Bit 0.
+        TIGHT_COUPLING: bool = 0,
+            tight_coupling, set_tight_coupling, with_tight_coupling;
+        /// RTK corrections are used. Bit 1.
+        DIFFERENTIAL: bool = 1,
+            differential, set_differential, with_differential;
+        /// There is an RTK integer fix, which gives the best position. Bit 2.
+        INTEGER_FIX: bool = 2,
+            integer_fix, set_integer_fix, with_integer_fix;
+        /// GPS L1 is used. Bit 3.
+        GPS_L1: bool = 3,
+            gps_l1, set_gps_l1, with_gps_l1;
+        /// GPS L2 is used. Bit 4.
+        GPS_L2: bool = 4,
+            gps_l2, set_gps_l2, with_gps_l2;
+        /// GPS L5 is used; not on every model. Bit 5.
+        GPS_L5: bool = 5,
+            gps_l5, set_gps_l5, with_gps_l5;
+        /// GLONASS L1 is used. Bit 6.
+        GLONASS_L1: bool = 6,
+            glonass_l1, set_glonass_l1, with_glonass_l1;
+        /// GLONASS L2 is used. Bit 7.
+        GLONASS_L2: bool = 7,
+            glonass_l2, set_glonass_l2, with_glonass_l2;
+        /// Galileo E1 is used. Bit 8.
+        GALILEO_E1: bool = 8,
+            galileo_e1, set_galileo_e1, with_galileo_e1;
+        /// Galileo E5 is used. Bit 9.
+        GALILEO_E5: bool = 9,
+            galileo_e5, set_galileo_e5, with_galileo_e5;
+        /// Galileo E6 is used. Bit 10.
+        GALILEO_E6: bool = 10,
+            galileo_e6, set_galileo_e6, with_galileo_e6;
+        /// BeiDou B1 is used; not on every model. Bit 11.
+        BEIDOU_B1: bool = 11,
+            beidou_b1, set_beidou_b1, with_beidou_b1;
+        /// BeiDou B2 is used; not on every model. Bit 12.
+        BEIDOU_B2: bool = 12,
+            beidou_b2, set_beidou_b2, with_beidou_b2;
+        /// BeiDou B3 is used; not on every model. Bit 13.
+        BEIDOU_B3: bool = 13,
+            beidou_b3, set_beidou_b3, with_beidou_b3;
+        /// The receiver has no position fix. Bit 14.
+        NO_FIX: bool = 14,
+            no_fix, set_no_fix, with_no_fix;
+        /// The antenna offset of the receiver is probably wrong. Bit 15.
+        CONFIG_ERROR: bool = 15,
+            config_error, set_config_error, with_config_error;
+    }
+}
+
+open_enum! {
+    /// Where a heading measurement comes from.
+    ///
+    /// Source: mip-sdk-4: Head Aid Status (0x82,0x45).
+    HeadingAidingType: u8 {
+        /// Two GNSS antennas.
+        DUAL_ANTENNA = 1, "dual_antenna";
+        /// A heading message of the user.
+        EXTERNAL_MESSAGE = 2, "external_message";
+    }
+}
+
+open_enum! {
+    /// Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
+    /// `aiding` that give the measurement.
+    AidingMeasurementType: u8 {
+        /// GNSS position and velocity.
+        GNSS = 1, "gnss";
+        /// GNSS heading of two antennas.
+        DUAL_ANTENNA = 2, "dual_antenna";
+        /// Heading.
+        HEADING = 3, "heading";
+        /// Pressure altitude.
+        PRESSURE = 4, "pressure";
+        /// Magnetometer.
+        MAG = 5, "mag";
+        /// Speed or odometer.
+        SPEED = 6, "speed";
+        /// ECEF position by command.
+        AIDING_ECEF_POSITION = 33, "aiding_ecef_position";
+        /// Latitude, longitude and height by command.
+        AIDING_LLH_POSITION = 34, "aiding_llh_position";
+        /// Height above the ellipsoid by command.
+        AIDING_HEIGHT_ABOVE_ELLIPSOID = 35, "aiding_height_above_ellipsoid";
+        /// ECEF velocity by command.
+        AIDING_ECEF_VELOCITY = 40, "aiding_ecef_velocity";
+        /// NED velocity by command.
+        AIDING_NED_VELOCITY = 41, "aiding_ned_velocity";
+        /// Body frame velocity by command.
+        AIDING_BODY_FRAME_VELOCITY = 42, "aiding_body_frame_velocity";
+        /// True heading by command.
+        AIDING_TRUE_HEADING = 49, "aiding_true_heading";
+        /// Magnetic field by command.
+        AIDING_MAGNETIC_FIELD = 50, "aiding_magnetic_field";
+        /// Pressure by command.
+        AIDING_PRESSURE = 51, "aiding_pressure";
+    }
+}
+
+bitfield! {
+    /// What the filter did with an aiding measurement.
+    AidingMeasurementIndicator: u8 {
+        /// The measurement is enabled. Bit 0.
+        ENABLED: bool = 0,
+            enabled, set_enabled, with_enabled;
+        /// The filter used it. Bit 1.
+        USED: bool = 1,
+            used, set_used, with_used;
+        /// It disagrees with the estimate. Bit 2.
+        RESIDUAL_HIGH_WARNING: bool = 2,
+            residual_high_warning, set_residual_high_warning, with_residual_high_warning;
+        /// Its time is doubtful. Bit 3.
+        SAMPLE_TIME_WARNING: bool = 3,
+            sample_time_warning, set_sample_time_warning, with_sample_time_warning;
+        /// Its configuration is wrong. Bit 4.
+        CONFIG_ERROR: bool = 4,
+            config_error, set_config_error, with_config_error;
+        /// There are more measurements than the filter can take. Bit 5.
+        MAX_MEASUREMENTS_EXCEEDED: bool = 5,
+            max_measurements_exceeded, set_max_measurements_exceeded, with_max_measurements_exceeded;
+    }
+}
+
+open_enum! {
+    /// Kind of the heading solution of two antennas.
+    DualAntennaFixType: u8 {
+        /// No solution.
+        FIX_NONE = 0, "fix_none";
+        /// Solution with float ambiguities.
+        FIX_DA_FLOAT = 1, "fix_da_float";
+        /// Solution with fixed ambiguities.
+        FIX_DA_FIXED = 2, "fix_da_fixed";
+    }
+}
+
+bitfield! {
+    /// What the heading solution of two antennas has to work with.
+    DualAntennaStatusFlags: u16 {
+        /// Data of receiver 1 are valid. Bit 0.
+        RECEIVER_1_DATA_VALID: bool = 0,
+            receiver_1_data_valid, set_receiver_1_data_valid, with_receiver_1_data_valid;
+        /// Data of receiver 2 are valid. Bit 1.
+        RECEIVER_2_DATA_VALID: bool = 1,
+            receiver_2_data_valid, set_receiver_2_data_valid, with_receiver_2_data_valid;
+        /// The antenna offsets are valid. Bit 2.
+        ANTENNA_OFFSETS_VALID: bool = 2,
+            antenna_offsets_valid, set_antenna_offsets_valid, with_antenna_offsets_valid;
+    }
+}
+
+open_enum! {
+    /// State of the filter of a 5-series device.
+    ///
+    /// Source: 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10); 3dm-cv7-gnss-ins: Status (0x82,0x10).
+    Gx5FilterState: u16 {
+        /// The device starts.
+        STARTUP = 0, "startup";
+        /// Initialization; the status flags tell what is missing.
+        INIT = 1, "init";
+        /// Running with a valid solution.
+        RUN_SOLUTION_VALID = 2, "run_solution_valid";
+        /// Running with an error; the status flags tell which.
+        RUN_SOLUTION_ERROR = 3, "run_solution_error";
+    }
+}
+
+open_enum! {
+    /// Mode of the filter of a 3DM-CV7.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Filter States; 3dm-cv7-gnss-ins: Status (0x82,0x10).
+    Cv7FilterState: u16 {
+        /// Initialization; initial conditions are missing or the filter waits for a command.
+        INIT = 1, "init";
+        /// Vertical gyro: pitch and roll, and heading relative to the initial one.
+        VERTICAL_GYRO = 2, "vertical_gyro";
+        /// Pitch, roll and absolute heading.
+        AHRS = 3, "ahrs";
+        /// Full navigation: position, velocity and attitude.
+        FULL_NAV = 4, "full_nav";
+    }
+}
+
+open_enum! {
+    /// Motion for which the filter of a 5-series device is set up.
+    Gx5DynamicsMode: u16 {
+        /// Carried by hand.
+        PORTABLE = 1, "portable";
+        /// Ground vehicle.
+        AUTOMOTIVE = 2, "automotive";
+        /// Aircraft.
+        AIRBORNE = 3, "airborne";
+    }
+}
+
+open_enum! {
+    /// Dynamics mode of a 7-series device; there is only one.
+    Cv7DynamicsMode: u16 {
+        /// The only mode.
+        DEFAULT = 1, "default";
+    }
+}
+
+bitfield! {
+    /// Problems of the filter of a 5-series device. The `init` bits count in filter state `init`,
+    /// the others while the filter runs.
+    ///
+    /// Source: 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10); 3dm-cv7-gnss-ins: Status (0x82,0x10).
+    Gx5StatusFlags: u16 {
+        /// No inertial data. Bit 0.
+        RUN_IMU_UNAVAILABLE: bool = 0,
+            run_imu_unavailable, set_run_imu_unavailable, with_run_imu_unavailable;
+        /// No GNSS data, on models with GNSS. Bit 1.
+        RUN_GPS_UNAVAILABLE: bool = 1,
+            run_gps_unavailable, set_run_gps_unavailable, with_run_gps_unavailable;
+        /// A matrix of the computation is singular. Bit 3.
+        RUN_MATRIX_SINGULARITY: bool = 3,
+            run_matrix_singularity, set_run_matrix_singularity, with_run_matrix_singularity;
+        /// A position covariance is above its normal limit. Bit 4.
+        RUN_POSITION_COVARIANCE_WARNING: bool = 4,
+            run_position_covariance_warning, set_run_position_covariance_warning, with_run_position_covariance_warning;
+        /// A velocity covariance is above its normal limit. Bit 5.
+        RUN_VELOCITY_COVARIANCE_WARNING: bool = 5,
+            run_velocity_covariance_warning, set_run_velocity_covariance_warning, with_run_velocity_covariance_warning;
+        /// An attitude covariance is above its normal limit. Bit 6.
+        RUN_ATTITUDE_COVARIANCE_WARNING: bool = 6,
+            run_attitude_covariance_warning, set_run_attitude_covariance_warning, with_run_attitude_covariance_warning;
+        /// The solution holds values that are not numbers. Bit 7.
+        RUN_NAN_IN_SOLUTION_WARNING: bool = 7,
+            run_nan_in_solution_warning, set_run_nan_in_solution_warning, with_run_nan_in_solution_warning;
+        /// The estimated gyroscope bias is high. Bit 8.
+        RUN_GYRO_BIAS_EST_HIGH_WARNING: bool = 8,
+            run_gyro_bias_est_high_warning, set_run_gyro_bias_est_high_warning, with_run_gyro_bias_est_high_warning;
+        /// The estimated accelerometer bias is high. Bit 9.
+        RUN_ACCEL_BIAS_EST_HIGH_WARNING: bool = 9,
+            run_accel_bias_est_high_warning, set_run_accel_bias_est_high_warning, with_run_accel_bias_est_high_warning;
+        /// The estimated gyroscope scale factor is high. Bit 10.
+        RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING: bool = 10,
+            run_gyro_scale_factor_est_high_warning, set_run_gyro_scale_factor_est_high_warning, with_run_gyro_scale_factor_est_high_warning;
+        /// The estimated accelerometer scale factor is high. Bit 11.
+        RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING: bool = 11,
+            run_accel_scale_factor_est_high_warning, set_run_accel_scale_factor_est_high_warning, with_run_accel_scale_factor_est_high_warning;
+        /// The estimated magnetometer bias is high. Bit 12.
+        RUN_MAG_BIAS_EST_HIGH_WARNING: bool = 12,
+            run_mag_bias_est_high_warning, set_run_mag_bias_est_high_warning, with_run_mag_bias_est_high_warning;
+        /// The estimated correction of the antenna offset is high; on models with GNSS. Bit 13.
+        RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING: bool = 13,
+            run_antenna_offset_correction_est_high_warning, set_run_antenna_offset_correction_est_high_warning, with_run_antenna_offset_correction_est_high_warning;
+        /// The estimated hard-iron offset is high. Bit 14.
+        RUN_MAG_HARD_IRON_EST_HIGH_WARNING: bool = 14,
+            run_mag_hard_iron_est_high_warning, set_run_mag_hard_iron_est_high_warning, with_run_mag_hard_iron_est_high_warning;
+        /// The estimated soft-iron correction is high. Bit 15.
+        RUN_MAG_SOFT_IRON_EST_HIGH_WARNING: bool = 15,
+            run_mag_soft_iron_est_high_warning, set_run_mag_soft_iron_est_high_warning, with_run_mag_soft_iron_est_high_warning;
+        /// The attitude is not initialized. Bit 12. Overlaps other bits.
+        INIT_NO_ATTITUDE: bool = 12,
+            init_no_attitude, set_init_no_attitude, with_init_no_attitude;
+        /// Position and velocity are not initialized. Bit 13. Overlaps other bits.
+        INIT_NO_POSITION_VELOCITY: bool = 13,
+            init_no_position_velocity, set_init_no_position_velocity, with_init_no_position_velocity;
+    }
+}
+
+open_enum! {
+    /// How settled the estimates of the filter are.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Filter condition (bits 0-1); 3dm-cv7-gnss-ins: How do I interpret
+    /// the Status (0x82,0x10) message?.
+    FilterCondition: u8 {
+        /// Estimates have settled and agree with the aiding measurements.
+        STABLE = 1, "stable";
+        /// Estimates have not settled yet.
+        CONVERGING = 2, "converging";
+        /// Estimates are unstable or recovering.
+        UNSTABLE = 3, "unstable";
+    }
+}
+
+bitfield! {
+    /// Condition and warnings of the filter of a 3DM-CV7.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Filter Status Flags; 3dm-cv7-gnss-ins: How do I interpret the
+    /// Status (0x82,0x10) message?; 3dm-cv7-gnss-ins: Status (0x82,0x10).
+    Cv7StatusFlags: u16 {
+        /// How settled the estimates are. Bits 0 to 1. A value of [`FilterCondition`].
+        FILTER_CONDITION: FilterCondition = 0..=1,
+            filter_condition, set_filter_condition, with_filter_condition;
+        /// Roll and pitch are doubtful; check the mounting transformation. Bit 2.
+        ROLL_PITCH_WARNING: bool = 2,
+            roll_pitch_warning, set_roll_pitch_warning, with_roll_pitch_warning;
+        /// The heading is doubtful; check the heading source. Bit 3.
+        HEADING_WARNING: bool = 3,
+            heading_warning, set_heading_warning, with_heading_warning;
+        /// The position is doubtful; check the GNSS reception and antennas. Bit 4.
+        POSITION_WARNING: bool = 4,
+            position_warning, set_position_warning, with_position_warning;
+        /// The velocity is doubtful; check the GNSS reception and antennas. Bit 5.
+        VELOCITY_WARNING: bool = 5,
+            velocity_warning, set_velocity_warning, with_velocity_warning;
+        /// The sensor biases are doubtful; capture the gyroscope bias. Bit 6.
+        IMU_BIAS_WARNING: bool = 6,
+            imu_bias_warning, set_imu_bias_warning, with_imu_bias_warning;
+        /// The GNSS clock is doubtful; navigation goes on. Bit 7.
+        GNSS_CLOCK_WARNING: bool = 7,
+            gnss_clock_warning, set_gnss_clock_warning, with_gnss_clock_warning;
+        /// The antenna offsets are probably wrong. Bit 8.
+        ANTENNA_LEVER_ARM_WARNING: bool = 8,
+            antenna_lever_arm_warning, set_antenna_lever_arm_warning, with_antenna_lever_arm_warning;
+        /// The mounting transformation is probably wrong. Bit 9.
+        MOUNTING_TRANSFORM_WARNING: bool = 9,
+            mounting_transform_warning, set_mounting_transform_warning, with_mounting_transform_warning;
+        /// No pulse per second is found, or the time of an external heading is too old. Bit 10.
+        TIME_SYNC_WARNING: bool = 10,
+            time_sync_warning, set_time_sync_warning, with_time_sync_warning;
+        /// Not 0 if the solution holds values that are not numbers; reset the filter. Bits 12 to
+        /// 15.
+        SOLUTION_ERROR: u8 = 12..=15,
+            solution_error, set_solution_error, with_solution_error;
+    }
+}
+
+record! {
+    /// LLH position (0x82,0x01).
+    ///
+    /// Estimated position.
+    ///
+    /// Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: LLH Position (0x82,0x01).
+    #[derive(Default)]
+    pub struct LlhPosition {
+        /// Latitude.
+        ///
+        /// Unit: deg. Frame: llh. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub latitude: f64,
+        /// Longitude.
+        ///
+        /// Unit: deg. Frame: llh. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub longitude: f64,
+        /// Height above the ellipsoid.
+        ///
+        /// Unit: m. Frame: llh. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub ellipsoid_height: f64,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    LlhPosition: 0x82, 0x01, "filter_data.llh_position"
+}
+
+record! {
+    /// NED velocity (0x82,0x02).
+    ///
+    /// Estimated velocity.
+    ///
+    /// Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02).
+    #[derive(Default)]
+    pub struct NedVelocity {
+        /// Velocity north.
+        ///
+        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub north: f32,
+        /// Velocity east.
+        ///
+        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub east: f32,
+        /// Velocity down.
+        ///
+        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub down: f32,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    NedVelocity: 0x82, 0x02, "filter_data.ned_velocity"
+}
+
+record! {
+    /// Attitude quaternion (0x82,0x03).
+    ///
+    /// Estimated orientation of the vehicle frame in the NED frame as a quaternion.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - V_vehicle = q^-1 \* v_ned \* q. The 3DM-GX5-15 manual prints the inverse rotation.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03); 3dm-gx5-15: 5.2.3 Orientation,
+    /// Quaternion (0x82, 0x03).
+    #[derive(Default)]
+    pub struct AttitudeQuaternion {
+        /// Quaternion, scalar part first.
+        ///
+        /// Elements: w, x, y, z. Unit: 1. Frame: ned. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub q: types::Quatf,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    AttitudeQuaternion: 0x82, 0x03, "filter_data.attitude_quaternion"
+}
+
+record! {
+    /// Attitude direction cosine matrix (0x82,0x04).
+    ///
+    /// Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm \* v_ned.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04); 3dm-gx5-15: 5.2.7 Orientation, Matrix
+    /// (0x82, 0x04).
+    #[derive(Default)]
+    pub struct AttitudeDcm {
+        /// Rotation matrix in row-major order.
+        ///
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub dcm: types::Matrix3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    AttitudeDcm: 0x82, 0x04, "filter_data.attitude_dcm"
+}
+
+record! {
+    /// Euler angles (0x82,0x05).
+    ///
+    /// Estimated orientation of the vehicle frame in the NED frame as Euler angles.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - The rotations apply in the order yaw, pitch, roll (3-2-1).
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Euler Angles (0x82,0x05); 3dm-gx5-15: 5.2.5 Orientation, Euler
+    /// Angles (0x82, 0x05).
+    #[derive(Default)]
+    pub struct EulerAngles {
+        /// Roll.
+        ///
+        /// Unit: rad. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub roll: f32,
+        /// Pitch.
+        ///
+        /// Unit: rad. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub pitch: f32,
+        /// Yaw.
+        ///
+        /// Unit: rad. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub yaw: f32,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    EulerAngles: 0x82, 0x05, "filter_data.euler_angles"
+}
+
+record! {
+    /// Gyroscope bias (0x82,0x06).
+    ///
+    /// Estimated bias of the gyroscope.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06); 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06).
+    #[derive(Default)]
+    pub struct GyroBias {
+        /// Bias.
+        ///
+        /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub bias: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    GyroBias: 0x82, 0x06, "filter_data.gyro_bias"
+}
+
+record! {
+    /// Accelerometer bias (0x82,0x07).
+    ///
+    /// Estimated bias of the accelerometer.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07).
+    #[derive(Default)]
+    pub struct AccelBias {
+        /// Bias.
+        ///
+        /// Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub bias: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    AccelBias: 0x82, 0x07, "filter_data.accel_bias"
+}
+
+record! {
+    /// Position uncertainty (0x82,0x08).
+    ///
+    /// Standard deviation of the estimated position, in the NED frame.
+    ///
+    /// Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08).
+    #[derive(Default)]
+    pub struct LlhPositionUncertainty {
+        /// Standard deviation north.
+        ///
+        /// Unit: m. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub north: f32,
+        /// Standard deviation east.
+        ///
+        /// Unit: m. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub east: f32,
+        /// Standard deviation down.
+        ///
+        /// Unit: m. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub down: f32,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    LlhPositionUncertainty: 0x82, 0x08, "filter_data.llh_position_uncertainty"
+}
+
+record! {
+    /// NED velocity uncertainty (0x82,0x09).
+    ///
+    /// Standard deviation of the estimated velocity.
+    ///
+    /// Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09).
+    #[derive(Default)]
+    pub struct NedVelocityUncertainty {
+        /// Standard deviation north.
+        ///
+        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub north: f32,
+        /// Standard deviation east.
+        ///
+        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub east: f32,
+        /// Standard deviation down.
+        ///
+        /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub down: f32,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    NedVelocityUncertainty: 0x82, 0x09, "filter_data.ned_velocity_uncertainty"
+}
+
+record! {
+    /// Euler angles uncertainty (0x82,0x0A).
+    ///
+    /// Standard deviation of the estimated Euler angles.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - 3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70
+    ///   degrees of pitch up or down.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A); 3dm-gx5-15: 5.2.6 Attitude
+    /// Uncertainty, Euler Angles (0x82, 0x0A).
+    #[derive(Default)]
+    pub struct EulerAnglesUncertainty {
+        /// Standard deviation of roll.
+        ///
+        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub roll: f32,
+        /// Standard deviation of pitch.
+        ///
+        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub pitch: f32,
+        /// Standard deviation of yaw.
+        ///
+        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub yaw: f32,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    EulerAnglesUncertainty: 0x82, 0x0A, "filter_data.euler_angles_uncertainty"
+}
+
+record! {
+    /// Gyroscope bias uncertainty (0x82,0x0B).
+    ///
+    /// Standard deviation of the estimated gyroscope bias.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B); 3dm-gx5-15: 5.2.10 Gyro Bias
+    /// Uncertainty (0x82, 0x0B).
+    #[derive(Default)]
+    pub struct GyroBiasUncertainty {
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub bias_uncertainty: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    GyroBiasUncertainty: 0x82, 0x0B, "filter_data.gyro_bias_uncertainty"
+}
+
+record! {
+    /// Accelerometer bias uncertainty (0x82,0x0C).
+    ///
+    /// Standard deviation of the estimated accelerometer bias.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C).
+    #[derive(Default)]
+    pub struct AccelBiasUncertainty {
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub bias_uncertainty: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    AccelBiasUncertainty: 0x82, 0x0C, "filter_data.accel_bias_uncertainty"
+}
+
+record! {
+    /// Linear acceleration (0x82,0x0D).
+    ///
+    /// Compensated acceleration less the estimated gravity.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D); 3dm-gx5-15: 5.2.12 Linear Acceleration
+    /// (0x82, 0x0D).
+    #[derive(Default)]
+    pub struct LinearAccel {
+        /// Linear acceleration.
+        ///
+        /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub accel: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    LinearAccel: 0x82, 0x0D, "filter_data.linear_accel"
+}
+
+record! {
+    /// Compensated angular rate (0x82,0x0E).
+    ///
+    /// Angular rate without the estimated bias.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E); 3dm-gx5-15: 5.2.8 Compensated
+    /// Angular Rate (0x82, 0x0E).
+    #[derive(Default)]
+    pub struct CompAngularRate {
+        /// Angular rate.
+        ///
+        /// Elements: x, y, z. Unit: rad/s. Frame: vehicle. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub gyro: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    CompAngularRate: 0x82, 0x0E, "filter_data.comp_angular_rate"
+}
+
+record! {
+    /// WGS84 local gravity magnitude (0x82,0x0F).
+    ///
+    /// Magnitude of gravity at the position of the device by the WGS84 model.
+    ///
+    /// Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
+    ///
+    /// - The model holds up to an altitude of 20 km.
+    ///
+    /// Source: 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F).
+    #[derive(Default)]
+    pub struct Wgs84GravityMagnitude {
+        /// Magnitude of gravity.
+        ///
+        /// Unit: m/s^2. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub gravity_magnitude: f32,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    Wgs84GravityMagnitude: 0x82, 0x0F, "filter_data.wgs84_gravity_magnitude"
+}
+
+record! {
+    /// Filter status (0x82,0x10).
+    ///
+    /// State, dynamics mode, condition and warnings of the filter.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - The meaning of all three values depends on the device.
+    /// - 3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
+    /// - 5-series: bits 12 and 13 of the flags mean other things in state `init` than while the
+    ///   filter runs.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Status (0x82,0x10); 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10).
+    #[derive(Default)]
+    pub struct Status {
+        /// State of the filter.
+        ///
+        /// On the 3DM-CV7-GNSS/INS: values of [`Cv7FilterState`]. On the 3DM-GX5-15: values of
+        /// [`Gx5FilterState`].
+        pub filter_state: u16,
+        /// Motion for which the filter is set up.
+        ///
+        /// On the 3DM-CV7-GNSS/INS: values of [`Cv7DynamicsMode`]. On the 3DM-GX5-15: values of
+        /// [`Gx5DynamicsMode`].
+        pub dynamics_mode: u16,
+        /// Condition and warnings.
+        ///
+        /// On the 3DM-CV7-GNSS/INS: values of [`Cv7StatusFlags`]. On the 3DM-GX5-15: values of
+        /// [`Gx5StatusFlags`].
+        pub status_flags: u16,
+    }
+}
+
+#[rustfmt::skip]
+impl Status {
+    /// Reads `filter_state` as [`Cv7FilterState`].
+    ///
+    /// On the 3DM-CV7-GNSS/INS: values of [`Cv7FilterState`].
+    #[must_use]
+    pub fn filter_state_as_cv7_filter_state(&self) -> Cv7FilterState {
+        self.filter_state.into()
+    }
+
+    /// Reads `filter_state` as [`Gx5FilterState`].
+    ///
+    /// On the 3DM-GX5-15: values of [`Gx5FilterState`].
+    #[must_use]
+    pub fn filter_state_as_gx5_filter_state(&self) -> Gx5FilterState {
+        self.filter_state.into()
+    }
+
+    /// Reads `dynamics_mode` as [`Cv7DynamicsMode`].
+    ///
+    /// On the 3DM-CV7-GNSS/INS: values of [`Cv7DynamicsMode`].
+    #[must_use]
+    pub fn dynamics_mode_as_cv7_dynamics_mode(&self) -> Cv7DynamicsMode {
+        self.dynamics_mode.into()
+    }
+
+    /// Reads `dynamics_mode` as [`Gx5DynamicsMode`].
+    ///
+    /// On the 3DM-GX5-15: values of [`Gx5DynamicsMode`].
+    #[must_use]
+    pub fn dynamics_mode_as_gx5_dynamics_mode(&self) -> Gx5DynamicsMode {
+        self.dynamics_mode.into()
+    }
+
+    /// Reads `status_flags` as [`Cv7StatusFlags`].
+    ///
+    /// On the 3DM-CV7-GNSS/INS: values of [`Cv7StatusFlags`].
+    #[must_use]
+    pub fn status_flags_as_cv7_status_flags(&self) -> Cv7StatusFlags {
+        self.status_flags.into()
+    }
+
+    /// Reads `status_flags` as [`Gx5StatusFlags`].
+    ///
+    /// On the 3DM-GX5-15: values of [`Gx5StatusFlags`].
+    #[must_use]
+    pub fn status_flags_as_gx5_status_flags(&self) -> Gx5StatusFlags {
+        self.status_flags.into()
+    }
+}
+
+field! {
+    Status: 0x82, 0x10, "filter_data.status"
+}
+
+record! {
+    /// Filter timestamp (0x82,0x11).
+    ///
+    /// GPS time of the filter data.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - Without PPS the internal clock drives the time, and the time jumps when the PPS comes
+    ///   back.
+    /// - Without synchronization to a receiver or an external clock it is the internal system time.
+    /// - 3DM-CV7: the field may be withdrawn; [`shared::GpsTimestamp`](crate::shared::GpsTimestamp)
+    ///   is better.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Timestamp (0x82,0x11); 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82,
+    /// 0x11).
+    #[derive(Default)]
+    pub struct Timestamp {
+        /// GPS time of week.
+        ///
+        /// Unit: s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub tow: f64,
+        /// GPS week, counted from 1980.
+        ///
+        /// Unit: week. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub week_number: u16,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    Timestamp: 0x82, 0x11, "filter_data.timestamp"
+}
+
+record! {
+    /// Quaternion uncertainty (0x82,0x12).
+    ///
+    /// Standard deviation of the elements of the estimated attitude quaternion.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12); 3dm-gx5-15: 5.2.4
+    /// Attitude Uncertainty, Quaternion Elements (0x82, 0x12).
+    #[derive(Default)]
+    pub struct QuaternionAttitudeUncertainty {
+        /// Standard deviation per element.
+        ///
+        /// Elements: w, x, y, z. Unit: 1. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub q: types::Quatf,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    QuaternionAttitudeUncertainty: 0x82, 0x12, "filter_data.quaternion_attitude_uncertainty"
+}
+
+record! {
+    /// Gravity vector (0x82,0x13).
+    ///
+    /// Estimated gravity.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13); 3dm-gx5-15: 5.2.14 Gravity Vector
+    /// (0x82, 0x13).
+    #[derive(Default)]
+    pub struct GravityVector {
+        /// Gravity.
+        ///
+        /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub gravity: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    GravityVector: 0x82, 0x13, "filter_data.gravity_vector"
+}
+
+record! {
+    /// Heading update source state (0x82,0x14).
+    ///
+    /// The last heading that updated the filter and where it came from.
+    ///
+    /// Supported by 3DM-GX5-15.
+    ///
+    /// - The valid bit means that the source gave data within the last 2 seconds.
+    ///
+    /// Source: 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14).
+    #[derive(Default)]
+    pub struct HeadingUpdateState {
+        /// Heading of the sensor frame relative to true north.
+        ///
+        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub heading: f32,
+        /// Standard deviation of the heading.
+        ///
+        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub heading_uncertainty: f32,
+        /// Sources of the heading.
+        pub source: HeadingSourceFlags,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    HeadingUpdateState: 0x82, 0x14, "filter_data.heading_update_state"
+}
+
+record! {
+    /// Magnetic model (0x82,0x15).
+    ///
+    /// Magnetic field at the position of the device by the World Magnetic Model.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - It is valid only with a valid GNSS position.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15).
+    #[derive(Default)]
+    pub struct MagneticModel {
+        /// Intensity north.
+        ///
+        /// Unit: gauss. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub intensity_north: f32,
+        /// Intensity east.
+        ///
+        /// Unit: gauss. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub intensity_east: f32,
+        /// Intensity down.
+        ///
+        /// Unit: gauss. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub intensity_down: f32,
+        /// Inclination.
+        ///
+        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub inclination: f32,
+        /// Declination.
+        ///
+        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub declination: f32,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    MagneticModel: 0x82, 0x15, "filter_data.magnetic_model"
+}
+
+record! {
+    /// Gyroscope scale factor (0x82,0x16).
+    ///
+    /// Estimated scale factor of the gyroscope.
+    ///
+    /// Source: mip-sdk-4: Gyro Scale Factor (0x82,0x16).
+    #[derive(Default)]
+    pub struct GyroScaleFactor {
+        /// Scale factor per axis.
+        ///
+        /// Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub scale_factor: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    GyroScaleFactor: 0x82, 0x16, "filter_data.gyro_scale_factor"
+}
+
+record! {
+    /// Accelerometer scale factor (0x82,0x17).
+    ///
+    /// Estimated scale factor of the accelerometer.
+    ///
+    /// Source: mip-sdk-4: Accel Scale Factor (0x82,0x17).
+    #[derive(Default)]
+    pub struct AccelScaleFactor {
+        /// Scale factor per axis.
+        ///
+        /// Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub scale_factor: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    AccelScaleFactor: 0x82, 0x17, "filter_data.accel_scale_factor"
+}
+
+record! {
+    /// Gyroscope scale factor uncertainty (0x82,0x18).
+    ///
+    /// Standard deviation of the estimated scale factor of the gyroscope.
+    ///
+    /// Source: mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18).
+    #[derive(Default)]
+    pub struct GyroScaleFactorUncertainty {
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub scale_factor_uncertainty: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    GyroScaleFactorUncertainty: 0x82, 0x18, "filter_data.gyro_scale_factor_uncertainty"
+}
+
+record! {
+    /// Accelerometer scale factor uncertainty (0x82,0x19).
+    ///
+    /// Standard deviation of the estimated scale factor of the accelerometer.
+    ///
+    /// Source: mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19).
+    #[derive(Default)]
+    pub struct AccelScaleFactorUncertainty {
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub scale_factor_uncertainty: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    AccelScaleFactorUncertainty: 0x82, 0x19, "filter_data.accel_scale_factor_uncertainty"
+}
+
+record! {
+    /// Magnetometer bias (0x82,0x1A).
+    ///
+    /// Estimated bias of the magnetometer.
+    ///
+    /// Source: mip-sdk-4: Mag Bias (0x82,0x1A).
+    #[derive(Default)]
+    pub struct MagBias {
+        /// Bias.
+        ///
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub bias: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    MagBias: 0x82, 0x1A, "filter_data.mag_bias"
+}
+
+record! {
+    /// Magnetometer bias uncertainty (0x82,0x1B).
+    ///
+    /// Standard deviation of the estimated bias of the magnetometer.
+    ///
+    /// Source: mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B).
+    #[derive(Default)]
+    pub struct MagBiasUncertainty {
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub bias_uncertainty: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    MagBiasUncertainty: 0x82, 0x1B, "filter_data.mag_bias_uncertainty"
+}
+
+record! {
+    /// Compensated acceleration (0x82,0x1C).
+    ///
+    /// Acceleration without the estimated bias; gravity is still in it.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C); 3dm-gx5-15: 5.2.11
+    /// Compensated Acceleration (0x82, 0x1C).
+    #[derive(Default)]
+    pub struct CompAccel {
+        /// Acceleration.
+        ///
+        /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub accel: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    CompAccel: 0x82, 0x1C, "filter_data.comp_accel"
+}
+
+record! {
+    /// Standard atmosphere (0x82,0x20).
+    ///
+    /// US Standard Atmosphere of 1976 at the altitude of the device.
+    ///
+    /// - It is valid only with a valid GNSS position.
+    ///
+    /// Source: mip-sdk-4: Standard Atmosphere (0x82,0x20).
+    #[derive(Default)]
+    pub struct StandardAtmosphere {
+        /// Altitude that goes into the model.
+        ///
+        /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub geometric_altitude: f32,
+        /// Geopotential altitude.
+        ///
+        /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub geopotential_altitude: f32,
+        /// Temperature.
+        ///
+        /// Unit: degC. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub standard_temperature: f32,
+        /// Pressure.
+        ///
+        /// Unit: mbar. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub standard_pressure: f32,
+        /// Density.
+        ///
+        /// Unit: kg/m^3. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub standard_density: f32,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    StandardAtmosphere: 0x82, 0x20, "filter_data.standard_atmosphere"
+}
+
+record! {
+    /// Pressure altitude (0x82,0x21).
+    ///
+    /// Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of
+    ///   84852 m.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Pressure Altitude (0x82,0x21); 3dm-gx5-15: 5.2.13 Pressure
+    /// Altitude (0x82, 0x21).
+    #[derive(Default)]
+    pub struct PressureAltitude {
+        /// Altitude.
+        ///
+        /// Unit: m. Range: at most 84852. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub pressure_altitude: f32,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    PressureAltitude: 0x82, 0x21, "filter_data.pressure_altitude"
+}
+
+record! {
+    /// Density altitude (0x82,0x22).
+    ///
+    /// Altitude at which the standard atmosphere has the density of the air around the device.
+    ///
+    /// Uncertain: The SDK gives the name only; the description is the usual meaning of the term.
+    ///
+    /// Source: mip-sdk-4: Density Altitude (0x82,0x22).
+    #[derive(Default)]
+    pub struct DensityAltitude {
+        /// Altitude.
+        ///
+        /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub density_altitude: f32,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    DensityAltitude: 0x82, 0x22, "filter_data.density_altitude"
+}
+
+record! {
+    /// Magnetometer offset (0x82,0x25).
+    ///
+    /// Estimated hard iron offset of the magnetometer.
+    ///
+    /// Also called `magnetometer_offset`.
+    ///
+    /// - The filter adds it to the stored hard iron offset
+    ///   [(0x0C,0x3A)](crate::mip_3dm::MagHardIronOffset).
+    ///
+    /// Source: mip-sdk-4: Magnetometer Offset (0x82,0x25).
+    #[derive(Default)]
+    pub struct MagOffset {
+        /// Hard iron offset.
+        ///
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub hard_iron: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    MagOffset: 0x82, 0x25, "filter_data.mag_offset"
+}
+
+record! {
+    /// Magnetometer matrix (0x82,0x26).
+    ///
+    /// Estimated soft iron matrix of the magnetometer.
+    ///
+    /// Also called `magnetometer_matrix`.
+    ///
+    /// - The filter multiplies the stored soft iron matrix
+    ///   [(0x0C,0x3B)](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
+    ///
+    /// Source: mip-sdk-4: Magnetometer Matrix (0x82,0x26).
+    #[derive(Default)]
+    pub struct MagMatrix {
+        /// Soft iron matrix in row-major order.
+        ///
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub soft_iron: types::Matrix3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    MagMatrix: 0x82, 0x26, "filter_data.mag_matrix"
+}
+
+record! {
+    /// Magnetometer offset uncertainty (0x82,0x28).
+    ///
+    /// Standard deviation of the estimated hard iron offset.
+    ///
+    /// Also called `magnetometer_offset_uncertainty`.
+    ///
+    /// Source: mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28).
+    #[derive(Default)]
+    pub struct MagOffsetUncertainty {
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub hard_iron_uncertainty: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    MagOffsetUncertainty: 0x82, 0x28, "filter_data.mag_offset_uncertainty"
+}
+
+record! {
+    /// Magnetometer matrix uncertainty (0x82,0x29).
+    ///
+    /// Standard deviation of the estimated soft iron matrix.
+    ///
+    /// Also called `magnetometer_matrix_uncertainty`.
+    ///
+    /// Source: mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29).
+    #[derive(Default)]
+    pub struct MagMatrixUncertainty {
+        /// Standard deviation per element.
+        ///
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub soft_iron_uncertainty: types::Matrix3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    MagMatrixUncertainty: 0x82, 0x29, "filter_data.mag_matrix_uncertainty"
+}
+
+record! {
+    /// Magnetometer covariance matrix (0x82,0x2A).
+    ///
+    /// Covariance of the magnetometer measurement.
+    ///
+    /// Also called `magnetometer_covariance_matrix`.
+    ///
+    /// Source: mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A).
+    #[derive(Default)]
+    pub struct MagCovarianceMatrix {
+        /// Covariance matrix in row-major order.
+        ///
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: The unit, which is likely
+        /// gauss^2, and the frame.
+        pub covariance: types::Matrix3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    MagCovarianceMatrix: 0x82, 0x2A, "filter_data.mag_covariance_matrix"
+}
+
+record! {
+    /// Magnetometer residual vector (0x82,0x2C).
+    ///
+    /// Residual of the magnetometer measurement.
+    ///
+    /// Also called `magnetometer_residual_vector`.
+    ///
+    /// Source: mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C).
+    #[derive(Default)]
+    pub struct MagResidualVector {
+        /// Residual.
+        ///
+        /// Elements: x, y, z. Unit: gauss. Frame: vehicle. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub residual: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    MagResidualVector: 0x82, 0x2C, "filter_data.mag_residual_vector"
+}
+
+record! {
+    /// Antenna offset correction (0x82,0x30).
+    ///
+    /// Estimated error of the offset of the GNSS antenna.
+    ///
+    /// - The filter adds it to the stored offset [(0x0D,0x13)](crate::filter::AntennaOffset).
+    ///
+    /// Source: mip-sdk-4: Antenna Offset Correction (0x82,0x30).
+    #[derive(Default)]
+    pub struct AntennaOffsetCorrection {
+        /// Correction of the offset.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub offset: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    AntennaOffsetCorrection: 0x82, 0x30, "filter_data.antenna_offset_correction"
+}
+
+record! {
+    /// Antenna offset correction uncertainty (0x82,0x31).
+    ///
+    /// Standard deviation of the estimated error of the offset of the GNSS antenna.
+    ///
+    /// Source: mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31).
+    #[derive(Default)]
+    pub struct AntennaOffsetCorrectionUncertainty {
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub offset_uncertainty: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    AntennaOffsetCorrectionUncertainty: 0x82, 0x31, "filter_data.antenna_offset_correction_uncertainty"
+}
+
+record! {
+    /// Clock correction (0x82,0x32).
+    ///
+    /// Estimated clock error of one GNSS receiver.
+    ///
+    /// Source: mip-sdk-4: Clock Correction (0x82,0x32).
+    #[derive(Default)]
+    pub struct ClockCorrection {
+        /// Receiver, counted from 1.
+        ///
+        /// Range: at least 1.
+        pub receiver_id: u8,
+        /// Bias of the clock.
+        ///
+        /// Unit: s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub bias: f32,
+        /// Drift of the clock.
+        ///
+        /// Unit: s/s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub bias_drift: f32,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    ClockCorrection: 0x82, 0x32, "filter_data.clock_correction"
+}
+
+record! {
+    /// Clock correction uncertainty (0x82,0x33).
+    ///
+    /// Standard deviation of the estimated clock error of one GNSS receiver.
+    ///
+    /// Source: mip-sdk-4: Clock Correction Uncertainty (0x82,0x33).
+    #[derive(Default)]
+    pub struct ClockCorrectionUncertainty {
+        /// Receiver, counted from 1.
+        ///
+        /// Range: at least 1.
+        pub receiver_id: u8,
+        /// Standard deviation of the bias.
+        ///
+        /// Unit: s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub bias_uncertainty: f32,
+        /// Standard deviation of the drift.
+        ///
+        /// Unit: s/s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub bias_drift_uncertainty: f32,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    ClockCorrectionUncertainty: 0x82, 0x33, "filter_data.clock_correction_uncertainty"
+}
+
+record! {
+    /// Multi-antenna offset correction (0x82,0x34).
+    ///
+    /// Estimated error of the offset of one GNSS antenna.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The filter adds it to the stored offset.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Multi Antenna Offset Correction (0x82,0x34).
+    #[derive(Default)]
+    pub struct MultiAntennaOffsetCorrection {
+        /// Receiver that the antenna belongs to.
+        pub receiver_id: u8,
+        /// Correction of the offset.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub offset: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    MultiAntennaOffsetCorrection: 0x82, 0x34, "filter_data.multi_antenna_offset_correction"
+}
+
+record! {
+    /// Multi-antenna offset correction uncertainty (0x82,0x35).
+    ///
+    /// Standard deviation of the estimated error of the offset of one GNSS antenna.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35).
+    #[derive(Default)]
+    pub struct MultiAntennaOffsetCorrectionUncertainty {
+        /// Receiver that the antenna belongs to.
+        pub receiver_id: u8,
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub offset_uncertainty: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    MultiAntennaOffsetCorrectionUncertainty: 0x82, 0x35, "filter_data.multi_antenna_offset_correction_uncertainty"
+}
+
+record! {
+    /// ECEF position uncertainty (0x82,0x36).
+    ///
+    /// Standard deviation of the estimated position.
+    ///
+    /// Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36).
+    #[derive(Default)]
+    pub struct EcefPositionUncertainty {
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub position_uncertainty: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    EcefPositionUncertainty: 0x82, 0x36, "filter_data.ecef_position_uncertainty"
+}
+
+record! {
+    /// ECEF velocity uncertainty (0x82,0x37).
+    ///
+    /// Standard deviation of the estimated velocity.
+    ///
+    /// Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37).
+    #[derive(Default)]
+    pub struct EcefVelocityUncertainty {
+        /// Standard deviation per axis.
+        ///
+        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub velocity_uncertainty: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    EcefVelocityUncertainty: 0x82, 0x37, "filter_data.ecef_velocity_uncertainty"
+}
+
+record! {
+    /// ECEF position (0x82,0x40).
+    ///
+    /// Estimated position.
+    ///
+    /// Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40).
+    #[derive(Default)]
+    pub struct EcefPosition {
+        /// Position.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub position: types::Vector3d,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    EcefPosition: 0x82, 0x40, "filter_data.ecef_position"
+}
+
+record! {
+    /// ECEF velocity (0x82,0x41).
+    ///
+    /// Estimated velocity.
+    ///
+    /// Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41).
+    #[derive(Default)]
+    pub struct EcefVelocity {
+        /// Velocity.
+        ///
+        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub velocity: types::Vector3f,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    EcefVelocity: 0x82, 0x41, "filter_data.ecef_velocity"
+}
+
+record! {
+    /// NED relative position (0x82,0x42).
+    ///
+    /// Estimated position relative to the point that
+    /// [`filter::RelativePositionConfig`](crate::filter::RelativePositionConfig) sets.
+    ///
+    /// Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42).
+    #[derive(Default)]
+    pub struct NedRelativePosition {
+        /// Relative position.
+        ///
+        /// Elements: x, y, z. Unit: m. Frame: ned. Valid if
+        /// [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub relative_position: types::Vector3d,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    NedRelativePosition: 0x82, 0x42, "filter_data.ned_relative_position"
+}
+
+record! {
+    /// GNSS position aiding status (0x82,0x43).
+    ///
+    /// How the filter uses the position measurements of one GNSS receiver.
+    ///
+    /// Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GNSS Position Aiding Status (0x82,0x43).
+    #[derive(Default)]
+    pub struct GnssPositionAidingStatus {
+        /// Number of the receiver.
+        pub receiver_id: u8,
+        /// GPS time of week of the last measurement.
+        ///
+        /// Unit: s.
+        pub tow: f32,
+        /// How the measurements are used.
+        pub status: GnssAidingStatus,
+        /// Reserved.
+        pub reserved: [u8; 8],
+    }
+}
+
+field! {
+    GnssPositionAidingStatus: 0x82, 0x43, "filter_data.gnss_position_aiding_status"
+}
+
+record! {
+    /// GNSS attitude aiding status (0x82,0x44).
+    ///
+    /// How the filter uses the attitude that two GNSS antennas give.
+    ///
+    /// Also called `gnss_att_aid_status`.
+    ///
+    /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
+    ///
+    /// Source: mip-sdk-4: Gnss Att Aid Status (0x82,0x44).
+    #[derive(Default)]
+    pub struct GnssAttitudeAidingStatus {
+        /// GPS time of week of the last valid measurement.
+        ///
+        /// Unit: s. Uncertain: Whether it is the time of the measurement or that of its processing.
+        pub tow: f32,
+        /// How the measurements are used.
+        pub status: GnssAidingStatus,
+        /// Reserved.
+        ///
+        /// Reserved.
+        pub reserved: [u8; 8],
+    }
+}
+
+field! {
+    GnssAttitudeAidingStatus: 0x82, 0x44, "filter_data.gnss_attitude_aiding_status"
+}
+
+record! {
+    /// Heading aiding status (0x82,0x45).
+    ///
+    /// The heading measurement that the filter used last.
+    ///
+    /// Also called `head_aid_status`.
+    ///
+    /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
+    ///
+    /// Source: mip-sdk-4: Head Aid Status (0x82,0x45).
+    #[derive(Default)]
+    pub struct HeadingAidingStatus {
+        /// GPS time of week of the last valid measurement.
+        ///
+        /// Unit: s. Uncertain: Whether it is the time of the measurement or that of its processing.
+        pub tow: f32,
+        /// Source of the heading.
+        pub type_: HeadingAidingType,
+        /// Reserved.
+        ///
+        /// Reserved.
+        pub reserved: [f32; 2],
+    }
+    wire 13 {
+        [tow]
+        [type_ "type"]
+        [reserved]
+    }
+}
+
+field! {
+    HeadingAidingStatus: 0x82, 0x45, "filter_data.heading_aiding_status"
+}
+
+record! {
+    /// Aiding measurement summary (0x82,0x46).
+    ///
+    /// What the filter did with one kind of aiding measurement in the last measurement interval.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Summary (0x82,0x46).
+    #[derive(Default)]
+    pub struct AidingMeasurementSummary {
+        /// GPS time of week at the end of the interval.
+        ///
+        /// Unit: s.
+        pub tow: f32,
+        /// Number of the source of the measurement.
+        pub source: u8,
+        /// Kind of measurement.
+        pub type_: AidingMeasurementType,
+        /// What the filter did with it.
+        pub indicator: AidingMeasurementIndicator,
+    }
+    wire 7 {
+        [tow]
+        [source]
+        [type_ "type"]
+        [indicator]
+    }
+}
+
+field! {
+    AidingMeasurementSummary: 0x82, 0x46, "filter_data.aiding_measurement_summary"
+}
+
+record! {
+    /// Odometer scale factor error (0x82,0x47).
+    ///
+    /// Estimated relative error of the odometer scale factor.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - Estimated scale factor = configured scale factor \* (1 + error).
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Odometer Scale Factor Error (0x82,0x47).
+    #[derive(Default)]
+    pub struct OdometerScaleFactorError {
+        /// Relative error.
+        ///
+        /// Unit: 1. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub scale_factor_error: f32,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    OdometerScaleFactorError: 0x82, 0x47, "filter_data.odometer_scale_factor_error"
+}
+
+record! {
+    /// Odometer scale factor error uncertainty (0x82,0x48).
+    ///
+    /// Uncertainty of the estimated error of the odometer scale factor.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48).
+    #[derive(Default)]
+    pub struct OdometerScaleFactorErrorUncertainty {
+        /// Uncertainty of the relative error.
+        ///
+        /// Unit: 1. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub scale_factor_error_uncertainty: f32,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    OdometerScaleFactorErrorUncertainty: 0x82, 0x48, "filter_data.odometer_scale_factor_error_uncertainty"
+}
+
+record! {
+    /// GNSS dual antenna status (0x82,0x49).
+    ///
+    /// Heading that two GNSS antennas give.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GNSS Dual Antenna Status (0x82,0x49).
+    #[derive(Default)]
+    pub struct GnssDualAntennaStatus {
+        /// GPS time of week of the last measurement.
+        ///
+        /// Unit: s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub tow: f32,
+        /// Heading.
+        ///
+        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub heading: f32,
+        /// Uncertainty of the heading.
+        ///
+        /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
+        pub heading_uncertainty: f32,
+        /// Kind of solution.
+        pub fix_type: DualAntennaFixType,
+        /// What the solution has to work with.
+        pub status_flags: DualAntennaStatusFlags,
+        /// Validity of the values.
+        pub valid_flags: ValidFlags,
+    }
+}
+
+field! {
+    GnssDualAntennaStatus: 0x82, 0x49, "filter_data.gnss_dual_antenna_status"
+}
+
+record! {
+    /// Aiding frame configuration error (0x82,0x50).
+    ///
+    /// Estimated error of a frame that [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines;
+    /// it is corrected for.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50).
+    #[derive(Default)]
+    pub struct AidingFrameConfigError {
+        /// Number of the frame.
+        pub frame_id: u8,
+        /// Error of the translation.
+        ///
+        /// Elements: x, y, z. Unit: m.
+        pub translation: types::Vector3f,
+        /// Error of the rotation.
+        ///
+        /// Elements: w, x, y, z. Unit: 1.
+        pub attitude: types::Quatf,
+    }
+}
+
+field! {
+    AidingFrameConfigError: 0x82, 0x50, "filter_data.aiding_frame_config_error"
+}
+
+record! {
+    /// Aiding frame configuration error uncertainty (0x82,0x51).
+    ///
+    /// Uncertainty of the estimated error of a frame that
+    /// [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51).
+    #[derive(Default)]
+    pub struct AidingFrameConfigErrorUncertainty {
+        /// Number of the frame.
+        pub frame_id: u8,
+        /// Uncertainty of the translation.
+        ///
+        /// Elements: x, y, z. Unit: m.
+        pub translation_uncertainty: types::Vector3f,
+        /// Uncertainty of the rotation about each axis.
+        ///
+        /// Elements: x, y, z. Unit: rad.
+        pub attitude_uncertainty: types::Vector3f,
+    }
+}
+
+field! {
+    AidingFrameConfigErrorUncertainty: 0x82, 0x51, "filter_data.aiding_frame_config_error_uncertainty"
+}

@@ -1,0 +1,495 @@
+//! GNSS commands (0x0E): Commands that describe and set up the internal GNSS receivers.
+//!
+//! Source: 3dm-cv7-gnss-ins: GNSS (0x0E).
+
+#[allow(unused_imports)] // some sets name a type in comments only, or none
+use crate::types;
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0x0E;
+
+record! {
+    /// One GNSS receiver.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Info.
+    #[derive(Default)]
+    pub struct ReceiverInfoEntry {
+        /// Receiver, counted from 1.
+        ///
+        /// Range: at least 1.
+        pub receiver_id: u8,
+        /// Descriptor set of the data of this receiver.
+        ///
+        /// Range: 128 to 254.
+        pub mip_data_descriptor_set: u8,
+        /// Module name or model and firmware version, with a comma between.
+        pub description: crate::Text<32>,
+    }
+}
+
+constructors! {
+    ReceiverInfoEntry
+
+    /// Puts the values together.
+    fn new(
+        receiver_id: u8,
+        mip_data_descriptor_set: u8,
+        description: crate::Text<32>,
+    );
+}
+
+bitfield! {
+    /// GPS signals that are enabled.
+    GpsSignals: u8 {
+        /// L1 C/A. Bit 0.
+        L1CA: bool = 0,
+            l1ca, set_l1ca, with_l1ca;
+        /// L2C. Bit 1.
+        L2C: bool = 1,
+            l2c, set_l2c, with_l2c;
+        /// L5. Bit 2.
+        L5: bool = 2,
+            l5, set_l5, with_l5;
+    }
+}
+
+bitfield! {
+    /// GLONASS signals that are enabled.
+    GlonassSignals: u8 {
+        /// L1OF. Bit 0.
+        L1OF: bool = 0,
+            l1of, set_l1of, with_l1of;
+        /// L2OF. Bit 1.
+        L2OF: bool = 1,
+            l2of, set_l2of, with_l2of;
+    }
+}
+
+bitfield! {
+    /// Galileo signals that are enabled.
+    GalileoSignals: u8 {
+        /// E1. Bit 0.
+        E1: bool = 0,
+            e1, set_e1, with_e1;
+        /// E5b. Bit 1.
+        E5B: bool = 1,
+            e5b, set_e5b, with_e5b;
+        /// E5a. Bit 2.
+        E5A: bool = 2,
+            e5a, set_e5a, with_e5a;
+    }
+}
+
+bitfield! {
+    /// BeiDou signals that are enabled.
+    BeidouSignals: u8 {
+        /// B1. Bit 0.
+        B1: bool = 0,
+            b1, set_b1, with_b1;
+        /// B2. Bit 1.
+        B2: bool = 1,
+            b2, set_b2, with_b2;
+        /// B2a. Bit 2.
+        B2A: bool = 2,
+            b2a, set_b2a, with_b2a;
+    }
+}
+
+open_enum! {
+    /// How SPARTN corrections come.
+    SpartnConnection: u8 {
+        /// No connection.
+        NONE = 0, "none";
+        /// By a network.
+        NETWORK = 1, "network";
+        /// By satellite in the L band.
+        L_BAND = 2, "l_band";
+    }
+}
+
+record! {
+    /// Receiver info (0x0E,0x01).
+    ///
+    /// Asks which GNSS receivers the device has.
+    ///
+    /// Answered by [`ReceiverInfoResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01).
+    #[derive(Default)]
+    pub struct ReceiverInfo;
+}
+
+constructors! {
+    ReceiverInfo
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    ReceiverInfo: 0x0E, 0x01, "gnss.receiver_info"
+}
+
+command! {
+    ReceiverInfo -> ReceiverInfoResponse;
+    responds ReceiverInfoResponse;
+}
+
+record! {
+    /// Signal configuration (0x0E,0x02).
+    ///
+    /// GNSS signals that the device uses.
+    ///
+    /// Also called `signal_configuration`. Functions: write, read, save, load and default. Answered
+    /// by [`SignalConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - A device takes certain combinations only.
+    /// - The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. It
+    ///   takes for GPS and BeiDou none, L1, or L1 and L5; for Galileo none, or L1 and L5; for
+    ///   GLONASS none or L1.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02); 3dm-cv7-gnss-ins: GNSS.
+    pub struct SignalConfig {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// GPS signals.
+        ///
+        /// Required for write.
+        pub gps_enable: Option<GpsSignals>,
+        /// GLONASS signals.
+        ///
+        /// Required for write.
+        pub glonass_enable: Option<GlonassSignals>,
+        /// Galileo signals.
+        ///
+        /// Required for write.
+        pub galileo_enable: Option<GalileoSignals>,
+        /// BeiDou signals.
+        ///
+        /// Required for write.
+        pub beidou_enable: Option<BeidouSignals>,
+        /// Reserved: send 0. Required for write.
+        pub reserved: Option<[u8; 4]>,
+    }
+    wire 9 {
+        [function selects]
+        [gps_enable for WRITE]
+        [glonass_enable for WRITE]
+        [galileo_enable for WRITE]
+        [beidou_enable for WRITE]
+        [reserved for WRITE]
+    }
+}
+
+constructors! {
+    SignalConfig { function, gps_enable, glonass_enable, galileo_enable, beidou_enable, reserved }
+
+    /// Apply the new setting.
+    fn write(
+        gps_enable: GpsSignals,
+        glonass_enable: GlonassSignals,
+        galileo_enable: GalileoSignals,
+        beidou_enable: BeidouSignals,
+    ) = WRITE, reserved: [0; 4];
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    SignalConfig: 0x0E, 0x02, "gnss.signal_config"
+}
+
+command! {
+    SignalConfig -> SignalConfigResponse;
+    responds SignalConfigResponse for READ;
+}
+
+record! {
+    /// RTK dongle configuration (0x0E,0x10).
+    ///
+    /// Whether the device talks to the RTK dongle that is connected to it.
+    ///
+    /// Also called `rtk_dongle_configuration`. Functions: write, read, save, load and default.
+    /// Answered by [`RtkDongleConfigResponse`].
+    ///
+    /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
+    pub struct RtkDongleConfig {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// 1 enables the dongle, 0 disables it.
+        ///
+        /// Range: 0 to 1. Required for write.
+        pub enable: Option<u8>,
+        /// Reserved: send 0. Required for write. Uncertain: What to send; 0 is assumed.
+        pub reserved: Option<[u8; 3]>,
+    }
+    wire 5 {
+        [function selects]
+        [enable for WRITE]
+        [reserved for WRITE]
+    }
+}
+
+constructors! {
+    RtkDongleConfig { function, enable, reserved }
+
+    /// Apply the new setting.
+    fn write(enable: u8) = WRITE, reserved: [0; 3];
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    RtkDongleConfig: 0x0E, 0x10, "gnss.rtk_dongle_config"
+}
+
+command! {
+    RtkDongleConfig -> RtkDongleConfigResponse;
+    responds RtkDongleConfigResponse for READ;
+}
+
+record! {
+    /// SPARTN configuration (0x0E,0x20).
+    ///
+    /// Source and keys of SPARTN corrections.
+    ///
+    /// Also called `spartn_configuration`. Functions: write, read, save, load and default. Answered
+    /// by [`SpartnConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - A change of enable or type has an effect after a power cycle only; keys can be changed
+    ///   while running.
+    /// - While SPARTN corrections are enabled, RTCM corrections are blocked.
+    /// - A key of 16 bytes, none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each
+    ///   byte.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20); 3dm-cv7-gnss-ins: SPARTN
+    /// Corrections; 3dm-cv7-gnss-ins: SPARTN Corrections via UART.
+    pub struct SpartnConfig {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// 1 enables SPARTN corrections, 0 disables them.
+        ///
+        /// Range: 0 to 1. Required for write.
+        pub enable: Option<u8>,
+        /// How the corrections come.
+        ///
+        /// Required for write.
+        pub type_: Option<SpartnConnection>,
+        /// GPS time of week until which the current key is valid.
+        ///
+        /// Unit: s. Required for write.
+        pub current_key_tow: Option<u32>,
+        /// GPS week number until which the current key is valid.
+        ///
+        /// Unit: week. Required for write.
+        pub current_key_week: Option<u16>,
+        /// Current key in ASCII digits.
+        ///
+        /// Required for write.
+        pub current_key: Option<[u8; 32]>,
+        /// GPS time of week until which the next key is valid.
+        ///
+        /// Unit: s. Required for write.
+        pub next_key_tow: Option<u32>,
+        /// GPS week number until which the next key is valid.
+        ///
+        /// Unit: week. Required for write.
+        pub next_key_week: Option<u16>,
+        /// Next key in ASCII digits.
+        ///
+        /// Required for write.
+        pub next_key: Option<[u8; 32]>,
+    }
+    wire 79 {
+        [function selects]
+        [enable for WRITE]
+        [type_ "type" for WRITE]
+        [current_key_tow for WRITE]
+        [current_key_week for WRITE]
+        [current_key for WRITE]
+        [next_key_tow for WRITE]
+        [next_key_week for WRITE]
+        [next_key for WRITE]
+    }
+}
+
+constructors! {
+    SpartnConfig { function, enable, type_, current_key_tow, current_key_week, current_key, next_key_tow, next_key_week, next_key }
+
+    /// Apply the new setting.
+    fn write(
+        enable: u8,
+        type_: SpartnConnection,
+        current_key_tow: u32,
+        current_key_week: u16,
+        current_key: [u8; 32],
+        next_key_tow: u32,
+        next_key_week: u16,
+        next_key: [u8; 32],
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    SpartnConfig: 0x0E, 0x20, "gnss.spartn_config"
+}
+
+command! {
+    SpartnConfig -> SpartnConfigResponse;
+    responds SpartnConfigResponse for READ;
+}
+
+record! {
+    /// Receiver info response (0x0E,0x81).
+    ///
+    /// Answers [`ReceiverInfo`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// On the wire there is also `num_receivers`: Number of physical receivers. The number of
+    /// elements of `receiver_info`.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01).
+    #[derive(Default)]
+    pub struct ReceiverInfoResponse {
+        /// The receivers.
+        pub receiver_info: crate::List<ReceiverInfoEntry, 7>,
+    }
+    wire 239 {
+        [num_receivers: u8 counts receiver_info]
+        [receiver_info by num_receivers]
+    }
+}
+
+field! {
+    ReceiverInfoResponse: 0x0E, 0x81, "gnss.receiver_info_response", answers ReceiverInfo
+}
+
+record! {
+    /// Signal configuration response (0x0E,0x82).
+    ///
+    /// Also called `signal_configuration_response`. Answers [`SignalConfig`]. Supported by
+    /// 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02); 3dm-cv7-gnss-ins: GNSS.
+    #[derive(Default)]
+    pub struct SignalConfigResponse {
+        /// GPS signals.
+        pub gps_enable: GpsSignals,
+        /// GLONASS signals.
+        pub glonass_enable: GlonassSignals,
+        /// Galileo signals.
+        pub galileo_enable: GalileoSignals,
+        /// BeiDou signals.
+        pub beidou_enable: BeidouSignals,
+        /// Reserved.
+        pub reserved: [u8; 4],
+    }
+}
+
+field! {
+    SignalConfigResponse: 0x0E, 0x82, "gnss.signal_config_response", answers SignalConfig
+}
+
+record! {
+    /// RTK dongle configuration response (0x0E,0x90).
+    ///
+    /// Also called `rtk_dongle_configuration_response`. Answers [`RtkDongleConfig`].
+    ///
+    /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
+    #[derive(Default)]
+    pub struct RtkDongleConfigResponse {
+        /// 1 enables the dongle, 0 disables it.
+        ///
+        /// Range: 0 to 1.
+        pub enable: u8,
+        /// Reserved. Uncertain: What to send; 0 is assumed.
+        pub reserved: [u8; 3],
+    }
+}
+
+field! {
+    RtkDongleConfigResponse: 0x0E, 0x90, "gnss.rtk_dongle_config_response", answers RtkDongleConfig
+}
+
+record! {
+    /// SPARTN configuration response (0x0E,0xA0).
+    ///
+    /// Also called `spartn_configuration_response`. Answers [`SpartnConfig`]. Supported by
+    /// 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20); 3dm-cv7-gnss-ins: SPARTN
+    /// Corrections; 3dm-cv7-gnss-ins: SPARTN Corrections via UART.
+    #[derive(Default)]
+    pub struct SpartnConfigResponse {
+        /// 1 enables SPARTN corrections, 0 disables them.
+        ///
+        /// Range: 0 to 1.
+        pub enable: u8,
+        /// How the corrections come.
+        pub type_: SpartnConnection,
+        /// GPS time of week until which the current key is valid.
+        ///
+        /// Unit: s.
+        pub current_key_tow: u32,
+        /// GPS week number until which the current key is valid.
+        ///
+        /// Unit: week.
+        pub current_key_week: u16,
+        /// Current key in ASCII digits.
+        pub current_key: [u8; 32],
+        /// GPS time of week until which the next key is valid.
+        ///
+        /// Unit: s.
+        pub next_key_tow: u32,
+        /// GPS week number until which the next key is valid.
+        ///
+        /// Unit: week.
+        pub next_key_week: u16,
+        /// Next key in ASCII digits.
+        pub next_key: [u8; 32],
+    }
+    wire 78 {
+        [enable]
+        [type_ "type"]
+        [current_key_tow]
+        [current_key_week]
+        [current_key]
+        [next_key_tow]
+        [next_key_week]
+        [next_key]
+    }
+}
+
+field! {
+    SpartnConfigResponse: 0x0E, 0xA0, "gnss.spartn_config_response", answers SpartnConfig
+}

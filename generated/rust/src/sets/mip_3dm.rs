@@ -1,0 +1,4138 @@
+//! 3DM (0x0C): Commands that set up the sensors, the outputs, the pins and the events of a device.
+//!
+//! Source: 3dm-gx5-15: 4.2 3DM Commands; 3dm-cv7-gnss-ins: 3DM (0x0C).
+
+#[allow(unused_imports)] // some sets name a type in comments only, or none
+use crate::types;
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0x0C;
+
+record! {
+    /// A field that a poll asks for.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01).
+    #[derive(Default)]
+    pub struct PollEntry {
+        /// Field descriptor.
+        pub descriptor: u8,
+        /// In place of a decimation.
+        ///
+        /// Reserved: send 0.
+        pub reserved: u16,
+    }
+}
+
+constructors! {
+    PollEntry
+
+    /// Puts the values together.
+    fn new(descriptor: u8), reserved: 0;
+}
+
+open_enum! {
+    /// What happens to the message formats that are set.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10).
+    FactoryStreamingAction: u8 {
+        /// The formats are replaced.
+        OVERWRITE = 0, "overwrite";
+        /// The support fields are merged into the formats; the order may change.
+        MERGE = 1, "merge";
+        /// The support fields are added behind the formats; fields may occur twice.
+        ADD = 2, "add";
+    }
+}
+
+open_enum! {
+    /// Constellation in the settings of a receiver. The values are not those of gnss_constellation,
+    /// which GNSS data use.
+    ///
+    /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21).
+    ConstellationId: u8 {
+        /// GPS, satellites G1 to G32.
+        GPS = 0, "gps";
+        /// SBAS, satellites S120 to S158.
+        SBAS = 1, "sbas";
+        /// Galileo, satellites E1 to E36.
+        GALILEO = 2, "galileo";
+        /// BeiDou, satellites B1 to B37.
+        BEIDOU = 3, "beidou";
+        /// QZSS, satellites Q1 to Q5.
+        QZSS = 5, "qzss";
+        /// GLONASS, satellites R1 to R32.
+        GLONASS = 6, "glonass";
+    }
+}
+
+bitfield! {
+    /// Options of a constellation.
+    ///
+    /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21).
+    ConstellationOptions: u16 {
+        /// The L1-SAIF signal; QZSS only. Bit 0.
+        L1SAIF: bool = 0,
+            l1saif, set_l1saif, with_l1saif;
+    }
+}
+
+record! {
+    /// How a receiver tracks one constellation.
+    ///
+    /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21).
+    #[derive(Default)]
+    pub struct ConstellationSettingsEntry {
+        /// Constellation.
+        pub constellation_id: ConstellationId,
+        /// 1 switches it on, 0 off.
+        ///
+        /// Range: 0 to 1.
+        pub enable: u8,
+        /// Channels that are kept for it.
+        ///
+        /// Unit: 1. Range: 0 to 32.
+        pub reserved_channels: u8,
+        /// Channels that it takes at most.
+        ///
+        /// Unit: 1. Range: 0 to 32.
+        pub max_channels: u8,
+        /// Options.
+        pub option_flags: ConstellationOptions,
+    }
+}
+
+constructors! {
+    ConstellationSettingsEntry
+
+    /// Puts the values together.
+    fn new(
+        constellation_id: ConstellationId,
+        enable: u8,
+        reserved_channels: u8,
+        max_channels: u8,
+        option_flags: ConstellationOptions,
+    );
+}
+
+bitfield! {
+    /// How SBAS is used.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
+    SbasOptions: u16 {
+        /// SBAS pseudoranges take part in the position solution. Bit 0.
+        ENABLE_RANGING: bool = 0,
+            enable_ranging, set_enable_ranging, with_enable_ranging;
+        /// SBAS differential corrections are applied. Bit 1.
+        ENABLE_CORRECTIONS: bool = 1,
+            enable_corrections, set_enable_corrections, with_enable_corrections;
+        /// Only GPS satellites with SBAS integrity information are used. Bit 2.
+        APPLY_INTEGRITY: bool = 2,
+            apply_integrity, set_apply_integrity, with_apply_integrity;
+    }
+}
+
+open_enum! {
+    /// Whether a receiver keeps its last fix.
+    ///
+    /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
+    AssistedFixOption: u8 {
+        /// The receiver starts without it.
+        NONE = 0, "none";
+        /// The receiver starts from its last fix.
+        ENABLED = 1, "enabled";
+    }
+}
+
+open_enum! {
+    /// Where the pulse per second comes from.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
+    PpsSource: u8 {
+        /// No pulse.
+        DISABLED = 0, "disabled";
+        /// From GNSS receiver 1.
+        RECEIVER_1 = 1, "receiver_1";
+        /// From GNSS receiver 2.
+        RECEIVER_2 = 2, "receiver_2";
+        /// From a GPIO pin that is configured as a PPS input.
+        GPIO = 3, "gpio";
+        /// From the oscillator of the device.
+        GENERATED = 4, "generated";
+    }
+}
+
+open_enum! {
+    /// Which part of the event system is asked about.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
+    EventSupportQuery: u8 {
+        /// Triggers.
+        TRIGGER_TYPES = 1, "trigger_types";
+        /// Actions.
+        ACTION_TYPES = 2, "action_types";
+    }
+}
+
+record! {
+    /// How many instances of one trigger or action type a device can have.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Info.
+    #[derive(Default)]
+    pub struct EventSupportInfo {
+        /// A value of event_trigger_type if triggers were asked about, else of event_action_type.
+        pub type_: u8,
+        /// Instances of this type at most.
+        ///
+        /// Unit: 1.
+        pub count: u8,
+    }
+    wire 2 {
+        [type_ "type"]
+        [count]
+    }
+}
+
+constructors! {
+    EventSupportInfo
+
+    /// Puts the values together.
+    fn new(type_: u8, count: u8);
+}
+
+record! {
+    /// Type and state of one trigger.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
+    #[derive(Default)]
+    pub struct EventTriggerStatusEntry {
+        /// Configured type.
+        pub type_: types::EventTriggerType,
+        /// State.
+        pub status: types::EventTriggerStatus,
+    }
+    wire 2 {
+        [type_ "type"]
+        [status]
+    }
+}
+
+constructors! {
+    EventTriggerStatusEntry
+
+    /// Puts the values together.
+    fn new(type_: types::EventTriggerType, status: types::EventTriggerStatus);
+}
+
+record! {
+    /// Type and trigger of one action.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D).
+    #[derive(Default)]
+    pub struct EventActionStatusEntry {
+        /// Configured type.
+        pub action_type: types::EventActionType,
+        /// Trigger instance that the action follows.
+        pub trigger_id: u8,
+    }
+}
+
+constructors! {
+    EventActionStatusEntry
+
+    /// Puts the values together.
+    fn new(action_type: types::EventActionType, trigger_id: u8);
+}
+
+open_enum! {
+    /// How the odometer input works.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
+    OdometerMode: u8 {
+        /// Not used.
+        DISABLED = 0, "disabled";
+        /// Quadrature encoder on two pins.
+        QUADRATURE = 2, "quadrature";
+    }
+}
+
+open_enum! {
+    /// A sensor whose range can be set, which also decides the unit of the range.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
+    SensorRangeType: u8 {
+        /// All sensors; for save, load and default only.
+        ALL = 0, "all";
+        /// Accelerometer; standard gravities.
+        ACCEL = 1, "accel";
+        /// Gyroscope; degrees per second.
+        GYRO = 2, "gyro";
+        /// Magnetometer; gauss.
+        MAG = 3, "mag";
+        /// Pressure sensor; hectopascals, that is millibars.
+        PRESSURE = 4, "pressure";
+    }
+}
+
+record! {
+    /// A range that a sensor supports.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
+    #[derive(Default)]
+    pub struct SensorRangeEntry {
+        /// Value for the sensor range command.
+        pub setting: u8,
+        /// Largest measurable value; sensor_range_type gives the unit.
+        pub range: f32,
+    }
+}
+
+constructors! {
+    SensorRangeEntry
+
+    /// Puts the values together.
+    fn new(setting: u8, range: f32);
+}
+
+open_enum! {
+    /// How much a device status tells.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64).
+    DeviceStatusSelector: u8 {
+        /// State and timer.
+        BASIC = 1, "basic";
+        /// State and timer with the counters of streams and port.
+        DIAGNOSTIC = 2, "diagnostic";
+    }
+}
+
+open_enum! {
+    /// A data stream of a 5-series device.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11).
+    LegacyDataStream: u8 {
+        /// All streams; for save, load and default only.
+        ALL_STREAMS = 0, "all_streams";
+        /// Sensor data (0x80).
+        IMU = 1, "imu";
+        /// GNSS data.
+        GNSS = 2, "gnss";
+        /// Estimation filter data (0x82).
+        FILTER = 3, "filter";
+    }
+}
+
+record! {
+    /// Poll IMU Data (0x0C,0x01).
+    ///
+    /// Asks for one sensor data packet (0x80) with the fields listed, in their order.
+    ///
+    /// Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Supported by
+    /// 3DM-GX5-15.
+    ///
+    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// `descriptors`.
+    ///
+    /// - An empty list polls the stored message format; without one the device refuses.
+    /// - Descriptors that the device does not know are ignored.
+    /// - The data comes in a packet of its own behind the reply.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01).
+    #[derive(Default)]
+    pub struct PollImuData {
+        /// Send no acknowledge.
+        pub suppress_ack: crate::Bool,
+        /// Fields to send.
+        pub descriptors: crate::List<PollEntry, 83>,
+    }
+    wire 251 {
+        [suppress_ack]
+        [num_descriptors: u8 counts descriptors]
+        [descriptors by num_descriptors]
+    }
+}
+
+constructors! {
+    PollImuData
+
+    /// The command with its parameters.
+    fn new(suppress_ack: bool, descriptors: impl Into<crate::List<PollEntry, 83>>);
+}
+
+field! {
+    PollImuData: 0x0C, 0x01, "3dm.poll_imu_data"
+}
+
+command! {
+    PollImuData -> ();
+    silent if suppress_ack = crate::Bool(1);
+}
+
+record! {
+    /// Poll GNSS Data (0x0C,0x02).
+    ///
+    /// Asks for one GNSS data packet with the fields listed, in their order.
+    ///
+    /// Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true.
+    ///
+    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// `descriptors`. Range: 0 to 83.
+    ///
+    /// - An empty list polls the stored GNSS message format [(0x0C,0x09)](GnssMessageFormat);
+    ///   without one the device refuses.
+    /// - Descriptors that the device does not know are left out.
+    /// - The data comes in a packet of its own behind the reply.
+    ///
+    /// Source: mip-sdk-4: Poll Gnss Message (0x0C,0x02).
+    #[derive(Default)]
+    pub struct PollGnssData {
+        /// Send no acknowledge.
+        pub suppress_ack: crate::Bool,
+        /// Fields to send.
+        ///
+        /// Uncertain: The SDK has a decimation in place of the reserved number and does not say
+        /// what a poll does with it.
+        pub descriptors: crate::List<PollEntry, 83>,
+    }
+    wire 251 {
+        [suppress_ack]
+        [num_descriptors: u8 counts descriptors]
+        [descriptors by num_descriptors]
+    }
+}
+
+constructors! {
+    PollGnssData
+
+    /// The command with its parameters.
+    fn new(suppress_ack: bool, descriptors: impl Into<crate::List<PollEntry, 83>>);
+}
+
+field! {
+    PollGnssData: 0x0C, 0x02, "3dm.poll_gnss_data"
+}
+
+command! {
+    PollGnssData -> ();
+    silent if suppress_ack = crate::Bool(1);
+}
+
+record! {
+    /// Poll Estimation Filter Data (0x0C,0x03).
+    ///
+    /// Asks for one filter data packet (0x82) with the fields listed, in their order.
+    ///
+    /// Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Supported by
+    /// 3DM-GX5-15.
+    ///
+    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// `descriptors`.
+    ///
+    /// - An empty list polls the stored message format; without one the device refuses.
+    /// - Descriptors that the device does not know are ignored.
+    /// - The data comes in a packet of its own behind the reply.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03).
+    #[derive(Default)]
+    pub struct PollFilterData {
+        /// Send no acknowledge.
+        pub suppress_ack: crate::Bool,
+        /// Fields to send.
+        pub descriptors: crate::List<PollEntry, 83>,
+    }
+    wire 251 {
+        [suppress_ack]
+        [num_descriptors: u8 counts descriptors]
+        [descriptors by num_descriptors]
+    }
+}
+
+constructors! {
+    PollFilterData
+
+    /// The command with its parameters.
+    fn new(suppress_ack: bool, descriptors: impl Into<crate::List<PollEntry, 83>>);
+}
+
+field! {
+    PollFilterData: 0x0C, 0x03, "3dm.poll_filter_data"
+}
+
+command! {
+    PollFilterData -> ();
+    silent if suppress_ack = crate::Bool(1);
+}
+
+record! {
+    /// Poll NMEA Data (0x0C,0x04).
+    ///
+    /// Asks for the NMEA sentences listed, once.
+    ///
+    /// Also called `nmea_poll_data`. Not acknowledged if `suppress_ack` is true. Supported by
+    /// 3DM-CV7-GNSS/INS.
+    ///
+    /// On the wire there is also `count`: Number of sentences. The number of elements of
+    /// `format_entries`.
+    ///
+    /// - An empty list polls the stored NMEA format; without one the device refuses.
+    /// - The sentences follow the reply as ordinary NMEA text, on the port of the command even if
+    ///   NMEA is off there.
+    /// - A sentence is sent only if its data is valid.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04).
+    #[derive(Default)]
+    pub struct PollNmeaData {
+        /// Send no acknowledge.
+        pub suppress_ack: crate::Bool,
+        /// Sentences to send.
+        pub format_entries: crate::List<types::NmeaMessage, 50>,
+    }
+    wire 252 {
+        [suppress_ack]
+        [count: u8 counts format_entries]
+        [format_entries by count]
+    }
+}
+
+constructors! {
+    PollNmeaData
+
+    /// The command with its parameters.
+    fn new(suppress_ack: bool, format_entries: impl Into<crate::List<types::NmeaMessage, 50>>);
+}
+
+field! {
+    PollNmeaData: 0x0C, 0x04, "3dm.poll_nmea_data"
+}
+
+command! {
+    PollNmeaData -> ();
+    silent if suppress_ack = crate::Bool(1);
+}
+
+record! {
+    /// Get IMU Data Base Rate (0x0C,0x06).
+    ///
+    /// Asks for the rate that the decimations of the IMU message format divide.
+    ///
+    /// Also called `imu_get_base_rate`. Answered by [`GetImuBaseRateResponse`]. Supported by
+    /// 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
+    #[derive(Default)]
+    pub struct GetImuBaseRate;
+}
+
+constructors! {
+    GetImuBaseRate
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    GetImuBaseRate: 0x0C, 0x06, "3dm.get_imu_base_rate"
+}
+
+command! {
+    GetImuBaseRate -> GetImuBaseRateResponse;
+    responds GetImuBaseRateResponse;
+}
+
+record! {
+    /// Get GNSS Data Base Rate (0x0C,0x07).
+    ///
+    /// Asks for the rate that the decimations of the GNSS message format divide.
+    ///
+    /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`].
+    ///
+    /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
+    #[derive(Default)]
+    pub struct GetGnssBaseRate;
+}
+
+constructors! {
+    GetGnssBaseRate
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    GetGnssBaseRate: 0x0C, 0x07, "3dm.get_gnss_base_rate"
+}
+
+command! {
+    GetGnssBaseRate -> GetGnssBaseRateResponse;
+    responds GetGnssBaseRateResponse;
+}
+
+record! {
+    /// IMU Message Format (0x0C,0x08).
+    ///
+    /// Fields of the sensor data packets (0x80), in order, with their decimations.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`ImuMessageFormatResponse`].
+    /// Supported by 3DM-GX5-15.
+    ///
+    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// `descriptors`. Required for write.
+    ///
+    /// - The decimation is the base rate, as the get IMU data base rate command reports it, divided
+    ///   by the wanted rate.
+    /// - The list replaces the one before. If any descriptor is unknown the device refuses and
+    ///   changes nothing.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08).
+    pub struct ImuMessageFormat {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Fields and decimations.
+        ///
+        /// Required for write.
+        pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
+    }
+    wire 251 {
+        [function selects]
+        [(descriptors) for WRITE {
+
+            [num_descriptors: u8 counts descriptors]
+            [descriptors by num_descriptors]
+        }]
+    }
+}
+
+constructors! {
+    ImuMessageFormat { function, descriptors }
+
+    /// Apply the new setting.
+    fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    ImuMessageFormat: 0x0C, 0x08, "3dm.imu_message_format"
+}
+
+command! {
+    ImuMessageFormat -> ImuMessageFormatResponse;
+    responds ImuMessageFormatResponse for READ;
+}
+
+record! {
+    /// GNSS Message Format (0x0C,0x09).
+    ///
+    /// Fields of the GNSS data packets, in order, with their decimations.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`GnssMessageFormatResponse`].
+    ///
+    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// `descriptors`. Range: 0 to 82. Required for write.
+    ///
+    /// - The decimation is the base rate, as the get GNSS data base rate command reports it,
+    ///   divided by the wanted rate.
+    ///
+    /// Source: mip-sdk-4: Gnss Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
+    /// (0x0C, 0x09).
+    pub struct GnssMessageFormat {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Fields and decimations.
+        ///
+        /// Required for write.
+        pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
+    }
+    wire 251 {
+        [function selects]
+        [(descriptors) for WRITE {
+
+            [num_descriptors: u8 counts descriptors]
+            [descriptors by num_descriptors]
+        }]
+    }
+}
+
+constructors! {
+    GnssMessageFormat { function, descriptors }
+
+    /// Apply the new setting.
+    fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    GnssMessageFormat: 0x0C, 0x09, "3dm.gnss_message_format"
+}
+
+command! {
+    GnssMessageFormat -> GnssMessageFormatResponse;
+    responds GnssMessageFormatResponse for READ;
+}
+
+record! {
+    /// Estimation Filter Message Format (0x0C,0x0A).
+    ///
+    /// Fields of the filter data packets (0x82), in order, with their decimations.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`FilterMessageFormatResponse`].
+    /// Supported by 3DM-GX5-15.
+    ///
+    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// `descriptors`. Required for write.
+    ///
+    /// - The decimation is the base rate, as the get estimation filter data base rate command
+    ///   reports it, divided by the wanted rate.
+    /// - The list replaces the one before. If any descriptor is unknown the device refuses and
+    ///   changes nothing.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A).
+    pub struct FilterMessageFormat {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Fields and decimations.
+        ///
+        /// Required for write.
+        pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
+    }
+    wire 251 {
+        [function selects]
+        [(descriptors) for WRITE {
+
+            [num_descriptors: u8 counts descriptors]
+            [descriptors by num_descriptors]
+        }]
+    }
+}
+
+constructors! {
+    FilterMessageFormat { function, descriptors }
+
+    /// Apply the new setting.
+    fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    FilterMessageFormat: 0x0C, 0x0A, "3dm.filter_message_format"
+}
+
+command! {
+    FilterMessageFormat -> FilterMessageFormatResponse;
+    responds FilterMessageFormatResponse for READ;
+}
+
+record! {
+    /// Get Estimation Filter Data Base Rate (0x0C,0x0B).
+    ///
+    /// Asks for the rate that the decimations of the estimation filter message format divide.
+    ///
+    /// Also called `filter_get_base_rate`. Answered by [`GetFilterBaseRateResponse`]. Supported by
+    /// 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
+    #[derive(Default)]
+    pub struct GetFilterBaseRate;
+}
+
+constructors! {
+    GetFilterBaseRate
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    GetFilterBaseRate: 0x0C, 0x0B, "3dm.get_filter_base_rate"
+}
+
+command! {
+    GetFilterBaseRate -> GetFilterBaseRateResponse;
+    responds GetFilterBaseRateResponse;
+}
+
+record! {
+    /// NMEA Message Format (0x0C,0x0C).
+    ///
+    /// NMEA sentences that the device streams.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`NmeaMessageFormatResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// On the wire there is also `count`: Number of sentences. The number of elements of
+    /// `format_entries`. Required for write.
+    ///
+    /// - A sentence may be listed several times with different talkers or sources.
+    /// - A sentence is sent only while the device is not idle and the data of the source is valid.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C).
+    pub struct NmeaMessageFormat {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Sentences to stream.
+        ///
+        /// Required for write.
+        pub format_entries: Option<crate::List<types::NmeaMessage, 50>>,
+    }
+    wire 252 {
+        [function selects]
+        [(format_entries) for WRITE {
+
+            [count: u8 counts format_entries]
+            [format_entries by count]
+        }]
+    }
+}
+
+constructors! {
+    NmeaMessageFormat { function, format_entries }
+
+    /// Apply the new setting.
+    fn write(format_entries: impl Into<crate::List<types::NmeaMessage, 50>>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    NmeaMessageFormat: 0x0C, 0x0C, "3dm.nmea_message_format"
+}
+
+command! {
+    NmeaMessageFormat -> NmeaMessageFormatResponse;
+    responds NmeaMessageFormatResponse for READ;
+}
+
+record! {
+    /// Poll Data (0x0C,0x0D).
+    ///
+    /// Asks for one data packet of the descriptor set with the fields listed, in their order.
+    ///
+    /// Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// `descriptors`.
+    ///
+    /// - An empty list polls the stored message format; without one the device refuses.
+    /// - Descriptors that the device does not know are ignored.
+    /// - The data comes in a packet of its own behind the reply, on the port of the command.
+    /// - Shared descriptors (0xD0 and up) belong in front of the others.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D).
+    #[derive(Default)]
+    pub struct PollData {
+        /// Data descriptor set.
+        ///
+        /// Range: 128 to 254.
+        pub descriptor_set: u8,
+        /// Send no acknowledge.
+        pub suppress_ack: crate::Bool,
+        /// Field descriptors.
+        pub descriptors: crate::List<u8, 250>,
+    }
+    wire 253 {
+        [descriptor_set]
+        [suppress_ack]
+        [num_descriptors: u8 counts descriptors]
+        [descriptors by num_descriptors]
+    }
+}
+
+constructors! {
+    PollData
+
+    /// The command with its parameters.
+    fn new(
+        descriptor_set: u8,
+        suppress_ack: bool,
+        descriptors: impl Into<crate::List<u8, 250>>,
+    );
+}
+
+field! {
+    PollData: 0x0C, 0x0D, "3dm.poll_data"
+}
+
+command! {
+    PollData -> ();
+    silent if suppress_ack = crate::Bool(1);
+}
+
+record! {
+    /// Get Data Base Rate (0x0C,0x0E).
+    ///
+    /// Asks for the rate that the decimations of a descriptor set divide.
+    ///
+    /// Answered by [`GetBaseRateResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
+    #[derive(Default)]
+    pub struct GetBaseRate {
+        /// Data descriptor set.
+        ///
+        /// Range: 128 to 254.
+        pub descriptor_set: u8,
+    }
+}
+
+constructors! {
+    GetBaseRate
+
+    /// The command with its parameters.
+    fn new(descriptor_set: u8);
+}
+
+field! {
+    GetBaseRate: 0x0C, 0x0E, "3dm.get_base_rate"
+}
+
+command! {
+    GetBaseRate -> GetBaseRateResponse;
+    responds GetBaseRateResponse;
+}
+
+record! {
+    /// Message Format (0x0C,0x0F).
+    ///
+    /// Fields of the data packets of a descriptor set, in order, with their decimations.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`MessageFormatResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// `descriptors`. Required for write.
+    ///
+    /// - The decimation is the base rate, as the get data base rate command reports it, divided by
+    ///   the wanted rate.
+    /// - Shared descriptors (0xD0 and up) are listed under the set that they shall be sent with, in
+    ///   front of the others.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F).
+    pub struct MessageFormat {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Data descriptor set; 0 means all of them (save, load, default).
+        pub descriptor_set: Option<u8>,
+        /// Fields and decimations.
+        ///
+        /// Required for write.
+        pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
+    }
+    wire 252 {
+        [function selects]
+        [descriptor_set for WRITE READ SAVE LOAD DEFAULT]
+        [(descriptors) for WRITE {
+
+            [num_descriptors: u8 counts descriptors]
+            [descriptors by num_descriptors]
+        }]
+    }
+}
+
+constructors! {
+    MessageFormat { function, descriptor_set, descriptors }
+
+    /// Apply the new setting.
+    fn write(descriptor_set: u8, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read(descriptor_set: u8) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(descriptor_set: u8) = SAVE;
+
+    /// Load the saved setting.
+    fn load(descriptor_set: u8) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(descriptor_set: u8) = DEFAULT;
+}
+
+field! {
+    MessageFormat: 0x0C, 0x0F, "3dm.message_format"
+}
+
+command! {
+    MessageFormat -> MessageFormatResponse;
+    responds MessageFormatResponse for READ;
+}
+
+record! {
+    /// Factory Streaming (0x0C,0x10).
+    ///
+    /// Sets all message formats to those that technical support wants to have recorded.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10).
+    #[derive(Default)]
+    pub struct FactoryStreaming {
+        /// What happens to the present formats.
+        pub action: FactoryStreamingAction,
+        /// Reserved: send 0.
+        pub reserved: u8,
+    }
+}
+
+constructors! {
+    FactoryStreaming
+
+    /// The command with its parameters.
+    fn new(action: FactoryStreamingAction), reserved: 0;
+}
+
+field! {
+    FactoryStreaming: 0x0C, 0x10, "3dm.factory_streaming"
+}
+
+command! {
+    FactoryStreaming -> ();
+}
+
+record! {
+    /// Data Stream Control (0x0C,0x11).
+    ///
+    /// Switches a data stream on or off.
+    ///
+    /// Also called `datastream_control`. Functions: write, read, save, load and default. Answered
+    /// by [`DataStreamControlResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - 5-series devices name the stream by a number of their own (legacy_data_stream), others by
+    ///   its descriptor set.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
+    /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
+    pub struct DataStreamControl {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Data descriptor set; 0 means all streams (save, load, default).
+        ///
+        /// On the 3DM-GX5-15: values of [`LegacyDataStream`].
+        pub descriptor_set: Option<u8>,
+        /// Whether the stream is sent.
+        ///
+        /// Default: true. Required for write.
+        pub enable: Option<crate::Bool>,
+    }
+    wire 3 {
+        [function selects]
+        [descriptor_set for WRITE READ SAVE LOAD DEFAULT]
+        [enable for WRITE]
+    }
+}
+
+constructors! {
+    DataStreamControl { function, descriptor_set, enable }
+
+    /// Apply the new setting.
+    fn write(descriptor_set: u8, enable: bool) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read(descriptor_set: u8) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(descriptor_set: u8) = SAVE;
+
+    /// Load the saved setting.
+    fn load(descriptor_set: u8) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(descriptor_set: u8) = DEFAULT;
+}
+
+#[rustfmt::skip]
+impl DataStreamControl {
+    /// Reads `descriptor_set` as [`LegacyDataStream`].
+    ///
+    /// On the 3DM-GX5-15: values of [`LegacyDataStream`].
+    #[must_use]
+    pub fn descriptor_set_as_legacy_data_stream(&self) -> Option<LegacyDataStream> {
+        self.descriptor_set.map(Into::into)
+    }
+}
+
+field! {
+    DataStreamControl: 0x0C, 0x11, "3dm.data_stream_control"
+}
+
+command! {
+    DataStreamControl -> DataStreamControlResponse;
+    responds DataStreamControlResponse for READ;
+}
+
+record! {
+    /// Constellation Settings (0x0C,0x21).
+    ///
+    /// Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
+    ///
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`ConstellationSettingsResponse`]. Uncertain: The factory default, as the SDK gives it,
+    /// names GPS and GLONASS alone as enabled but has channels for SBAS and QZSS too.
+    ///
+    /// On the wire there is also `config_count`: Number of entries. The number of elements of
+    /// `settings`. Range: 0 to 41. Required for write.
+    ///
+    /// - The device refuses entries whose reserved channels exceed 32 in all. No entry may have
+    ///   fewer channels at most than it reserves.
+    /// - GLONASS and BeiDou exclude each other.
+    /// - If the antenna or its filter is made for GPS alone, leave GLONASS and BeiDou off.
+    /// - SBAS and QZSS improve the accuracy of GPS. SBAS does not make the device fit for
+    ///   safety-of-life use.
+    /// - Factory default: GPS and GLONASS are enabled. Channels reserved and at most: GPS 8 and 16,
+    ///   GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3.
+    ///
+    /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21); 3dm-gx5-35: 4.2.8 GNSS Constellation
+    /// Settings (0x0C, 0x21).
+    pub struct ConstellationSettings {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Tracking channels in use at most; no more than the response reports as available.
+        ///
+        /// Unit: 1. Required for write.
+        pub max_channels: Option<u16>,
+        /// One entry for each constellation.
+        ///
+        /// Required for write.
+        pub settings: Option<crate::List<ConstellationSettingsEntry, 41>>,
+    }
+    wire 250 {
+        [function selects]
+        [max_channels for WRITE]
+        [(settings) for WRITE {
+
+            [config_count: u8 counts settings]
+            [settings by config_count]
+        }]
+    }
+}
+
+constructors! {
+    ConstellationSettings { function, max_channels, settings }
+
+    /// Apply the new setting.
+    fn write(max_channels: u16, settings: impl Into<crate::List<ConstellationSettingsEntry, 41>>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    ConstellationSettings: 0x0C, 0x21, "3dm.constellation_settings"
+}
+
+command! {
+    ConstellationSettings -> ConstellationSettingsResponse;
+    responds ConstellationSettingsResponse for READ;
+}
+
+record! {
+    /// GNSS SBAS Settings (0x0C,0x22).
+    ///
+    /// How the GNSS receivers use satellite based augmentation.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`GnssSbasSettingsResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// On the wire there is also `num_included_prns`: Number of satellites listed; 0 searches for
+    /// all. The number of elements of `included_prns`. Required for write.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
+    pub struct GnssSbasSettings {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// 1 switches SBAS on, 0 off.
+        ///
+        /// Range: 0 to 1. Required for write.
+        pub enable_sbas: Option<u8>,
+        /// What SBAS is used for.
+        ///
+        /// Required for write.
+        pub sbas_options: Option<SbasOptions>,
+        /// PRN numbers of the SBAS satellites to search for.
+        ///
+        /// Required for write.
+        pub included_prns: Option<crate::List<u16, 124>>,
+    }
+    wire 253 {
+        [function selects]
+        [enable_sbas for WRITE]
+        [sbas_options for WRITE]
+        [(included_prns) for WRITE {
+
+            [num_included_prns: u8 counts included_prns]
+            [included_prns by num_included_prns]
+        }]
+    }
+}
+
+constructors! {
+    GnssSbasSettings { function, enable_sbas, sbas_options, included_prns }
+
+    /// Apply the new setting.
+    fn write(
+        enable_sbas: u8,
+        sbas_options: SbasOptions,
+        included_prns: impl Into<crate::List<u16, 124>>,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    GnssSbasSettings: 0x0C, 0x22, "3dm.gnss_sbas_settings"
+}
+
+command! {
+    GnssSbasSettings -> GnssSbasSettingsResponse;
+    responds GnssSbasSettingsResponse for READ;
+}
+
+record! {
+    /// GNSS Assisted Fix (0x0C,0x23).
+    ///
+    /// Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`GnssAssistedFixResponse`].
+    ///
+    /// - The last fix is kept in the flash memory and the FRAM of the receiver.
+    /// - With the time of GNSS time assistance [(0x0C,0x24)](GnssTimeAssistance) right after
+    ///   power-up, the first fix takes 1 s at best.
+    /// - A change from enabled to none erases the flash memory of the receiver, which stands 100
+    ///   000 erasures.
+    /// - It takes slightly more power.
+    ///
+    /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
+    pub struct GnssAssistedFix {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Assisted fix.
+        ///
+        /// Default: [`AssistedFixOption::NONE`]. Required for write.
+        pub option: Option<AssistedFixOption>,
+        /// Reserved: send 255. Required for write.
+        pub flags: Option<u8>,
+    }
+    wire 3 {
+        [function selects]
+        [option for WRITE]
+        [flags for WRITE]
+    }
+}
+
+constructors! {
+    GnssAssistedFix { function, option, flags }
+
+    /// Apply the new setting.
+    fn write(option: AssistedFixOption) = WRITE, flags: 255;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    GnssAssistedFix: 0x0C, 0x23, "3dm.gnss_assisted_fix"
+}
+
+command! {
+    GnssAssistedFix -> GnssAssistedFixResponse;
+    responds GnssAssistedFixResponse for READ;
+}
+
+record! {
+    /// GNSS Time Assistance (0x0C,0x24).
+    ///
+    /// Tells the GNSS receiver the present GPS time.
+    ///
+    /// Functions: write and read. Answered by [`GnssTimeAssistanceResponse`].
+    ///
+    /// - It is needed right after power-up if the assisted fix [(0x0C,0x23)](GnssAssistedFix) was
+    ///   on at power-off.
+    ///
+    /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
+    pub struct GnssTimeAssistance {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// GPS time of week.
+        ///
+        /// Unit: s. Required for write.
+        pub tow: Option<f64>,
+        /// GPS week number since 1980.
+        ///
+        /// Unit: week. Required for write.
+        pub week_number: Option<u16>,
+        /// Accuracy of the time.
+        ///
+        /// Unit: s. Required for write.
+        pub accuracy: Option<f32>,
+    }
+    wire 15 {
+        [function selects]
+        [tow for WRITE]
+        [week_number for WRITE]
+        [accuracy for WRITE]
+    }
+}
+
+constructors! {
+    GnssTimeAssistance { function, tow, week_number, accuracy }
+
+    /// Apply the new setting.
+    fn write(
+        tow: f64,
+        week_number: u16,
+        accuracy: f32,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+}
+
+field! {
+    GnssTimeAssistance: 0x0C, 0x24, "3dm.gnss_time_assistance"
+}
+
+command! {
+    GnssTimeAssistance -> GnssTimeAssistanceResponse;
+    responds GnssTimeAssistanceResponse for READ;
+}
+
+record! {
+    /// PPS Source Control (0x0C,0x28).
+    ///
+    /// Where the device takes its pulse per second from.
+    ///
+    /// Also called `pps_source`. Functions: write, read, save, load and default. Answered by
+    /// [`PpsSourceControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The pins are configured apart from this by the GPIO configuration command.
+    /// - The filter needs a valid pulse. disabled and generated are seldom what is wanted.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
+    pub struct PpsSourceControl {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Source of the pulse.
+        ///
+        /// Default: [`PpsSource::RECEIVER_1`]. Required for write.
+        pub source: Option<PpsSource>,
+    }
+    wire 2 {
+        [function selects]
+        [source for WRITE]
+    }
+}
+
+constructors! {
+    PpsSourceControl { function, source }
+
+    /// Apply the new setting.
+    fn write(source: PpsSource) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    PpsSourceControl: 0x0C, 0x28, "3dm.pps_source_control"
+}
+
+command! {
+    PpsSourceControl -> PpsSourceControlResponse;
+    responds PpsSourceControlResponse for READ;
+}
+
+record! {
+    /// Get Supported Events (0x0C,0x2A).
+    ///
+    /// Asks which types of event triggers or actions there are and how many of each.
+    ///
+    /// Answered by [`GetEventSupportResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
+    #[derive(Default)]
+    pub struct GetEventSupport {
+        /// Triggers or actions.
+        pub query: EventSupportQuery,
+    }
+}
+
+constructors! {
+    GetEventSupport
+
+    /// The command with its parameters.
+    fn new(query: EventSupportQuery);
+}
+
+field! {
+    GetEventSupport: 0x0C, 0x2A, "3dm.get_event_support"
+}
+
+command! {
+    GetEventSupport -> GetEventSupportResponse;
+    responds GetEventSupportResponse;
+}
+
+record! {
+    /// Event Control (0x0C,0x2B).
+    ///
+    /// Enables, disables or tests an event trigger.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`EventControlResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - Triggers are disabled by default and after configuration.
+    /// - A trigger of type none cannot be enabled.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B).
+    pub struct EventControl {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Trigger instance; 0 means all configured triggers, except for read.
+        pub instance: Option<u8>,
+        /// New mode.
+        ///
+        /// Default: [`types::EventTriggerMode::DISABLED`]. Required for write.
+        pub mode: Option<types::EventTriggerMode>,
+    }
+    wire 3 {
+        [function selects]
+        [instance for WRITE READ SAVE LOAD DEFAULT]
+        [mode for WRITE]
+    }
+}
+
+constructors! {
+    EventControl { function, instance, mode }
+
+    /// Apply the new setting.
+    fn write(instance: u8, mode: types::EventTriggerMode) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read(instance: u8) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(instance: u8) = SAVE;
+
+    /// Load the saved setting.
+    fn load(instance: u8) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(instance: u8) = DEFAULT;
+}
+
+field! {
+    EventControl: 0x0C, 0x2B, "3dm.event_control"
+}
+
+command! {
+    EventControl -> EventControlResponse;
+    responds EventControlResponse for READ;
+}
+
+record! {
+    /// Get Event Trigger Status (0x0C,0x2C).
+    ///
+    /// Asks for the type and the state of event triggers.
+    ///
+    /// Answered by [`GetEventTriggerStatusResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// On the wire there is also `requested_count`: Number of triggers asked for; 0 asks for all
+    /// slots. The number of elements of `requested_instances`.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
+    #[derive(Default)]
+    pub struct GetEventTriggerStatus {
+        /// Trigger instances.
+        pub requested_instances: crate::List<u8, 252>,
+    }
+    wire 253 {
+        [requested_count: u8 counts requested_instances]
+        [requested_instances by requested_count]
+    }
+}
+
+constructors! {
+    GetEventTriggerStatus
+
+    /// The command with its parameters.
+    fn new(requested_instances: impl Into<crate::List<u8, 252>>);
+}
+
+field! {
+    GetEventTriggerStatus: 0x0C, 0x2C, "3dm.get_event_trigger_status"
+}
+
+command! {
+    GetEventTriggerStatus -> GetEventTriggerStatusResponse;
+    responds GetEventTriggerStatusResponse;
+}
+
+record! {
+    /// Get Event Action Status (0x0C,0x2D).
+    ///
+    /// Asks for the type and the trigger of event actions.
+    ///
+    /// Answered by [`GetEventActionStatusResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// On the wire there is also `requested_count`: Number of actions asked for; 0 asks for all
+    /// slots. The number of elements of `requested_instances`.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D).
+    #[derive(Default)]
+    pub struct GetEventActionStatus {
+        /// Action instances.
+        pub requested_instances: crate::List<u8, 252>,
+    }
+    wire 253 {
+        [requested_count: u8 counts requested_instances]
+        [requested_instances by requested_count]
+    }
+}
+
+constructors! {
+    GetEventActionStatus
+
+    /// The command with its parameters.
+    fn new(requested_instances: impl Into<crate::List<u8, 252>>);
+}
+
+field! {
+    GetEventActionStatus: 0x0C, 0x2D, "3dm.get_event_action_status"
+}
+
+command! {
+    GetEventActionStatus -> GetEventActionStatusResponse;
+    responds GetEventActionStatusResponse;
+}
+
+record! {
+    /// Event Trigger Configuration (0x0C,0x2E).
+    ///
+    /// Kind and condition of an event trigger.
+    ///
+    /// Also called `event_trigger`. Functions: write, read, save, load and default. Answered by
+    /// [`EventTriggerConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The trigger is disabled afterwards; the event control command enables it.
+    /// - A GPIO trigger needs its pin configured by the GPIO configuration command.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
+    pub struct EventTriggerConfig {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Trigger instance; 0 means all (save, load, default).
+        pub instance: Option<u8>,
+        /// Kind of trigger.
+        ///
+        /// Default: [`types::EventTriggerType::NONE`]. Required for write.
+        pub type_: Option<types::EventTriggerType>,
+        /// The condition.
+        ///
+        /// Selected by `type_`. Required for write.
+        pub parameters: Option<EventTriggerConfigParameters>,
+    }
+    wire 23 {
+        [function selects]
+        [instance for WRITE READ SAVE LOAD DEFAULT]
+        [type_ "type" for WRITE]
+        [parameters as type_ for WRITE]
+    }
+}
+
+union! {
+    /// The alternatives of `parameters` in [`EventTriggerConfig`].
+    pub enum EventTriggerConfigParameters: types::EventTriggerType {
+        /// The slot is free. It is never active and cannot be enabled.
+        ///
+        /// Empty if `type_` is [`types::EventTriggerType::NONE`].
+        NONE => None,
+        /// Watches a GPIO pin.
+        ///
+        /// If `type_` is [`types::EventTriggerType::GPIO`].
+        GPIO => Gpio(types::EventTriggerGpio) "gpio",
+        /// Compares one value of a data field with thresholds.
+        ///
+        /// If `type_` is [`types::EventTriggerType::THRESHOLD`].
+        THRESHOLD => Threshold(types::EventTriggerThreshold) "threshold",
+        /// Combines up to four other triggers by a truth table.
+        ///
+        /// If `type_` is [`types::EventTriggerType::COMBINATION`].
+        COMBINATION => Combination(types::EventTriggerCombination) "combination",
+    }
+    default EventTriggerConfigParameters::None
+}
+
+constructors! {
+    EventTriggerConfig { function, instance, type_, parameters }
+
+    /// Apply the new setting.
+    fn write(instance: u8, parameters: EventTriggerConfigParameters) = WRITE, type_: parameters.tag();
+
+    /// Send the current setting back in a response.
+    fn read(instance: u8) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(instance: u8) = SAVE;
+
+    /// Load the saved setting.
+    fn load(instance: u8) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(instance: u8) = DEFAULT;
+}
+
+field! {
+    EventTriggerConfig: 0x0C, 0x2E, "3dm.event_trigger_config"
+}
+
+command! {
+    EventTriggerConfig -> EventTriggerConfigResponse;
+    responds EventTriggerConfigResponse for READ;
+}
+
+record! {
+    /// Event Action Configuration (0x0C,0x2F).
+    ///
+    /// Trigger and effect of an event action.
+    ///
+    /// Also called `event_action`. Functions: write, read, save, load and default. Answered by
+    /// [`EventActionConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - A packet holds one descriptor set; for several sets use several actions with the same
+    ///   trigger.
+    /// - A GPIO action needs its pin configured as an output with the gpio feature.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F).
+    pub struct EventActionConfig {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Action instance; 0 means all (save, load, default).
+        pub instance: Option<u8>,
+        /// Trigger instance that the action follows.
+        ///
+        /// Required for write.
+        pub trigger: Option<u8>,
+        /// Kind of action.
+        ///
+        /// Default: [`types::EventActionType::NONE`]. Required for write.
+        pub type_: Option<types::EventActionType>,
+        /// The effect.
+        ///
+        /// Selected by `type_`. Required for write.
+        pub parameters: Option<EventActionConfigParameters>,
+    }
+    wire 253 {
+        [function selects]
+        [instance for WRITE READ SAVE LOAD DEFAULT]
+        [trigger for WRITE]
+        [type_ "type" for WRITE]
+        [parameters as type_ for WRITE]
+    }
+}
+
+union! {
+    /// The alternatives of `parameters` in [`EventActionConfig`].
+    pub enum EventActionConfigParameters: types::EventActionType {
+        /// The slot is free.
+        ///
+        /// Empty if `type_` is [`types::EventActionType::NONE`].
+        NONE => None,
+        /// Controls a GPIO pin.
+        ///
+        /// If `type_` is [`types::EventActionType::GPIO`].
+        GPIO => Gpio(types::EventActionGpio) "gpio",
+        /// Sends a data packet.
+        ///
+        /// If `type_` is [`types::EventActionType::MESSAGE`].
+        MESSAGE => Message(types::EventActionMessage) "message",
+    }
+    default EventActionConfigParameters::None
+}
+
+constructors! {
+    EventActionConfig { function, instance, trigger, type_, parameters }
+
+    /// Apply the new setting.
+    fn write(
+        instance: u8,
+        trigger: u8,
+        parameters: EventActionConfigParameters,
+    ) = WRITE, type_: parameters.tag();
+
+    /// Send the current setting back in a response.
+    fn read(instance: u8) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(instance: u8) = SAVE;
+
+    /// Load the saved setting.
+    fn load(instance: u8) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(instance: u8) = DEFAULT;
+}
+
+field! {
+    EventActionConfig: 0x0C, 0x2F, "3dm.event_action_config"
+}
+
+command! {
+    EventActionConfig -> EventActionConfigResponse;
+    responds EventActionConfigResponse for READ;
+}
+
+record! {
+    /// Device Start Up Settings (0x0C,0x30).
+    ///
+    /// Saves, loads or resets all settings of the device at once.
+    ///
+    /// Functions: save, load and default. The device may take 1 s to answer. Supported by
+    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - A save may disturb the data output for a short time.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30); 3dm-cv7-gnss-ins: Device
+    /// Start Up Settings (0x0C,0x30).
+    pub struct DeviceSettings {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+    }
+}
+
+constructors! {
+    DeviceSettings { function }
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    DeviceSettings: 0x0C, 0x30, "3dm.device_settings"
+}
+
+command! {
+    DeviceSettings -> ();
+    timeout 1000;
+}
+
+record! {
+    /// Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
+    ///
+    /// Mounting of the sensor in the vehicle as Euler angles.
+    ///
+    /// Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and
+    /// default. Answered by [`SensorToVehicleTransformEulerResponse`]. Supported by
+    /// 3DM-CV7-GNSS/INS.
+    ///
+    /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
+    ///   back may be another form of it.
+    /// - The mounting is reached from the vehicle frame by turning about the sensor's own z, y and
+    ///   x axes by yaw, pitch and roll.
+    /// - A vector in the vehicle frame is Rz(yaw) Ry(pitch) Rx(roll) times the vector in the sensor
+    ///   frame.
+    /// - It applies to the sensor data, the complementary filter and the attitude, acceleration,
+    ///   rate and gravity of the filter.
+    /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
+    /// - On some older products the setting means the inverse rotation.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
+    pub struct SensorToVehicleTransformEuler {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Rotation about the x axis.
+        ///
+        /// Unit: rad. Required for write.
+        pub roll: Option<f32>,
+        /// Rotation about the y axis.
+        ///
+        /// Unit: rad. Required for write.
+        pub pitch: Option<f32>,
+        /// Rotation about the z axis.
+        ///
+        /// Unit: rad. Required for write.
+        pub yaw: Option<f32>,
+    }
+    wire 13 {
+        [function selects]
+        [roll for WRITE]
+        [pitch for WRITE]
+        [yaw for WRITE]
+    }
+}
+
+constructors! {
+    SensorToVehicleTransformEuler { function, roll, pitch, yaw }
+
+    /// Apply the new setting.
+    fn write(
+        roll: f32,
+        pitch: f32,
+        yaw: f32,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    SensorToVehicleTransformEuler: 0x0C, 0x31, "3dm.sensor_to_vehicle_transform_euler"
+}
+
+command! {
+    SensorToVehicleTransformEuler -> SensorToVehicleTransformEulerResponse;
+    responds SensorToVehicleTransformEulerResponse for READ;
+}
+
+record! {
+    /// Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
+    ///
+    /// Mounting of the sensor in the vehicle as a quaternion.
+    ///
+    /// Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
+    /// default. Answered by [`SensorToVehicleTransformQuaternionResponse`]. Supported by
+    /// 3DM-CV7-GNSS/INS.
+    ///
+    /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
+    ///   back may be another form of it.
+    /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
+    pub struct SensorToVehicleTransformQuaternion {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
+        ///
+        /// Elements: w, x, y, z. Unit: 1. Required for write.
+        pub q: Option<types::Quatf>,
+    }
+    wire 17 {
+        [function selects]
+        [q for WRITE]
+    }
+}
+
+constructors! {
+    SensorToVehicleTransformQuaternion { function, q }
+
+    /// Apply the new setting.
+    fn write(q: impl Into<types::Quatf>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    SensorToVehicleTransformQuaternion: 0x0C, 0x32, "3dm.sensor_to_vehicle_transform_quaternion"
+}
+
+command! {
+    SensorToVehicleTransformQuaternion -> SensorToVehicleTransformQuaternionResponse;
+    responds SensorToVehicleTransformQuaternionResponse for READ;
+}
+
+record! {
+    /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
+    ///
+    /// Mounting of the sensor in the vehicle as a direction cosine matrix.
+    ///
+    /// Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and
+    /// default. Answered by [`SensorToVehicleTransformDcmResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
+    ///   back may be another form of it.
+    /// - A vector in the vehicle frame is this matrix times the vector in the sensor frame.
+    /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
+    /// (0x0C,0x33).
+    pub struct SensorToVehicleTransformDcm {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// The matrix in row-major order.
+        ///
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for write.
+        pub dcm: Option<types::Matrix3f>,
+    }
+    wire 37 {
+        [function selects]
+        [dcm for WRITE]
+    }
+}
+
+constructors! {
+    SensorToVehicleTransformDcm { function, dcm }
+
+    /// Apply the new setting.
+    fn write(dcm: impl Into<types::Matrix3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    SensorToVehicleTransformDcm: 0x0C, 0x33, "3dm.sensor_to_vehicle_transform_dcm"
+}
+
+command! {
+    SensorToVehicleTransformDcm -> SensorToVehicleTransformDcmResponse;
+    responds SensorToVehicleTransformDcmResponse for READ;
+}
+
+record! {
+    /// Accelerometer Bias Configuration (0x0C,0x37).
+    ///
+    /// Bias that is subtracted from the scaled acceleration.
+    ///
+    /// For advanced use. Functions: write, read, save, load, default and apply. Answered by
+    /// [`AccelBiasResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+    /// 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
+    /// Configuration (0x0C,0x37).
+    pub struct AccelBias {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Accelerometer bias.
+        ///
+        /// Elements: x, y, z. Unit: g. Frame: sensor. Required for write and apply.
+        pub bias: Option<types::Vector3f>,
+    }
+    wire 13 {
+        [function selects]
+        [bias for WRITE APPLY]
+    }
+}
+
+constructors! {
+    AccelBias { function, bias }
+
+    /// Apply the new setting.
+    fn write(bias: impl Into<types::Vector3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+
+    /// Apply the new setting and send no acknowledge (5-series devices).
+    fn apply(bias: impl Into<types::Vector3f>) = APPLY;
+}
+
+field! {
+    AccelBias: 0x0C, 0x37, "3dm.accel_bias"
+}
+
+command! {
+    AccelBias -> AccelBiasResponse;
+    responds AccelBiasResponse for READ;
+    silent for APPLY;
+}
+
+record! {
+    /// Gyroscope Bias Configuration (0x0C,0x38).
+    ///
+    /// Bias that is subtracted from the scaled angular rate.
+    ///
+    /// For advanced use. Functions: write, read, save, load, default and apply. Answered by
+    /// [`GyroBiasResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS:
+    /// write, read, save, load and default only.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38); 3dm-cv7-gnss-ins: Gyroscope Bias
+    /// Configuration (0x0C,0x38).
+    pub struct GyroBias {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Gyroscope bias.
+        ///
+        /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and apply.
+        pub bias: Option<types::Vector3f>,
+    }
+    wire 13 {
+        [function selects]
+        [bias for WRITE APPLY]
+    }
+}
+
+constructors! {
+    GyroBias { function, bias }
+
+    /// Apply the new setting.
+    fn write(bias: impl Into<types::Vector3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+
+    /// Apply the new setting and send no acknowledge (5-series devices).
+    fn apply(bias: impl Into<types::Vector3f>) = APPLY;
+}
+
+field! {
+    GyroBias: 0x0C, 0x38, "3dm.gyro_bias"
+}
+
+command! {
+    GyroBias -> GyroBiasResponse;
+    responds GyroBiasResponse for READ;
+    silent for APPLY;
+}
+
+record! {
+    /// Capture Gyroscope Bias (0x0C,0x39).
+    ///
+    /// Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
+    ///
+    /// Answered by [`GyroBiasResponse`]. The device may take 31 s to answer. Supported by
+    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - The device must stand still, with as little vibration as possible, for the whole time.
+    /// - The reply comes after the averaging time.
+    /// - The bias is not saved; the gyroscope bias configuration command with save does it.
+    /// - The 3DM-GX5-15 also initializes its orientation from the samples.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39); 3dm-cv7-gnss-ins: Capture
+    /// Gyroscope Bias (0x0C,0x39).
+    #[derive(Default)]
+    pub struct CaptureGyroBias {
+        /// Time to average over.
+        ///
+        /// Unit: ms. Range: 1000 to 30000.
+        pub averaging_time_ms: u16,
+    }
+}
+
+constructors! {
+    CaptureGyroBias
+
+    /// The command with its parameters.
+    fn new(averaging_time_ms: u16);
+}
+
+field! {
+    CaptureGyroBias: 0x0C, 0x39, "3dm.capture_gyro_bias"
+}
+
+command! {
+    CaptureGyroBias -> GyroBiasResponse;
+    responds GyroBiasResponse;
+    timeout 31000;
+}
+
+record! {
+    /// Magnetometer Hard Iron Offset (0x0C,0x3A).
+    ///
+    /// Offset that corrects the scaled magnetic field for hard iron.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`MagHardIronOffsetResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The values come from a calibration of the device as it is installed.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A).
+    pub struct MagHardIronOffset {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Hard iron offset.
+        ///
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write.
+        pub offset: Option<types::Vector3f>,
+    }
+    wire 13 {
+        [function selects]
+        [offset for WRITE]
+    }
+}
+
+constructors! {
+    MagHardIronOffset { function, offset }
+
+    /// Apply the new setting.
+    fn write(offset: impl Into<types::Vector3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    MagHardIronOffset: 0x0C, 0x3A, "3dm.mag_hard_iron_offset"
+}
+
+command! {
+    MagHardIronOffset -> MagHardIronOffsetResponse;
+    responds MagHardIronOffsetResponse for READ;
+}
+
+record! {
+    /// Magnetometer Soft Iron Matrix (0x0C,0x3B).
+    ///
+    /// Matrix that corrects the scaled magnetic field for soft iron.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`MagSoftIronMatrixResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The values come from a calibration of the device as it is installed.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B).
+    pub struct MagSoftIronMatrix {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Soft iron matrix in row-major order.
+        ///
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor. Required
+        /// for write.
+        pub matrix: Option<types::Matrix3f>,
+    }
+    wire 37 {
+        [function selects]
+        [matrix for WRITE]
+    }
+}
+
+constructors! {
+    MagSoftIronMatrix { function, matrix }
+
+    /// Apply the new setting.
+    fn write(matrix: impl Into<types::Matrix3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    MagSoftIronMatrix: 0x0C, 0x3B, "3dm.mag_soft_iron_matrix"
+}
+
+command! {
+    MagSoftIronMatrix -> MagSoftIronMatrixResponse;
+    responds MagSoftIronMatrixResponse for READ;
+}
+
+record! {
+    /// Coning and Sculling Enable (0x0C,0x3E).
+    ///
+    /// Switches the compensation of coning and sculling on or off.
+    ///
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`ConingScullingEnableResponse`]. Supported by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
+    pub struct ConingScullingEnable {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Whether the compensation is on.
+        ///
+        /// Default: true. Required for write.
+        pub enable: Option<crate::Bool>,
+    }
+    wire 2 {
+        [function selects]
+        [enable for WRITE]
+    }
+}
+
+constructors! {
+    ConingScullingEnable { function, enable }
+
+    /// Apply the new setting.
+    fn write(enable: bool) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    ConingScullingEnable: 0x0C, 0x3E, "3dm.coning_sculling_enable"
+}
+
+command! {
+    ConingScullingEnable -> ConingScullingEnableResponse;
+    responds ConingScullingEnableResponse for READ;
+}
+
+record! {
+    /// UART Baud Rate (0x0C,0x40).
+    ///
+    /// Baud rate of the main port.
+    ///
+    /// Also called `uart_baudrate`. Functions: write, read, save, load and default. Answered by
+    /// [`UartBaudRateResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
+    /// - The 3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then
+    ///   nothing is certain.
+    /// - Set the device to idle first, send the command in a packet of its own and wait 250 ms
+    ///   afterwards.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40); 3dm-cv7-gnss-ins: UART Baudrate
+    /// (0x0C,0x40).
+    pub struct UartBaudRate {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Baud rate.
+        ///
+        /// Unit: Bd. Required for write. On the 3DM-GX5-15: default 115200.
+        pub baud: Option<u32>,
+    }
+    wire 5 {
+        [function selects]
+        [baud for WRITE]
+    }
+}
+
+constructors! {
+    UartBaudRate { function, baud }
+
+    /// Apply the new setting.
+    fn write(baud: u32) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    UartBaudRate: 0x0C, 0x40, "3dm.uart_baud_rate"
+}
+
+command! {
+    UartBaudRate -> UartBaudRateResponse;
+    responds UartBaudRateResponse for READ;
+}
+
+record! {
+    /// GPIO Configuration (0x0C,0x41).
+    ///
+    /// What a GPIO pin is used for.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`GpioConfigResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - Not every pin has every feature.
+    /// - Configure the function behind an output before its pin, and the pin of an input before its
+    ///   function.
+    /// - A configuration that only one pin can have passes to the latest pin; the earlier pin is
+    ///   reset.
+    /// - With NMEA input at most one pin may be a UART input; set it to unused before another one
+    ///   takes over.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
+    pub struct GpioConfig {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// GPIO pin, counted from 1; 0 means all pins (save, load, default).
+        pub pin: Option<u8>,
+        /// Use of the pin.
+        ///
+        /// Default: [`types::GpioFeature::UNUSED`]. Required for write.
+        pub feature: Option<types::GpioFeature>,
+        /// Role of the pin within the feature; 0 where the feature names none.
+        ///
+        /// Required for write. If `feature` is [`types::GpioFeature::UNUSED`]: values of
+        /// [`types::GpioUnusedBehavior`]. If `feature` is [`types::GpioFeature::GPIO`]: values of
+        /// [`types::GpioBehavior`]. If `feature` is [`types::GpioFeature::PPS`]: values of
+        /// [`types::GpioPpsBehavior`]. If `feature` is [`types::GpioFeature::ENCODER`]: values of
+        /// [`types::GpioEncoderBehavior`]. If `feature` is [`types::GpioFeature::TIMESTAMP`]:
+        /// values of [`types::GpioTimestampBehavior`]. If `feature` is
+        /// [`types::GpioFeature::UART`]: values of [`types::GpioUartBehavior`].
+        pub behavior: Option<u8>,
+        /// Electrical options.
+        ///
+        /// Required for write.
+        pub pin_mode: Option<types::GpioPinMode>,
+    }
+    wire 5 {
+        [function selects]
+        [pin for WRITE READ SAVE LOAD DEFAULT]
+        [feature for WRITE]
+        [behavior for WRITE]
+        [pin_mode for WRITE]
+    }
+}
+
+constructors! {
+    GpioConfig { function, pin, feature, behavior, pin_mode }
+
+    /// Apply the new setting.
+    fn write(
+        pin: u8,
+        feature: types::GpioFeature,
+        behavior: u8,
+        pin_mode: types::GpioPinMode,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read(pin: u8) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(pin: u8) = SAVE;
+
+    /// Load the saved setting.
+    fn load(pin: u8) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(pin: u8) = DEFAULT;
+}
+
+#[rustfmt::skip]
+impl GpioConfig {
+    /// Reads `behavior` as [`types::GpioUnusedBehavior`].
+    ///
+    /// If `feature` is [`types::GpioFeature::UNUSED`]: values of [`types::GpioUnusedBehavior`].
+    #[must_use]
+    pub fn behavior_as_gpio_unused_behavior(&self) -> Option<types::GpioUnusedBehavior> {
+        let named = matches!(self.feature, Some(types::GpioFeature::UNUSED));
+        self.behavior.filter(|_| named).map(Into::into)
+    }
+
+    /// Reads `behavior` as [`types::GpioBehavior`].
+    ///
+    /// If `feature` is [`types::GpioFeature::GPIO`]: values of [`types::GpioBehavior`].
+    #[must_use]
+    pub fn behavior_as_gpio_behavior(&self) -> Option<types::GpioBehavior> {
+        let named = matches!(self.feature, Some(types::GpioFeature::GPIO));
+        self.behavior.filter(|_| named).map(Into::into)
+    }
+
+    /// Reads `behavior` as [`types::GpioPpsBehavior`].
+    ///
+    /// If `feature` is [`types::GpioFeature::PPS`]: values of [`types::GpioPpsBehavior`].
+    #[must_use]
+    pub fn behavior_as_gpio_pps_behavior(&self) -> Option<types::GpioPpsBehavior> {
+        let named = matches!(self.feature, Some(types::GpioFeature::PPS));
+        self.behavior.filter(|_| named).map(Into::into)
+    }
+
+    /// Reads `behavior` as [`types::GpioEncoderBehavior`].
+    ///
+    /// If `feature` is [`types::GpioFeature::ENCODER`]: values of [`types::GpioEncoderBehavior`].
+    #[must_use]
+    pub fn behavior_as_gpio_encoder_behavior(&self) -> Option<types::GpioEncoderBehavior> {
+        let named = matches!(self.feature, Some(types::GpioFeature::ENCODER));
+        self.behavior.filter(|_| named).map(Into::into)
+    }
+
+    /// Reads `behavior` as [`types::GpioTimestampBehavior`].
+    ///
+    /// If `feature` is [`types::GpioFeature::TIMESTAMP`]: values of
+    /// [`types::GpioTimestampBehavior`].
+    #[must_use]
+    pub fn behavior_as_gpio_timestamp_behavior(&self) -> Option<types::GpioTimestampBehavior> {
+        let named = matches!(self.feature, Some(types::GpioFeature::TIMESTAMP));
+        self.behavior.filter(|_| named).map(Into::into)
+    }
+
+    /// Reads `behavior` as [`types::GpioUartBehavior`].
+    ///
+    /// If `feature` is [`types::GpioFeature::UART`]: values of [`types::GpioUartBehavior`].
+    #[must_use]
+    pub fn behavior_as_gpio_uart_behavior(&self) -> Option<types::GpioUartBehavior> {
+        let named = matches!(self.feature, Some(types::GpioFeature::UART));
+        self.behavior.filter(|_| named).map(Into::into)
+    }
+}
+
+field! {
+    GpioConfig: 0x0C, 0x41, "3dm.gpio_config"
+}
+
+command! {
+    GpioConfig -> GpioConfigResponse;
+    responds GpioConfigResponse for READ;
+}
+
+record! {
+    /// GPIO State (0x0C,0x42).
+    ///
+    /// Sets or reads the state of a GPIO pin.
+    ///
+    /// Functions: write and read. Answered by [`GpioStateResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - What is read is the level of the pin itself.
+    /// - Writing shows only on a pin that is configured as an output.
+    /// - An event action of mode active_high or active_low on the pin overrides what is written.
+    /// - Reading is sure to work only with the gpio feature.
+    /// - The state at power-up is a matter of the GPIO configuration command.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42).
+    pub struct GpioState {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// GPIO pin, counted from 1.
+        ///
+        /// Range: at least 1.
+        pub pin: Option<u8>,
+        /// True is high.
+        ///
+        /// Required for write.
+        pub state: Option<crate::Bool>,
+    }
+    wire 3 {
+        [function selects]
+        [pin for WRITE READ]
+        [state for WRITE]
+    }
+}
+
+constructors! {
+    GpioState { function, pin, state }
+
+    /// Apply the new setting.
+    fn write(pin: u8, state: bool) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read(pin: u8) = READ;
+}
+
+field! {
+    GpioState: 0x0C, 0x42, "3dm.gpio_state"
+}
+
+command! {
+    GpioState -> GpioStateResponse;
+    responds GpioStateResponse for READ;
+}
+
+record! {
+    /// Odometer Configuration (0x0C,0x43).
+    ///
+    /// Input from a wheel encoder.
+    ///
+    /// Also called `odometer`. Functions: write, read, save, load and default. Answered by
+    /// [`OdometerConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
+    pub struct OdometerConfig {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// How the input works.
+        ///
+        /// Required for write.
+        pub mode: Option<OdometerMode>,
+        /// Pulses over the distance travelled; negative if the encoder turns backwards.
+        ///
+        /// Unit: pulse/m. Required for write.
+        ///
+        /// - Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
+        pub scaling: Option<f32>,
+        /// Relative uncertainty of the scaling, 1 sigma.
+        ///
+        /// Unit: 1. Required for write.
+        pub uncertainty: Option<f32>,
+    }
+    wire 10 {
+        [function selects]
+        [mode for WRITE]
+        [scaling for WRITE]
+        [uncertainty for WRITE]
+    }
+}
+
+constructors! {
+    OdometerConfig { function, mode, scaling, uncertainty }
+
+    /// Apply the new setting.
+    fn write(
+        mode: OdometerMode,
+        scaling: f32,
+        uncertainty: f32,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    OdometerConfig: 0x0C, 0x43, "3dm.odometer_config"
+}
+
+command! {
+    OdometerConfig -> OdometerConfigResponse;
+    responds OdometerConfigResponse for READ;
+}
+
+record! {
+    /// Advanced Low-Pass Filter Settings (0x0C,0x50).
+    ///
+    /// Low-pass filter of one quantity of the sensor data.
+    ///
+    /// Deprecated: use [`LowPassFilter`] where the device has it. For advanced use. Also called
+    /// `imu_lowpass_filter`. Functions: write, read, save, load and default. Answered by
+    /// [`ImuLowPassFilterResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - The filter has one pole. By default it is on and its cutoff is half the rate of the
+    ///   message format.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
+    /// Advanced Low-Pass Filter Settings (0x0C,0x50).
+    #[deprecated(note = "use 3dm.low_pass_filter where the device has it")]
+    pub struct ImuLowPassFilter {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
+        /// magnetic field 0x06 or pressure 0x17.
+        ///
+        /// On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration
+        /// 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them,
+        /// except for read.
+        pub target_descriptor: Option<u8>,
+        /// Whether the quantity is filtered.
+        ///
+        /// Default: true. Required for write.
+        pub enable: Option<crate::Bool>,
+        /// True uses the frequency; false follows half the rate of the message format.
+        ///
+        /// Default: false. Required for write.
+        pub manual: Option<crate::Bool>,
+        /// Cutoff (-3 dB). It has no meaning if manual is false.
+        ///
+        /// Unit: Hz. Required for write. On the 3DM-GX5-15: range at most 250.
+        pub frequency: Option<u16>,
+        /// Reserved: send 0. Required for write.
+        pub reserved: Option<u8>,
+    }
+    wire 7 {
+        [function selects]
+        [target_descriptor for WRITE READ SAVE LOAD DEFAULT]
+        [enable for WRITE]
+        [manual for WRITE]
+        [frequency for WRITE]
+        [reserved for WRITE]
+    }
+}
+
+constructors! {
+    ImuLowPassFilter { function, target_descriptor, enable, manual, frequency, reserved }
+
+    /// Apply the new setting.
+    fn write(
+        target_descriptor: u8,
+        enable: bool,
+        manual: bool,
+        frequency: u16,
+    ) = WRITE, reserved: 0;
+
+    /// Send the current setting back in a response.
+    fn read(target_descriptor: u8) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(target_descriptor: u8) = SAVE;
+
+    /// Load the saved setting.
+    fn load(target_descriptor: u8) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(target_descriptor: u8) = DEFAULT;
+}
+
+field! {
+    ImuLowPassFilter: 0x0C, 0x50, "3dm.imu_low_pass_filter"
+}
+
+command! {
+    ImuLowPassFilter -> ImuLowPassFilterResponse;
+    responds ImuLowPassFilterResponse for READ;
+}
+
+record! {
+    /// Complementary Filter Configuration (0x0C,0x51).
+    ///
+    /// Corrections of the complementary filter, which makes attitudes apart from the estimation
+    /// filter.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`ComplementaryFilterResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
+    /// - The heading follows the magnetometer, if the device has one.
+    /// - The device refuses time constants out of range.
+    /// - The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
+    ///   compatibility.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51); 3dm-cv7-gnss-ins:
+    /// Complementary Filter Configuration (0x0C,0x51).
+    pub struct ComplementaryFilter {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Corrects pitch and roll (up, in terms of the 5-series).
+        ///
+        /// Required for write. On the 3DM-GX5-15: default true.
+        pub pitch_roll_enable: Option<crate::Bool>,
+        /// Corrects the heading (north, in terms of the 5-series).
+        ///
+        /// Required for write. On the 3DM-GX5-15: default true.
+        pub heading_enable: Option<crate::Bool>,
+        /// Time constant of the correction of pitch and roll.
+        ///
+        /// Unit: s. Range: 1 to 1000. Default: 10. Required for write.
+        pub pitch_roll_time_constant: Option<f32>,
+        /// Time constant of the correction of the heading.
+        ///
+        /// Unit: s. Range: 1 to 1000. Default: 10. Required for write.
+        pub heading_time_constant: Option<f32>,
+    }
+    wire 11 {
+        [function selects]
+        [pitch_roll_enable for WRITE]
+        [heading_enable for WRITE]
+        [pitch_roll_time_constant for WRITE]
+        [heading_time_constant for WRITE]
+    }
+}
+
+constructors! {
+    ComplementaryFilter { function, pitch_roll_enable, heading_enable, pitch_roll_time_constant, heading_time_constant }
+
+    /// Apply the new setting.
+    fn write(
+        pitch_roll_enable: bool,
+        heading_enable: bool,
+        pitch_roll_time_constant: f32,
+        heading_time_constant: f32,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    ComplementaryFilter: 0x0C, 0x51, "3dm.complementary_filter"
+}
+
+command! {
+    ComplementaryFilter -> ComplementaryFilterResponse;
+    responds ComplementaryFilterResponse for READ;
+}
+
+record! {
+    /// Sensor Range (0x0C,0x52).
+    ///
+    /// Measuring range of a sensor.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`SensorRangeResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The get calibrated sensor ranges command lists the settings. The device may refuse others
+    ///   or measure wrongly.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
+    pub struct SensorRange {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// The sensor.
+        pub sensor: Option<SensorRangeType>,
+        /// Number of the range.
+        ///
+        /// Required for write.
+        pub setting: Option<u8>,
+    }
+    wire 3 {
+        [function selects]
+        [sensor for WRITE READ SAVE LOAD DEFAULT]
+        [setting for WRITE]
+    }
+}
+
+constructors! {
+    SensorRange { function, sensor, setting }
+
+    /// Apply the new setting.
+    fn write(sensor: SensorRangeType, setting: u8) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read(sensor: SensorRangeType) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(sensor: SensorRangeType) = SAVE;
+
+    /// Load the saved setting.
+    fn load(sensor: SensorRangeType) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(sensor: SensorRangeType) = DEFAULT;
+}
+
+field! {
+    SensorRange: 0x0C, 0x52, "3dm.sensor_range"
+}
+
+command! {
+    SensorRange -> SensorRangeResponse;
+    responds SensorRangeResponse for READ;
+}
+
+record! {
+    /// Get Calibrated Sensor Ranges (0x0C,0x53).
+    ///
+    /// Asks for the ranges that a sensor supports.
+    ///
+    /// Also called `calibrated_sensor_ranges`. Answered by [`GetCalibratedSensorRangesResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
+    #[derive(Default)]
+    pub struct GetCalibratedSensorRanges {
+        /// The sensor; not all.
+        pub sensor: SensorRangeType,
+    }
+}
+
+constructors! {
+    GetCalibratedSensorRanges
+
+    /// The command with its parameters.
+    fn new(sensor: SensorRangeType);
+}
+
+field! {
+    GetCalibratedSensorRanges: 0x0C, 0x53, "3dm.get_calibrated_sensor_ranges"
+}
+
+command! {
+    GetCalibratedSensorRanges -> GetCalibratedSensorRangesResponse;
+    responds GetCalibratedSensorRangesResponse;
+}
+
+record! {
+    /// Low-Pass Anti-Aliasing Filter (0x0C,0x54).
+    ///
+    /// Low-pass filter of a data field.
+    ///
+    /// Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
+    /// [`LowPassFilterResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all
+    ///   sets.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54).
+    pub struct LowPassFilter {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Descriptor set of the field.
+        pub descriptor_set: Option<u8>,
+        /// Field descriptor; 0 if the set is 0.
+        pub field_descriptor: Option<u8>,
+        /// Whether the field is filtered.
+        ///
+        /// Required for write.
+        pub enable: Option<crate::Bool>,
+        /// True uses the frequency; false follows half the rate of the field in the message format.
+        ///
+        /// Required for write.
+        pub manual: Option<crate::Bool>,
+        /// Cutoff; a write ignores it if manual is false, a read gives the cutoff in use.
+        ///
+        /// Unit: Hz. Required for write.
+        pub frequency: Option<f32>,
+    }
+    wire 9 {
+        [function selects]
+        [descriptor_set for WRITE READ SAVE LOAD DEFAULT]
+        [field_descriptor for WRITE READ SAVE LOAD DEFAULT]
+        [enable for WRITE]
+        [manual for WRITE]
+        [frequency for WRITE]
+    }
+}
+
+constructors! {
+    LowPassFilter { function, descriptor_set, field_descriptor, enable, manual, frequency }
+
+    /// Apply the new setting.
+    fn write(
+        descriptor_set: u8,
+        field_descriptor: u8,
+        enable: bool,
+        manual: bool,
+        frequency: f32,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read(descriptor_set: u8, field_descriptor: u8) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(descriptor_set: u8, field_descriptor: u8) = SAVE;
+
+    /// Load the saved setting.
+    fn load(descriptor_set: u8, field_descriptor: u8) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(descriptor_set: u8, field_descriptor: u8) = DEFAULT;
+}
+
+field! {
+    LowPassFilter: 0x0C, 0x54, "3dm.low_pass_filter"
+}
+
+command! {
+    LowPassFilter -> LowPassFilterResponse;
+    responds LowPassFilterResponse for READ;
+}
+
+record! {
+    /// Device Status (0x0C,0x64).
+    ///
+    /// Asks for the state of the device, in one of two layouts.
+    ///
+    /// For advanced use. Answered by [`DeviceStatusBasicResponse`] or
+    /// [`DeviceStatusDiagnosticResponse`]. Supported by 3DM-GX5-15.
+    ///
+    /// On the wire there is also `model_number`: Model number of the 3DM-GX5-15. Always 6254.
+    ///
+    /// - The layouts hold for this model number only; other models answer with layouts of their
+    ///   own.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64).
+    #[derive(Default)]
+    pub struct DeviceStatus {
+        /// Layout of the answer.
+        pub status_selector: DeviceStatusSelector,
+    }
+    wire 3 {
+        [model_number: u16 = 6254]
+        [status_selector]
+    }
+}
+
+constructors! {
+    DeviceStatus
+
+    /// The command with its parameters.
+    fn new(status_selector: DeviceStatusSelector);
+}
+
+field! {
+    DeviceStatus: 0x0C, 0x64, "3dm.device_status", constants [0: 24 110]
+}
+
+command! {
+    DeviceStatus -> DeviceStatusResponses;
+    responds DeviceStatusBasicResponse, if status_selector = DeviceStatusSelector::BASIC;
+    responds DeviceStatusDiagnosticResponse, if status_selector = DeviceStatusSelector::DIAGNOSTIC;
+}
+
+responses! {
+    /// What [`DeviceStatus`] is answered with.
+    pub enum DeviceStatusResponses {
+        /// The response [`DeviceStatusBasicResponse`].
+        Basic(DeviceStatusBasicResponse),
+        /// The response [`DeviceStatusDiagnosticResponse`].
+        Diagnostic(DeviceStatusDiagnosticResponse),
+    }
+}
+
+record! {
+    /// IMU Message Format response (0x0C,0x80).
+    ///
+    /// Answers [`ImuMessageFormat`]. Supported by 3DM-GX5-15.
+    ///
+    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// `descriptors`.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08).
+    #[derive(Default)]
+    pub struct ImuMessageFormatResponse {
+        /// Fields and decimations.
+        pub descriptors: crate::List<types::DescriptorRate, 84>,
+    }
+    wire 253 {
+        [num_descriptors: u8 counts descriptors]
+        [descriptors by num_descriptors]
+    }
+}
+
+field! {
+    ImuMessageFormatResponse: 0x0C, 0x80, "3dm.imu_message_format_response", answers ImuMessageFormat
+}
+
+record! {
+    /// GNSS Message Format response (0x0C,0x81).
+    ///
+    /// Answers [`GnssMessageFormat`].
+    ///
+    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// `descriptors`. Range: 0 to 82.
+    ///
+    /// Source: mip-sdk-4: Gnss Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
+    /// (0x0C, 0x09).
+    #[derive(Default)]
+    pub struct GnssMessageFormatResponse {
+        /// Fields and decimations.
+        pub descriptors: crate::List<types::DescriptorRate, 84>,
+    }
+    wire 253 {
+        [num_descriptors: u8 counts descriptors]
+        [descriptors by num_descriptors]
+    }
+}
+
+field! {
+    GnssMessageFormatResponse: 0x0C, 0x81, "3dm.gnss_message_format_response", answers GnssMessageFormat
+}
+
+record! {
+    /// Estimation Filter Message Format response (0x0C,0x82).
+    ///
+    /// Answers [`FilterMessageFormat`]. Supported by 3DM-GX5-15.
+    ///
+    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// `descriptors`.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A).
+    #[derive(Default)]
+    pub struct FilterMessageFormatResponse {
+        /// Fields and decimations.
+        pub descriptors: crate::List<types::DescriptorRate, 84>,
+    }
+    wire 253 {
+        [num_descriptors: u8 counts descriptors]
+        [descriptors by num_descriptors]
+    }
+}
+
+field! {
+    FilterMessageFormatResponse: 0x0C, 0x82, "3dm.filter_message_format_response", answers FilterMessageFormat
+}
+
+record! {
+    /// Get IMU Data Base Rate response (0x0C,0x83).
+    ///
+    /// Also called `imu_get_base_rate_response`. Answers [`GetImuBaseRate`]. Supported by
+    /// 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
+    #[derive(Default)]
+    pub struct GetImuBaseRateResponse {
+        /// Base rate of the sensor data.
+        ///
+        /// Unit: Hz.
+        pub rate: u16,
+    }
+}
+
+field! {
+    GetImuBaseRateResponse: 0x0C, 0x83, "3dm.get_imu_base_rate_response", answers GetImuBaseRate
+}
+
+record! {
+    /// Get GNSS Data Base Rate response (0x0C,0x84).
+    ///
+    /// Also called `gnss_get_base_rate_response`. Answers [`GetGnssBaseRate`].
+    ///
+    /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
+    #[derive(Default)]
+    pub struct GetGnssBaseRateResponse {
+        /// Base rate of the GNSS data.
+        ///
+        /// Unit: Hz.
+        pub rate: u16,
+    }
+}
+
+field! {
+    GetGnssBaseRateResponse: 0x0C, 0x84, "3dm.get_gnss_base_rate_response", answers GetGnssBaseRate
+}
+
+record! {
+    /// Data Stream Control response (0x0C,0x85).
+    ///
+    /// Also called `datastream_control_response`. Answers [`DataStreamControl`]. Supported by
+    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
+    /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
+    #[derive(Default)]
+    pub struct DataStreamControlResponse {
+        /// Stream of the command.
+        ///
+        /// On the 3DM-GX5-15: values of [`LegacyDataStream`].
+        pub descriptor_set: u8,
+        /// Whether the stream is sent.
+        pub enabled: crate::Bool,
+    }
+}
+
+#[rustfmt::skip]
+impl DataStreamControlResponse {
+    /// Reads `descriptor_set` as [`LegacyDataStream`].
+    ///
+    /// On the 3DM-GX5-15: values of [`LegacyDataStream`].
+    #[must_use]
+    pub fn descriptor_set_as_legacy_data_stream(&self) -> LegacyDataStream {
+        self.descriptor_set.into()
+    }
+}
+
+field! {
+    DataStreamControlResponse: 0x0C, 0x85, "3dm.data_stream_control_response", answers DataStreamControl
+}
+
+record! {
+    /// UART Baud Rate response (0x0C,0x87).
+    ///
+    /// Also called `uart_baudrate_response`. Answers [`UartBaudRate`]. Supported by
+    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40); 3dm-cv7-gnss-ins: UART Baudrate
+    /// (0x0C,0x40).
+    #[derive(Default)]
+    pub struct UartBaudRateResponse {
+        /// Baud rate.
+        ///
+        /// Unit: Bd.
+        pub baud: u32,
+    }
+}
+
+field! {
+    UartBaudRateResponse: 0x0C, 0x87, "3dm.uart_baud_rate_response", answers UartBaudRate
+}
+
+record! {
+    /// Get Estimation Filter Data Base Rate response (0x0C,0x8A).
+    ///
+    /// Also called `filter_get_base_rate_response`. Answers [`GetFilterBaseRate`]. Supported by
+    /// 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
+    #[derive(Default)]
+    pub struct GetFilterBaseRateResponse {
+        /// Base rate of the filter data.
+        ///
+        /// Unit: Hz.
+        pub rate: u16,
+    }
+}
+
+field! {
+    GetFilterBaseRateResponse: 0x0C, 0x8A, "3dm.get_filter_base_rate_response", answers GetFilterBaseRate
+}
+
+record! {
+    /// Advanced Low-Pass Filter Settings response (0x0C,0x8B).
+    ///
+    /// Also called `imu_lowpass_filter_response`. Answers [`ImuLowPassFilter`]. Supported by
+    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
+    /// Advanced Low-Pass Filter Settings (0x0C,0x50).
+    #[derive(Default)]
+    pub struct ImuLowPassFilterResponse {
+        /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
+        /// magnetic field 0x06 or pressure 0x17.
+        pub target_descriptor: u8,
+        /// Whether the quantity is filtered.
+        ///
+        /// Default: true.
+        pub enable: crate::Bool,
+        /// True uses the frequency; false follows half the rate of the message format.
+        ///
+        /// Default: false.
+        pub manual: crate::Bool,
+        /// Cutoff (-3 dB). It has no meaning if manual is false.
+        ///
+        /// Unit: Hz.
+        pub frequency: u16,
+        /// Reserved.
+        pub reserved: u8,
+    }
+}
+
+field! {
+    ImuLowPassFilterResponse: 0x0C, 0x8B, "3dm.imu_low_pass_filter_response", answers ImuLowPassFilter
+}
+
+record! {
+    /// NMEA Message Format response (0x0C,0x8C).
+    ///
+    /// Answers [`NmeaMessageFormat`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// On the wire there is also `count`: Number of sentences. The number of elements of
+    /// `format_entries`.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C).
+    #[derive(Default)]
+    pub struct NmeaMessageFormatResponse {
+        /// Sentences to stream.
+        pub format_entries: crate::List<types::NmeaMessage, 50>,
+    }
+    wire 251 {
+        [count: u8 counts format_entries]
+        [format_entries by count]
+    }
+}
+
+field! {
+    NmeaMessageFormatResponse: 0x0C, 0x8C, "3dm.nmea_message_format_response", answers NmeaMessageFormat
+}
+
+record! {
+    /// Get Data Base Rate response (0x0C,0x8E).
+    ///
+    /// Answers [`GetBaseRate`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
+    #[derive(Default)]
+    pub struct GetBaseRateResponse {
+        /// Data descriptor set of the command.
+        pub descriptor_set: u8,
+        /// Base rate; 0 if the rate is variable or unknown and data is sent as it comes.
+        ///
+        /// Unit: Hz.
+        pub rate: u16,
+    }
+}
+
+field! {
+    GetBaseRateResponse: 0x0C, 0x8E, "3dm.get_base_rate_response", answers GetBaseRate
+}
+
+record! {
+    /// Message Format response (0x0C,0x8F).
+    ///
+    /// Answers [`MessageFormat`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// `descriptors`.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F).
+    #[derive(Default)]
+    pub struct MessageFormatResponse {
+        /// Data descriptor set; 0 means all of them (save, load, default).
+        pub descriptor_set: u8,
+        /// Fields and decimations.
+        pub descriptors: crate::List<types::DescriptorRate, 83>,
+    }
+    wire 251 {
+        [descriptor_set]
+        [num_descriptors: u8 counts descriptors]
+        [descriptors by num_descriptors]
+    }
+}
+
+field! {
+    MessageFormatResponse: 0x0C, 0x8F, "3dm.message_format_response", answers MessageFormat
+}
+
+record! {
+    /// Basic Device Status (0x0C,0x90).
+    ///
+    /// State and timer.
+    ///
+    /// Answers [`DeviceStatus`]. Sent if `status_selector` is [`DeviceStatusSelector::BASIC`].
+    /// Supported by 3DM-GX5-15.
+    ///
+    /// On the wire there is also `model_number`: Model number of the 3DM-GX5-15. Always 6254.
+    ///
+    /// On the wire there is also `status_selector`: Basic status. Always 1.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64).
+    #[derive(Default)]
+    pub struct DeviceStatusBasicResponse {
+        /// Reserved.
+        pub status_flags: u32,
+        /// State of the system; its values are not documented.
+        pub system_state: u16,
+        /// Time since start-up.
+        ///
+        /// Unit: ms.
+        pub system_timer: u32,
+    }
+    wire 13 {
+        [model_number: u16 = 6254]
+        [status_selector: u8 = 1]
+        [status_flags]
+        [system_state]
+        [system_timer]
+    }
+}
+
+field! {
+    DeviceStatusBasicResponse: 0x0C, 0x90, "3dm.device_status_basic_response", constants [0: 24 110] [2: 1], answers DeviceStatus
+}
+
+record! {
+    /// Diagnostic Device Status (0x0C,0x90).
+    ///
+    /// State and timer with the counters of streams and port.
+    ///
+    /// Answers [`DeviceStatus`]. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`].
+    /// Supported by 3DM-GX5-15.
+    ///
+    /// On the wire there is also `model_number`: Model number of the 3DM-GX5-15. Always 6254.
+    ///
+    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64).
+    #[derive(Default)]
+    pub struct DeviceStatusDiagnosticResponse {
+        /// Reserved.
+        pub status_flags: u32,
+        /// State of the system; its values are not documented.
+        pub system_state: u16,
+        /// Time since start-up.
+        ///
+        /// Unit: ms.
+        pub system_timer: u32,
+        /// Whether sensor data is streamed.
+        pub imu_stream_enabled: crate::Bool,
+        /// Whether filter data is streamed.
+        pub filter_stream_enabled: crate::Bool,
+        /// Sensor data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub imu_dropped_packets: u32,
+        /// Filter data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub filter_dropped_packets: u32,
+        /// Bytes written to the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_written: u32,
+        /// Bytes read from the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_read: u32,
+        /// Overruns while writing to the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_write_overruns: u32,
+        /// Overruns while reading from the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_read_overruns: u32,
+        /// Messages of the IMU that could not be parsed.
+        ///
+        /// Unit: 1.
+        pub imu_parser_errors: u32,
+        /// Messages of the IMU that were read.
+        ///
+        /// Unit: 1.
+        pub imu_message_count: u32,
+        /// System timer at the last message of the IMU.
+        ///
+        /// Unit: ms.
+        pub imu_last_message_time: u32,
+    }
+    wire 51 {
+        [model_number: u16 = 6254]
+        [status_selector: u8 = 2]
+        [status_flags]
+        [system_state]
+        [system_timer]
+        [imu_stream_enabled]
+        [filter_stream_enabled]
+        [imu_dropped_packets]
+        [filter_dropped_packets]
+        [comm_port_bytes_written]
+        [comm_port_bytes_read]
+        [comm_port_write_overruns]
+        [comm_port_read_overruns]
+        [imu_parser_errors]
+        [imu_message_count]
+        [imu_last_message_time]
+    }
+}
+
+field! {
+    DeviceStatusDiagnosticResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_response", constants [0: 24 110] [2: 2], answers DeviceStatus
+}
+
+record! {
+    /// Complementary Filter Configuration response (0x0C,0x97).
+    ///
+    /// Answers [`ComplementaryFilter`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51); 3dm-cv7-gnss-ins:
+    /// Complementary Filter Configuration (0x0C,0x51).
+    #[derive(Default)]
+    pub struct ComplementaryFilterResponse {
+        /// Corrects pitch and roll (up, in terms of the 5-series).
+        pub pitch_roll_enable: crate::Bool,
+        /// Corrects the heading (north, in terms of the 5-series).
+        pub heading_enable: crate::Bool,
+        /// Time constant of the correction of pitch and roll.
+        ///
+        /// Unit: s. Range: 1 to 1000. Default: 10.
+        pub pitch_roll_time_constant: f32,
+        /// Time constant of the correction of the heading.
+        ///
+        /// Unit: s. Range: 1 to 1000. Default: 10.
+        pub heading_time_constant: f32,
+    }
+}
+
+field! {
+    ComplementaryFilterResponse: 0x0C, 0x97, "3dm.complementary_filter_response", answers ComplementaryFilter
+}
+
+record! {
+    /// Accelerometer Bias Configuration response (0x0C,0x9A).
+    ///
+    /// Answers [`AccelBias`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
+    /// Configuration (0x0C,0x37).
+    #[derive(Default)]
+    pub struct AccelBiasResponse {
+        /// Accelerometer bias.
+        ///
+        /// Elements: x, y, z. Unit: g. Frame: sensor.
+        pub bias: types::Vector3f,
+    }
+}
+
+field! {
+    AccelBiasResponse: 0x0C, 0x9A, "3dm.accel_bias_response", answers AccelBias
+}
+
+record! {
+    /// Gyroscope Bias Configuration response (0x0C,0x9B).
+    ///
+    /// The bias in use.
+    ///
+    /// Also called `capture_gyro_bias_response`. Answers [`GyroBias`] and [`CaptureGyroBias`].
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38); 3dm-cv7-gnss-ins: Gyroscope Bias
+    /// Configuration (0x0C,0x38).
+    #[derive(Default)]
+    pub struct GyroBiasResponse {
+        /// Gyroscope bias.
+        ///
+        /// Elements: x, y, z. Unit: rad/s. Frame: sensor.
+        pub bias: types::Vector3f,
+    }
+}
+
+field! {
+    GyroBiasResponse: 0x0C, 0x9B, "3dm.gyro_bias_response", answers GyroBias CaptureGyroBias
+}
+
+record! {
+    /// Magnetometer Hard Iron Offset response (0x0C,0x9C).
+    ///
+    /// Answers [`MagHardIronOffset`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A).
+    #[derive(Default)]
+    pub struct MagHardIronOffsetResponse {
+        /// Hard iron offset.
+        ///
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor.
+        pub offset: types::Vector3f,
+    }
+}
+
+field! {
+    MagHardIronOffsetResponse: 0x0C, 0x9C, "3dm.mag_hard_iron_offset_response", answers MagHardIronOffset
+}
+
+record! {
+    /// Magnetometer Soft Iron Matrix response (0x0C,0x9D).
+    ///
+    /// Answers [`MagSoftIronMatrix`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B).
+    #[derive(Default)]
+    pub struct MagSoftIronMatrixResponse {
+        /// Soft iron matrix in row-major order.
+        ///
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor.
+        pub matrix: types::Matrix3f,
+    }
+}
+
+field! {
+    MagSoftIronMatrixResponse: 0x0C, 0x9D, "3dm.mag_soft_iron_matrix_response", answers MagSoftIronMatrix
+}
+
+record! {
+    /// Coning and Sculling Enable response (0x0C,0x9E).
+    ///
+    /// Answers [`ConingScullingEnable`]. Supported by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
+    #[derive(Default)]
+    pub struct ConingScullingEnableResponse {
+        /// Whether the compensation is on.
+        ///
+        /// Default: true.
+        pub enable: crate::Bool,
+    }
+}
+
+field! {
+    ConingScullingEnableResponse: 0x0C, 0x9E, "3dm.coning_sculling_enable_response", answers ConingScullingEnable
+}
+
+record! {
+    /// Constellation Settings response (0x0C,0xA0).
+    ///
+    /// Tracking channels of the receiver and the setting of each constellation.
+    ///
+    /// Answers [`ConstellationSettings`].
+    ///
+    /// On the wire there is also `config_count`: Number of entries. The number of elements of
+    /// `settings`. Range: 0 to 41.
+    ///
+    /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21); 3dm-gx5-35: 4.2.8 GNSS Constellation
+    /// Settings (0x0C, 0x21).
+    #[derive(Default)]
+    pub struct ConstellationSettingsResponse {
+        /// Channels that the receiver has.
+        ///
+        /// Unit: 1.
+        pub max_channels_available: u16,
+        /// Channels in use at most.
+        ///
+        /// Unit: 1.
+        pub max_channels_use: u16,
+        /// One entry for each constellation.
+        pub settings: crate::List<ConstellationSettingsEntry, 41>,
+    }
+    wire 251 {
+        [max_channels_available]
+        [max_channels_use]
+        [config_count: u8 counts settings]
+        [settings by config_count]
+    }
+}
+
+field! {
+    ConstellationSettingsResponse: 0x0C, 0xA0, "3dm.constellation_settings_response", answers ConstellationSettings
+}
+
+record! {
+    /// GNSS SBAS Settings response (0x0C,0xA1).
+    ///
+    /// Answers [`GnssSbasSettings`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// On the wire there is also `num_included_prns`: Number of satellites listed; 0 searches for
+    /// all. The number of elements of `included_prns`.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
+    #[derive(Default)]
+    pub struct GnssSbasSettingsResponse {
+        /// 1 switches SBAS on, 0 off.
+        ///
+        /// Range: 0 to 1.
+        pub enable_sbas: u8,
+        /// What SBAS is used for.
+        pub sbas_options: SbasOptions,
+        /// PRN numbers of the SBAS satellites to search for.
+        pub included_prns: crate::List<u16, 124>,
+    }
+    wire 252 {
+        [enable_sbas]
+        [sbas_options]
+        [num_included_prns: u8 counts included_prns]
+        [included_prns by num_included_prns]
+    }
+}
+
+field! {
+    GnssSbasSettingsResponse: 0x0C, 0xA1, "3dm.gnss_sbas_settings_response", answers GnssSbasSettings
+}
+
+record! {
+    /// GNSS Assisted Fix response (0x0C,0xA2).
+    ///
+    /// Answers [`GnssAssistedFix`].
+    ///
+    /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
+    pub struct GnssAssistedFixResponse {
+        /// Assisted fix.
+        ///
+        /// Default: [`AssistedFixOption::NONE`].
+        pub option: AssistedFixOption,
+        /// Reserved.
+        pub flags: u8,
+    }
+}
+
+#[rustfmt::skip]
+impl core::default::Default for GnssAssistedFixResponse {
+    fn default() -> Self {
+        Self {
+            option: core::default::Default::default(),
+            flags: 255,
+        }
+    }
+}
+
+field! {
+    GnssAssistedFixResponse: 0x0C, 0xA2, "3dm.gnss_assisted_fix_response", answers GnssAssistedFix
+}
+
+record! {
+    /// GNSS Time Assistance response (0x0C,0xA3).
+    ///
+    /// Answers [`GnssTimeAssistance`].
+    ///
+    /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
+    #[derive(Default)]
+    pub struct GnssTimeAssistanceResponse {
+        /// GPS time of week.
+        ///
+        /// Unit: s.
+        pub tow: f64,
+        /// GPS week number since 1980.
+        ///
+        /// Unit: week.
+        pub week_number: u16,
+        /// Accuracy of the time.
+        ///
+        /// Unit: s.
+        pub accuracy: f32,
+    }
+}
+
+field! {
+    GnssTimeAssistanceResponse: 0x0C, 0xA3, "3dm.gnss_time_assistance_response", answers GnssTimeAssistance
+}
+
+record! {
+    /// PPS Source Control response (0x0C,0xA8).
+    ///
+    /// Also called `pps_source_response`. Answers [`PpsSourceControl`]. Supported by
+    /// 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
+    #[derive(Default)]
+    pub struct PpsSourceControlResponse {
+        /// Source of the pulse.
+        ///
+        /// Default: [`PpsSource::RECEIVER_1`].
+        pub source: PpsSource,
+    }
+}
+
+field! {
+    PpsSourceControlResponse: 0x0C, 0xA8, "3dm.pps_source_control_response", answers PpsSourceControl
+}
+
+record! {
+    /// Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
+    ///
+    /// Also called `sensor_2_vehicle_transform_euler_response`. Answers
+    /// [`SensorToVehicleTransformEuler`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
+    #[derive(Default)]
+    pub struct SensorToVehicleTransformEulerResponse {
+        /// Rotation about the x axis.
+        ///
+        /// Unit: rad.
+        pub roll: f32,
+        /// Rotation about the y axis.
+        ///
+        /// Unit: rad.
+        pub pitch: f32,
+        /// Rotation about the z axis.
+        ///
+        /// Unit: rad.
+        pub yaw: f32,
+    }
+}
+
+field! {
+    SensorToVehicleTransformEulerResponse: 0x0C, 0xB1, "3dm.sensor_to_vehicle_transform_euler_response", answers SensorToVehicleTransformEuler
+}
+
+record! {
+    /// Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
+    ///
+    /// Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
+    /// [`SensorToVehicleTransformQuaternion`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
+    #[derive(Default)]
+    pub struct SensorToVehicleTransformQuaternionResponse {
+        /// Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
+        ///
+        /// Elements: w, x, y, z. Unit: 1.
+        pub q: types::Quatf,
+    }
+}
+
+field! {
+    SensorToVehicleTransformQuaternionResponse: 0x0C, 0xB2, "3dm.sensor_to_vehicle_transform_quaternion_response", answers SensorToVehicleTransformQuaternion
+}
+
+record! {
+    /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
+    ///
+    /// Also called `sensor_2_vehicle_transform_dcm_response`. Answers
+    /// [`SensorToVehicleTransformDcm`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
+    /// (0x0C,0x33).
+    #[derive(Default)]
+    pub struct SensorToVehicleTransformDcmResponse {
+        /// The matrix in row-major order.
+        ///
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1.
+        pub dcm: types::Matrix3f,
+    }
+}
+
+field! {
+    SensorToVehicleTransformDcmResponse: 0x0C, 0xB3, "3dm.sensor_to_vehicle_transform_dcm_response", answers SensorToVehicleTransformDcm
+}
+
+record! {
+    /// Get Supported Events response (0x0C,0xB4).
+    ///
+    /// Answers [`GetEventSupport`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// On the wire there is also `num_entries`: Number of types. The number of elements of
+    /// `entries`.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
+    #[derive(Default)]
+    pub struct GetEventSupportResponse {
+        /// Query of the command.
+        pub query: EventSupportQuery,
+        /// Number of slots; instances go from 1 to this.
+        ///
+        /// Unit: 1.
+        pub max_instances: u8,
+        /// The types.
+        pub entries: crate::List<EventSupportInfo, 125>,
+    }
+    wire 253 {
+        [query]
+        [max_instances]
+        [num_entries: u8 counts entries]
+        [entries by num_entries]
+    }
+}
+
+field! {
+    GetEventSupportResponse: 0x0C, 0xB4, "3dm.get_event_support_response", answers GetEventSupport
+}
+
+record! {
+    /// Event Control response (0x0C,0xB5).
+    ///
+    /// Answers [`EventControl`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B).
+    #[derive(Default)]
+    pub struct EventControlResponse {
+        /// Trigger instance; 0 means all configured triggers, except for read.
+        pub instance: u8,
+        /// New mode.
+        ///
+        /// Default: [`types::EventTriggerMode::DISABLED`].
+        pub mode: types::EventTriggerMode,
+    }
+}
+
+field! {
+    EventControlResponse: 0x0C, 0xB5, "3dm.event_control_response", answers EventControl
+}
+
+record! {
+    /// Get Event Trigger Status response (0x0C,0xB6).
+    ///
+    /// Answers [`GetEventTriggerStatus`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// On the wire there is also `count`: Number of entries. The number of elements of `triggers`.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
+    #[derive(Default)]
+    pub struct GetEventTriggerStatusResponse {
+        /// One entry per trigger, in the order asked for, or by instance if all were asked for.
+        pub triggers: crate::List<EventTriggerStatusEntry, 126>,
+    }
+    wire 253 {
+        [count: u8 counts triggers]
+        [triggers by count]
+    }
+}
+
+field! {
+    GetEventTriggerStatusResponse: 0x0C, 0xB6, "3dm.get_event_trigger_status_response", answers GetEventTriggerStatus
+}
+
+record! {
+    /// Get Event Action Status response (0x0C,0xB7).
+    ///
+    /// Answers [`GetEventActionStatus`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// On the wire there is also `count`: Number of entries. The number of elements of `actions`.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D).
+    #[derive(Default)]
+    pub struct GetEventActionStatusResponse {
+        /// One entry per action, in the order asked for, or by instance if all were asked for.
+        pub actions: crate::List<EventActionStatusEntry, 126>,
+    }
+    wire 253 {
+        [count: u8 counts actions]
+        [actions by count]
+    }
+}
+
+field! {
+    GetEventActionStatusResponse: 0x0C, 0xB7, "3dm.get_event_action_status_response", answers GetEventActionStatus
+}
+
+record! {
+    /// Event Trigger Configuration response (0x0C,0xB8).
+    ///
+    /// Also called `event_trigger_response`. Answers [`EventTriggerConfig`]. Supported by
+    /// 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
+    #[derive(Default)]
+    pub struct EventTriggerConfigResponse {
+        /// Trigger instance; 0 means all (save, load, default).
+        pub instance: u8,
+        /// Kind of trigger.
+        ///
+        /// Default: [`types::EventTriggerType::NONE`].
+        pub type_: types::EventTriggerType,
+        /// The condition.
+        ///
+        /// Selected by `type_`.
+        pub parameters: EventTriggerConfigParameters,
+    }
+    wire 22 {
+        [instance]
+        [type_ "type"]
+        [parameters as type_]
+    }
+}
+
+field! {
+    EventTriggerConfigResponse: 0x0C, 0xB8, "3dm.event_trigger_config_response", answers EventTriggerConfig
+}
+
+record! {
+    /// Event Action Configuration response (0x0C,0xB9).
+    ///
+    /// Also called `event_action_response`. Answers [`EventActionConfig`]. Supported by
+    /// 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F).
+    #[derive(Default)]
+    pub struct EventActionConfigResponse {
+        /// Action instance; 0 means all (save, load, default).
+        pub instance: u8,
+        /// Trigger instance that the action follows.
+        pub trigger: u8,
+        /// Kind of action.
+        ///
+        /// Default: [`types::EventActionType::NONE`].
+        pub type_: types::EventActionType,
+        /// The effect.
+        ///
+        /// Selected by `type_`.
+        pub parameters: EventActionConfigParameters,
+    }
+    wire 253 {
+        [instance]
+        [trigger]
+        [type_ "type"]
+        [parameters as type_]
+    }
+}
+
+field! {
+    EventActionConfigResponse: 0x0C, 0xB9, "3dm.event_action_config_response", answers EventActionConfig
+}
+
+record! {
+    /// GPIO Configuration response (0x0C,0xC1).
+    ///
+    /// Answers [`GpioConfig`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
+    #[derive(Default)]
+    pub struct GpioConfigResponse {
+        /// GPIO pin, counted from 1; 0 means all pins (save, load, default).
+        pub pin: u8,
+        /// Use of the pin.
+        ///
+        /// Default: [`types::GpioFeature::UNUSED`].
+        pub feature: types::GpioFeature,
+        /// Role of the pin within the feature; 0 where the feature names none.
+        ///
+        /// If `feature` is [`types::GpioFeature::UNUSED`]: values of [`types::GpioUnusedBehavior`].
+        /// If `feature` is [`types::GpioFeature::GPIO`]: values of [`types::GpioBehavior`]. If
+        /// `feature` is [`types::GpioFeature::PPS`]: values of [`types::GpioPpsBehavior`]. If
+        /// `feature` is [`types::GpioFeature::ENCODER`]: values of [`types::GpioEncoderBehavior`].
+        /// If `feature` is [`types::GpioFeature::TIMESTAMP`]: values of
+        /// [`types::GpioTimestampBehavior`]. If `feature` is [`types::GpioFeature::UART`]: values
+        /// of [`types::GpioUartBehavior`].
+        pub behavior: u8,
+        /// Electrical options.
+        pub pin_mode: types::GpioPinMode,
+    }
+}
+
+#[rustfmt::skip]
+impl GpioConfigResponse {
+    /// Reads `behavior` as [`types::GpioUnusedBehavior`].
+    ///
+    /// If `feature` is [`types::GpioFeature::UNUSED`]: values of [`types::GpioUnusedBehavior`].
+    #[must_use]
+    pub fn behavior_as_gpio_unused_behavior(&self) -> Option<types::GpioUnusedBehavior> {
+        let named = matches!(self.feature, types::GpioFeature::UNUSED);
+        Some(self.behavior).filter(|_| named).map(Into::into)
+    }
+
+    /// Reads `behavior` as [`types::GpioBehavior`].
+    ///
+    /// If `feature` is [`types::GpioFeature::GPIO`]: values of [`types::GpioBehavior`].
+    #[must_use]
+    pub fn behavior_as_gpio_behavior(&self) -> Option<types::GpioBehavior> {
+        let named = matches!(self.feature, types::GpioFeature::GPIO);
+        Some(self.behavior).filter(|_| named).map(Into::into)
+    }
+
+    /// Reads `behavior` as [`types::GpioPpsBehavior`].
+    ///
+    /// If `feature` is [`types::GpioFeature::PPS`]: values of [`types::GpioPpsBehavior`].
+    #[must_use]
+    pub fn behavior_as_gpio_pps_behavior(&self) -> Option<types::GpioPpsBehavior> {
+        let named = matches!(self.feature, types::GpioFeature::PPS);
+        Some(self.behavior).filter(|_| named).map(Into::into)
+    }
+
+    /// Reads `behavior` as [`types::GpioEncoderBehavior`].
+    ///
+    /// If `feature` is [`types::GpioFeature::ENCODER`]: values of [`types::GpioEncoderBehavior`].
+    #[must_use]
+    pub fn behavior_as_gpio_encoder_behavior(&self) -> Option<types::GpioEncoderBehavior> {
+        let named = matches!(self.feature, types::GpioFeature::ENCODER);
+        Some(self.behavior).filter(|_| named).map(Into::into)
+    }
+
+    /// Reads `behavior` as [`types::GpioTimestampBehavior`].
+    ///
+    /// If `feature` is [`types::GpioFeature::TIMESTAMP`]: values of
+    /// [`types::GpioTimestampBehavior`].
+    #[must_use]
+    pub fn behavior_as_gpio_timestamp_behavior(&self) -> Option<types::GpioTimestampBehavior> {
+        let named = matches!(self.feature, types::GpioFeature::TIMESTAMP);
+        Some(self.behavior).filter(|_| named).map(Into::into)
+    }
+
+    /// Reads `behavior` as [`types::GpioUartBehavior`].
+    ///
+    /// If `feature` is [`types::GpioFeature::UART`]: values of [`types::GpioUartBehavior`].
+    #[must_use]
+    pub fn behavior_as_gpio_uart_behavior(&self) -> Option<types::GpioUartBehavior> {
+        let named = matches!(self.feature, types::GpioFeature::UART);
+        Some(self.behavior).filter(|_| named).map(Into::into)
+    }
+}
+
+field! {
+    GpioConfigResponse: 0x0C, 0xC1, "3dm.gpio_config_response", answers GpioConfig
+}
+
+record! {
+    /// GPIO State response (0x0C,0xC2).
+    ///
+    /// Answers [`GpioState`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42).
+    #[derive(Default)]
+    pub struct GpioStateResponse {
+        /// GPIO pin, counted from 1.
+        ///
+        /// Range: at least 1.
+        pub pin: u8,
+        /// True is high.
+        pub state: crate::Bool,
+    }
+}
+
+field! {
+    GpioStateResponse: 0x0C, 0xC2, "3dm.gpio_state_response", answers GpioState
+}
+
+record! {
+    /// Odometer Configuration response (0x0C,0xC3).
+    ///
+    /// Also called `odometer_response`. Answers [`OdometerConfig`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
+    #[derive(Default)]
+    pub struct OdometerConfigResponse {
+        /// How the input works.
+        pub mode: OdometerMode,
+        /// Pulses over the distance travelled; negative if the encoder turns backwards.
+        ///
+        /// Unit: pulse/m.
+        ///
+        /// - Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
+        pub scaling: f32,
+        /// Relative uncertainty of the scaling, 1 sigma.
+        ///
+        /// Unit: 1.
+        pub uncertainty: f32,
+    }
+}
+
+field! {
+    OdometerConfigResponse: 0x0C, 0xC3, "3dm.odometer_config_response", answers OdometerConfig
+}
+
+record! {
+    /// Sensor Range response (0x0C,0xD2).
+    ///
+    /// Answers [`SensorRange`]. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
+    #[derive(Default)]
+    pub struct SensorRangeResponse {
+        /// The sensor.
+        pub sensor: SensorRangeType,
+        /// Number of the range.
+        pub setting: u8,
+    }
+}
+
+field! {
+    SensorRangeResponse: 0x0C, 0xD2, "3dm.sensor_range_response", answers SensorRange
+}
+
+record! {
+    /// Get Calibrated Sensor Ranges response (0x0C,0xD3).
+    ///
+    /// Also called `calibrated_sensor_ranges_response`. Answers [`GetCalibratedSensorRanges`].
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// On the wire there is also `num_ranges`: Number of ranges. The number of elements of
+    /// `ranges`.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
+    #[derive(Default)]
+    pub struct GetCalibratedSensorRangesResponse {
+        /// Sensor of the command.
+        pub sensor: SensorRangeType,
+        /// The ranges.
+        pub ranges: crate::List<SensorRangeEntry, 50>,
+    }
+    wire 252 {
+        [sensor]
+        [num_ranges: u8 counts ranges]
+        [ranges by num_ranges]
+    }
+}
+
+field! {
+    GetCalibratedSensorRangesResponse: 0x0C, 0xD3, "3dm.get_calibrated_sensor_ranges_response", answers GetCalibratedSensorRanges
+}
+
+record! {
+    /// Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
+    ///
+    /// Also called `lowpass_filter_response`. Answers [`LowPassFilter`]. Supported by
+    /// 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54).
+    #[derive(Default)]
+    pub struct LowPassFilterResponse {
+        /// Descriptor set of the field.
+        pub descriptor_set: u8,
+        /// Field descriptor; 0 if the set is 0.
+        pub field_descriptor: u8,
+        /// Whether the field is filtered.
+        pub enable: crate::Bool,
+        /// True uses the frequency; false follows half the rate of the field in the message format.
+        pub manual: crate::Bool,
+        /// Cutoff; a write ignores it if manual is false, a read gives the cutoff in use.
+        ///
+        /// Unit: Hz.
+        pub frequency: f32,
+    }
+}
+
+field! {
+    LowPassFilterResponse: 0x0C, 0xD4, "3dm.low_pass_filter_response", answers LowPassFilter
+}

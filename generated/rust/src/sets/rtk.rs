@@ -1,0 +1,631 @@
+//! RTK commands (0x0F): Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
+//!
+//! Source: mip-sdk-4: Rtk Commands (0x0F).
+
+#[allow(unused_imports)] // some sets name a type in comments only, or none
+use crate::types;
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0x0F;
+
+open_enum! {
+    /// A device that a corrections modem serves.
+    ///
+    /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
+    ConnectedDevice: u8 {
+        /// Any device.
+        GENERIC = 0, "generic";
+        /// 3DM-GQ7.
+        GQ7 = 1, "gq7";
+    }
+}
+
+bitfield! {
+    /// State of the correction service.
+    ///
+    /// Source: mip-sdk-4: Service Status (0x0F,0x0A).
+    ServiceFlags: u8 {
+        /// The server limits the rate. Bit 0.
+        THROTTLE: bool = 0,
+            throttle, set_throttle, with_throttle;
+        /// There are no corrections. Bit 1.
+        CORRECTIONS_UNAVAILABLE: bool = 1,
+            corrections_unavailable, set_corrections_unavailable, with_corrections_unavailable;
+    }
+}
+
+open_enum! {
+    /// A storage medium of a corrections modem.
+    ///
+    /// Source: mip-sdk-4: Prod Erase Storage (0x0F,0x20).
+    StorageMedium: u8 {
+        /// External flash memory.
+        EXTERNAL_FLASH = 0, "external_flash";
+        /// SD card.
+        SD = 1, "sd";
+    }
+}
+
+open_enum! {
+    /// Pattern of an LED.
+    ///
+    /// Source: mip-sdk-4: Led Control (0x0F,0x21).
+    LedAction: u8 {
+        /// No pattern.
+        NONE = 0, "none";
+        /// Flashing.
+        FLASH = 1, "flash";
+        /// Pulsating.
+        PULSATE = 2, "pulsate";
+    }
+}
+
+record! {
+    /// Get status flags (0x0F,0x01).
+    ///
+    /// Asks for the state of the modem and of the corrections.
+    ///
+    /// Answered by [`GetStatusFlagsResponse`].
+    ///
+    /// - The word of the response has two forms, rtk_status_flags and rtk_status_flags_legacy.
+    ///
+    /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
+    #[derive(Default)]
+    pub struct GetStatusFlags;
+}
+
+constructors! {
+    GetStatusFlags
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    GetStatusFlags: 0x0F, 0x01, "rtk.get_status_flags"
+}
+
+command! {
+    GetStatusFlags -> GetStatusFlagsResponse;
+    responds GetStatusFlagsResponse;
+}
+
+record! {
+    /// Get IMEI (0x0F,0x02).
+    ///
+    /// Asks for the identity of the modem.
+    ///
+    /// Answered by [`GetImeiResponse`].
+    ///
+    /// Source: mip-sdk-4: Get Imei (0x0F,0x02).
+    #[derive(Default)]
+    pub struct GetImei;
+}
+
+constructors! {
+    GetImei
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    GetImei: 0x0F, 0x02, "rtk.get_imei"
+}
+
+command! {
+    GetImei -> GetImeiResponse;
+    responds GetImeiResponse;
+}
+
+record! {
+    /// Get IMSI (0x0F,0x03).
+    ///
+    /// Asks for the identity of the subscriber.
+    ///
+    /// Answered by [`GetImsiResponse`].
+    ///
+    /// Source: mip-sdk-4: Get Imsi (0x0F,0x03).
+    #[derive(Default)]
+    pub struct GetImsi;
+}
+
+constructors! {
+    GetImsi
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    GetImsi: 0x0F, 0x03, "rtk.get_imsi"
+}
+
+command! {
+    GetImsi -> GetImsiResponse;
+    responds GetImsiResponse;
+}
+
+record! {
+    /// Get ICCID (0x0F,0x04).
+    ///
+    /// Asks for the number of the SIM card.
+    ///
+    /// Answered by [`GetIccidResponse`].
+    ///
+    /// Source: mip-sdk-4: Get Iccid (0x0F,0x04).
+    #[derive(Default)]
+    pub struct GetIccid;
+}
+
+constructors! {
+    GetIccid
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    GetIccid: 0x0F, 0x04, "rtk.get_iccid"
+}
+
+command! {
+    GetIccid -> GetIccidResponse;
+    responds GetIccidResponse;
+}
+
+record! {
+    /// Get RSSI (0x0F,0x05).
+    ///
+    /// Asks for the strength of the cellular signal.
+    ///
+    /// Answered by [`GetRssiResponse`].
+    ///
+    /// Source: mip-sdk-4: Get Rssi (0x0F,0x05).
+    #[derive(Default)]
+    pub struct GetRssi;
+}
+
+constructors! {
+    GetRssi
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    GetRssi: 0x0F, 0x05, "rtk.get_rssi"
+}
+
+command! {
+    GetRssi -> GetRssiResponse;
+    responds GetRssiResponse;
+}
+
+record! {
+    /// Connected device type (0x0F,0x06).
+    ///
+    /// The device that the modem serves.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`ConnectedDeviceTypeResponse`].
+    ///
+    /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
+    pub struct ConnectedDeviceType {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Type of the device.
+        ///
+        /// Required for write.
+        pub device_type: Option<ConnectedDevice>,
+    }
+    wire 2 {
+        [function selects]
+        [device_type for WRITE]
+    }
+}
+
+constructors! {
+    ConnectedDeviceType { function, device_type }
+
+    /// Apply the new setting.
+    fn write(device_type: ConnectedDevice) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    ConnectedDeviceType: 0x0F, 0x06, "rtk.connected_device_type"
+}
+
+command! {
+    ConnectedDeviceType -> ConnectedDeviceTypeResponse;
+    responds ConnectedDeviceTypeResponse for READ;
+}
+
+record! {
+    /// Get activation code (0x0F,0x07).
+    ///
+    /// Asks for the activation code.
+    ///
+    /// Also called `get_act_code`. Answered by [`GetActivationCodeResponse`].
+    ///
+    /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
+    #[derive(Default)]
+    pub struct GetActivationCode;
+}
+
+constructors! {
+    GetActivationCode
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    GetActivationCode: 0x0F, 0x07, "rtk.get_activation_code"
+}
+
+command! {
+    GetActivationCode -> GetActivationCodeResponse;
+    responds GetActivationCodeResponse;
+}
+
+record! {
+    /// Get modem firmware version (0x0F,0x08).
+    ///
+    /// Asks for the firmware version of the cellular modem.
+    ///
+    /// Answered by [`GetModemFirmwareVersionResponse`].
+    ///
+    /// Source: mip-sdk-4: Get Modem Firmware Version (0x0F,0x08).
+    #[derive(Default)]
+    pub struct GetModemFirmwareVersion;
+}
+
+constructors! {
+    GetModemFirmwareVersion
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    GetModemFirmwareVersion: 0x0F, 0x08, "rtk.get_modem_firmware_version"
+}
+
+command! {
+    GetModemFirmwareVersion -> GetModemFirmwareVersionResponse;
+    responds GetModemFirmwareVersionResponse;
+}
+
+record! {
+    /// Service status (0x0F,0x0A).
+    ///
+    /// Asks a correction server about the connection, and so keeps it open.
+    ///
+    /// Answered by [`ServiceStatusResponse`]. The device sends it, and the host answers.
+    ///
+    /// - The modem sends it as a host would, and the server answers as a device would.
+    ///
+    /// Source: mip-sdk-4: Service Status (0x0F,0x0A).
+    #[derive(Default)]
+    pub struct ServiceStatus {
+        /// Reserved: send 0. Uncertain: What the modem sends; 0 is assumed.
+        pub reserved1: u32,
+        /// Reserved: send 0. Uncertain: What the modem sends; 0 is assumed.
+        pub reserved2: u32,
+    }
+}
+
+constructors! {
+    ServiceStatus
+
+    /// The command with its parameters.
+    fn new(), reserved1: 0, reserved2: 0;
+}
+
+field! {
+    ServiceStatus: 0x0F, 0x0A, "rtk.service_status"
+}
+
+command! {
+    ServiceStatus -> ServiceStatusResponse;
+    responds ServiceStatusResponse;
+}
+
+record! {
+    /// Erase storage (0x0F,0x20).
+    ///
+    /// Erases a storage medium down to its raw state.
+    ///
+    /// For advanced use. Also called `prod_erase_storage`.
+    ///
+    /// - All that is stored is lost. The command is for production.
+    /// - Accepted in calibration mode only.
+    ///
+    /// Source: mip-sdk-4: Prod Erase Storage (0x0F,0x20).
+    #[derive(Default)]
+    pub struct EraseStorage {
+        /// The medium.
+        pub media: StorageMedium,
+    }
+}
+
+constructors! {
+    EraseStorage
+
+    /// The command with its parameters.
+    fn new(media: StorageMedium);
+}
+
+field! {
+    EraseStorage: 0x0F, 0x20, "rtk.erase_storage"
+}
+
+command! {
+    EraseStorage -> ();
+}
+
+record! {
+    /// LED control (0x0F,0x21).
+    ///
+    /// Colours and pattern of the LED.
+    ///
+    /// For advanced use.
+    ///
+    /// - Accepted in calibration mode and production test mode only.
+    ///
+    /// Source: mip-sdk-4: Led Control (0x0F,0x21).
+    #[derive(Default)]
+    pub struct LedControl {
+        /// First colour.
+        ///
+        /// Uncertain: The order of its parts; red, green, blue is likely.
+        pub primary_color: [u8; 3],
+        /// Second colour.
+        ///
+        /// Uncertain: The order of its parts; red, green, blue is likely.
+        pub alternate_color: [u8; 3],
+        /// Pattern.
+        pub action: LedAction,
+        /// Period of the pattern.
+        ///
+        /// Uncertain: The unit; ms is likely.
+        pub period: u32,
+    }
+}
+
+constructors! {
+    LedControl
+
+    /// The command with its parameters.
+    fn new(
+        primary_color: [u8; 3],
+        alternate_color: [u8; 3],
+        action: LedAction,
+        period: u32,
+    );
+}
+
+field! {
+    LedControl: 0x0F, 0x21, "rtk.led_control"
+}
+
+command! {
+    LedControl -> ();
+}
+
+record! {
+    /// Modem hard reset (0x0F,0x22).
+    ///
+    /// Clears the flash memory of the modem.
+    ///
+    /// For advanced use.
+    ///
+    /// - It wears the flash memory out; use it rarely.
+    /// - Accepted in calibration mode only.
+    ///
+    /// Source: mip-sdk-4: Modem Hard Reset (0x0F,0x22).
+    #[derive(Default)]
+    pub struct ModemHardReset;
+}
+
+constructors! {
+    ModemHardReset
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    ModemHardReset: 0x0F, 0x22, "rtk.modem_hard_reset"
+}
+
+command! {
+    ModemHardReset -> ();
+}
+
+record! {
+    /// Get status flags response (0x0F,0x81).
+    ///
+    /// Answers [`GetStatusFlags`].
+    ///
+    /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
+    #[derive(Default)]
+    pub struct GetStatusFlagsResponse {
+        /// State of the modem and of the corrections.
+        pub flags: types::RtkStatusFlags,
+    }
+}
+
+field! {
+    GetStatusFlagsResponse: 0x0F, 0x81, "rtk.get_status_flags_response", answers GetStatusFlags
+}
+
+record! {
+    /// Get IMEI response (0x0F,0x82).
+    ///
+    /// Answers [`GetImei`].
+    ///
+    /// Source: mip-sdk-4: Get Imei (0x0F,0x02).
+    #[derive(Default)]
+    pub struct GetImeiResponse {
+        /// International mobile equipment identity.
+        pub imei: crate::Text<32>,
+    }
+}
+
+field! {
+    GetImeiResponse: 0x0F, 0x82, "rtk.get_imei_response", answers GetImei
+}
+
+record! {
+    /// Get IMSI response (0x0F,0x83).
+    ///
+    /// Answers [`GetImsi`].
+    ///
+    /// Source: mip-sdk-4: Get Imsi (0x0F,0x03).
+    #[derive(Default)]
+    pub struct GetImsiResponse {
+        /// International mobile subscriber identity.
+        pub imsi: crate::Text<32>,
+    }
+}
+
+field! {
+    GetImsiResponse: 0x0F, 0x83, "rtk.get_imsi_response", answers GetImsi
+}
+
+record! {
+    /// Get ICCID response (0x0F,0x84).
+    ///
+    /// Answers [`GetIccid`].
+    ///
+    /// Source: mip-sdk-4: Get Iccid (0x0F,0x04).
+    #[derive(Default)]
+    pub struct GetIccidResponse {
+        /// Number of the SIM card.
+        pub iccid: crate::Text<32>,
+    }
+}
+
+field! {
+    GetIccidResponse: 0x0F, 0x84, "rtk.get_iccid_response", answers GetIccid
+}
+
+record! {
+    /// Get RSSI response (0x0F,0x85).
+    ///
+    /// Answers [`GetRssi`]. Uncertain: That `valid` vouches for the other values is inferred.
+    ///
+    /// Source: mip-sdk-4: Get Rssi (0x0F,0x05).
+    #[derive(Default)]
+    pub struct GetRssiResponse {
+        /// Whether the modem is connected.
+        pub valid: crate::Bool,
+        /// Received signal strength.
+        ///
+        /// Valid if `valid` is true. Uncertain: The unit; dBm is likely.
+        pub rssi: i32,
+        /// Signal quality.
+        ///
+        /// Valid if `valid` is true. Uncertain: The unit.
+        pub signal_quality: i32,
+    }
+}
+
+field! {
+    GetRssiResponse: 0x0F, 0x85, "rtk.get_rssi_response", answers GetRssi
+}
+
+record! {
+    /// Connected device type response (0x0F,0x86).
+    ///
+    /// Answers [`ConnectedDeviceType`].
+    ///
+    /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
+    #[derive(Default)]
+    pub struct ConnectedDeviceTypeResponse {
+        /// Type of the device.
+        pub device_type: ConnectedDevice,
+    }
+}
+
+field! {
+    ConnectedDeviceTypeResponse: 0x0F, 0x86, "rtk.connected_device_type_response", answers ConnectedDeviceType
+}
+
+record! {
+    /// Get activation code response (0x0F,0x87).
+    ///
+    /// Also called `get_act_code_response`. Answers [`GetActivationCode`].
+    ///
+    /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
+    #[derive(Default)]
+    pub struct GetActivationCodeResponse {
+        /// Activation code.
+        pub activation_code: crate::Text<32>,
+    }
+}
+
+field! {
+    GetActivationCodeResponse: 0x0F, 0x87, "rtk.get_activation_code_response", answers GetActivationCode
+}
+
+record! {
+    /// Get modem firmware version response (0x0F,0x88).
+    ///
+    /// Answers [`GetModemFirmwareVersion`].
+    ///
+    /// Source: mip-sdk-4: Get Modem Firmware Version (0x0F,0x08).
+    #[derive(Default)]
+    pub struct GetModemFirmwareVersionResponse {
+        /// Firmware version.
+        pub modem_firmware_version: crate::Text<32>,
+    }
+}
+
+field! {
+    GetModemFirmwareVersionResponse: 0x0F, 0x88, "rtk.get_modem_firmware_version_response", answers GetModemFirmwareVersion
+}
+
+record! {
+    /// Service status response (0x0F,0x8A).
+    ///
+    /// What the server knows of the connection.
+    ///
+    /// Answers [`ServiceStatus`]. Uncertain: What exactly the counters count.
+    ///
+    /// Source: mip-sdk-4: Service Status (0x0F,0x0A).
+    #[derive(Default)]
+    pub struct ServiceStatusResponse {
+        /// State of the service.
+        pub flags: ServiceFlags,
+        /// Bytes received.
+        ///
+        /// Unit: byte.
+        pub received_bytes: u32,
+        /// Bytes of the last transfer.
+        ///
+        /// Unit: byte.
+        pub last_bytes: u32,
+        /// Time of the last transfer.
+        ///
+        /// Uncertain: The unit and the epoch.
+        pub last_bytes_time: u64,
+    }
+}
+
+field! {
+    ServiceStatusResponse: 0x0F, 0x8A, "rtk.service_status_response", answers ServiceStatus
+}

@@ -1,0 +1,615 @@
+//! Sensor data (0x80): Inertial, magnetic and pressure measurements, and the attitude of the
+//! complementary filter.
+//!
+//! Source: 3dm-gx5-15: 5.1 IMU Data; 3dm-cv7-gnss-ins: Sensor (0x80).
+
+#[allow(unused_imports)] // some sets name a type in comments only, or none
+use crate::types;
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0x80;
+
+bitfield! {
+    /// Sensor axes that were near or outside their range.
+    OverrangeFlags: u16 {
+        /// Accelerometer X axis. Bit 0.
+        ACCEL_X: bool = 0,
+            accel_x, set_accel_x, with_accel_x;
+        /// Accelerometer Y axis. Bit 1.
+        ACCEL_Y: bool = 1,
+            accel_y, set_accel_y, with_accel_y;
+        /// Accelerometer Z axis. Bit 2.
+        ACCEL_Z: bool = 2,
+            accel_z, set_accel_z, with_accel_z;
+        /// Gyroscope X axis. Bit 4.
+        GYRO_X: bool = 4,
+            gyro_x, set_gyro_x, with_gyro_x;
+        /// Gyroscope Y axis. Bit 5.
+        GYRO_Y: bool = 5,
+            gyro_y, set_gyro_y, with_gyro_y;
+        /// Gyroscope Z axis. Bit 6.
+        GYRO_Z: bool = 6,
+            gyro_z, set_gyro_z, with_gyro_z;
+        /// Magnetometer X axis. Bit 8.
+        MAG_X: bool = 8,
+            mag_x, set_mag_x, with_mag_x;
+        /// Magnetometer Y axis. Bit 9.
+        MAG_Y: bool = 9,
+            mag_y, set_mag_y, with_mag_y;
+        /// Magnetometer Z axis. Bit 10.
+        MAG_Z: bool = 10,
+            mag_z, set_mag_z, with_mag_z;
+        /// Pressure sensor. Bit 12.
+        PRESSURE: bool = 12,
+            pressure, set_pressure, with_pressure;
+    }
+}
+
+bitfield! {
+    /// Whether the odometer values are valid.
+    OdometerFlags: u16 {
+        /// The odometer is configured. Bit 0.
+        ODOMETER: bool = 0,
+            odometer, set_odometer, with_odometer;
+    }
+}
+
+record! {
+    /// Raw accel (0x80,0x01).
+    ///
+    /// Raw acceleration in counts of the sensor, temperature compensated.
+    ///
+    /// Source: mip-sdk-4: Raw Accel (0x80,0x01).
+    #[derive(Default)]
+    pub struct RawAccel {
+        /// Acceleration in counts.
+        ///
+        /// Elements: x, y, z. Unit: 1. Frame: sensor.
+        pub raw_accel: types::Vector3f,
+    }
+}
+
+field! {
+    RawAccel: 0x80, 0x01, "sensor.raw_accel"
+}
+
+record! {
+    /// Raw gyro (0x80,0x02).
+    ///
+    /// Raw angular rate in counts of the sensor, temperature compensated.
+    ///
+    /// Source: mip-sdk-4: Raw Gyro (0x80,0x02).
+    #[derive(Default)]
+    pub struct RawGyro {
+        /// Angular rate in counts.
+        ///
+        /// Elements: x, y, z. Unit: 1. Frame: sensor.
+        pub raw_gyro: types::Vector3f,
+    }
+}
+
+field! {
+    RawGyro: 0x80, 0x02, "sensor.raw_gyro"
+}
+
+record! {
+    /// Raw mag (0x80,0x03).
+    ///
+    /// Raw magnetic field in counts of the sensor, temperature compensated.
+    ///
+    /// Source: mip-sdk-4: Raw Mag (0x80,0x03).
+    #[derive(Default)]
+    pub struct RawMag {
+        /// Magnetic field in counts.
+        ///
+        /// Elements: x, y, z. Unit: 1. Frame: vehicle. Uncertain: The frame. The SDK has the
+        /// vehicle frame here, but the sensor frame for raw acceleration and raw angular rate.
+        pub raw_mag: types::Vector3f,
+    }
+}
+
+field! {
+    RawMag: 0x80, 0x03, "sensor.raw_mag"
+}
+
+record! {
+    /// Scaled accel (0x80,0x04).
+    ///
+    /// Measured acceleration, temperature compensated.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04); 3dm-cv7-gnss-ins: Scaled
+    /// Accel (0x80,0x04).
+    #[derive(Default)]
+    pub struct ScaledAccel {
+        /// Acceleration.
+        ///
+        /// Elements: x, y, z. Unit: g. Frame: vehicle.
+        pub scaled_accel: types::Vector3f,
+    }
+}
+
+field! {
+    ScaledAccel: 0x80, 0x04, "sensor.scaled_accel"
+}
+
+record! {
+    /// Scaled gyro (0x80,0x05).
+    ///
+    /// Measured angular rate, temperature compensated.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05); 3dm-cv7-gnss-ins: Scaled Gyro
+    /// (0x80,0x05).
+    #[derive(Default)]
+    pub struct ScaledGyro {
+        /// Angular rate.
+        ///
+        /// Elements: x, y, z. Unit: rad/s. Frame: vehicle.
+        pub scaled_gyro: types::Vector3f,
+    }
+}
+
+field! {
+    ScaledGyro: 0x80, 0x05, "sensor.scaled_gyro"
+}
+
+record! {
+    /// Scaled mag (0x80,0x06).
+    ///
+    /// Measured magnetic field, temperature compensated.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06).
+    #[derive(Default)]
+    pub struct ScaledMag {
+        /// Magnetic field.
+        ///
+        /// Elements: x, y, z. Unit: gauss. Frame: vehicle.
+        pub scaled_mag: types::Vector3f,
+    }
+}
+
+field! {
+    ScaledMag: 0x80, 0x06, "sensor.scaled_mag"
+}
+
+record! {
+    /// Delta theta (0x80,0x07).
+    ///
+    /// Time integral of the angular rate over the period that the message format sets.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07); 3dm-cv7-gnss-ins: Delta Theta
+    /// (0x80,0x07).
+    #[derive(Default)]
+    pub struct DeltaTheta {
+        /// Integral of the angular rate.
+        ///
+        /// Elements: x, y, z. Unit: rad. Frame: vehicle.
+        pub delta_theta: types::Vector3f,
+    }
+}
+
+field! {
+    DeltaTheta: 0x80, 0x07, "sensor.delta_theta"
+}
+
+record! {
+    /// Delta velocity (0x80,0x08).
+    ///
+    /// Time integral of the acceleration over the period that the message format sets.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
+    ///
+    /// Source: 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08); 3dm-cv7-gnss-ins: Delta
+    /// Velocity (0x80,0x08).
+    #[derive(Default)]
+    pub struct DeltaVelocity {
+        /// Integral of the acceleration.
+        ///
+        /// Elements: x, y, z. Unit: g\*s. Frame: vehicle.
+        pub delta_velocity: types::Vector3f,
+    }
+}
+
+field! {
+    DeltaVelocity: 0x80, 0x08, "sensor.delta_velocity"
+}
+
+record! {
+    /// Complementary filter orientation matrix (0x80,0x09).
+    ///
+    /// Attitude by the complementary filter as a direction cosine matrix, relative to the NED
+    /// frame.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - V_vehicle = M \* v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09); 3dm-cv7-gnss-ins:
+    /// Complementary Filter Orientation Matrix (0x80,0x09).
+    #[derive(Default)]
+    pub struct CompOrientationMatrix {
+        /// Rotation from the NED frame to the vehicle frame.
+        ///
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. On the 3DM-GX5-15: From
+        /// the NED frame to the sensor frame.
+        pub m: types::Matrix3f,
+    }
+}
+
+field! {
+    CompOrientationMatrix: 0x80, 0x09, "sensor.comp_orientation_matrix"
+}
+
+record! {
+    /// Complementary filter quaternion (0x80,0x0A).
+    ///
+    /// Attitude by the complementary filter as a quaternion, relative to the NED frame.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - V_vehicle = q^-1 \* v_ned \* q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A); 3dm-cv7-gnss-ins: Complementary Filter
+    /// Quaternion (0x80,0x0A).
+    #[derive(Default)]
+    pub struct CompQuaternion {
+        /// Rotation between the NED frame and the vehicle frame.
+        ///
+        /// Elements: w, x, y, z. Unit: 1. On the 3DM-GX5-15: Between NED and the sensor frame.
+        pub q: types::Quatf,
+    }
+}
+
+field! {
+    CompQuaternion: 0x80, 0x0A, "sensor.comp_quaternion"
+}
+
+record! {
+    /// Complementary filter orientation update matrix (0x80,0x0B).
+    ///
+    /// Change of the attitude by the complementary filter as a matrix.
+    ///
+    /// Deprecated: the SDK marks it so and names no replacement. Uncertain: The interval of the
+    /// change and the frames. The SDK gives the name only.
+    ///
+    /// Source: mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B).
+    #[derive(Default)]
+    #[deprecated(note = "the SDK marks it so and names no replacement")]
+    pub struct CompOrientationUpdateMatrix {
+        /// Matrix in row-major order.
+        ///
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1.
+        pub m: types::Matrix3f,
+    }
+}
+
+field! {
+    CompOrientationUpdateMatrix: 0x80, 0x0B, "sensor.comp_orientation_update_matrix"
+}
+
+record! {
+    /// Complementary filter Euler angles (0x80,0x0C).
+    ///
+    /// Attitude by the complementary filter as Euler angles, relative to the NED frame.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - The rotations are in the order yaw, pitch, roll (3-2-1).
+    ///
+    /// Source: 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C); 3dm-cv7-gnss-ins: Complementary
+    /// Filter Euler Angles (0x80,0x0C).
+    #[derive(Default)]
+    pub struct CompEulerAngles {
+        /// Roll angle.
+        ///
+        /// Unit: rad.
+        pub roll: f32,
+        /// Pitch angle.
+        ///
+        /// Unit: rad.
+        pub pitch: f32,
+        /// Yaw angle.
+        ///
+        /// Unit: rad.
+        pub yaw: f32,
+    }
+}
+
+field! {
+    CompEulerAngles: 0x80, 0x0C, "sensor.comp_euler_angles"
+}
+
+record! {
+    /// Orientation raw temperatures (0x80,0x0D).
+    ///
+    /// Raw readings of four temperature sensors.
+    ///
+    /// Deprecated: the SDK marks it so and names no replacement. Also called
+    /// `orientation_raw_temp`.
+    ///
+    /// Source: mip-sdk-4: Orientation Raw Temp (0x80,0x0D).
+    #[derive(Default)]
+    #[deprecated(note = "the SDK marks it so and names no replacement")]
+    pub struct OrientationRawTemperature {
+        /// Temperatures in counts.
+        ///
+        /// Unit: 1. Uncertain: The scale. Uncertain: and which sensor is which.
+        pub raw_temperature: [u16; 4],
+    }
+}
+
+field! {
+    OrientationRawTemperature: 0x80, 0x0D, "sensor.orientation_raw_temperature"
+}
+
+record! {
+    /// Internal timestamp (0x80,0x0E).
+    ///
+    /// Free-running counter of the device.
+    ///
+    /// Deprecated: the SDK marks it so and names no replacement.
+    ///
+    /// Source: mip-sdk-4: Internal Timestamp (0x80,0x0E).
+    #[derive(Default)]
+    #[deprecated(note = "the SDK marks it so and names no replacement")]
+    pub struct InternalTimestamp {
+        /// Counter.
+        ///
+        /// Unit: 1. Uncertain: The period of one count.
+        pub counts: u32,
+    }
+}
+
+field! {
+    InternalTimestamp: 0x80, 0x0E, "sensor.internal_timestamp"
+}
+
+record! {
+    /// PPS timestamp (0x80,0x0F).
+    ///
+    /// Time that is counted with the pulse per second.
+    ///
+    /// Deprecated: the SDK marks it so and names no replacement. Uncertain: The epoch.
+    ///
+    /// Source: mip-sdk-4: Pps Timestamp (0x80,0x0F).
+    #[derive(Default)]
+    #[deprecated(note = "the SDK marks it so and names no replacement")]
+    pub struct PpsTimestamp {
+        /// Whole seconds.
+        ///
+        /// Unit: s. Uncertain: The unit; it follows from the name.
+        pub seconds: u32,
+        /// Fraction of the second.
+        ///
+        /// Unit: us. Uncertain: The unit; it follows from the name.
+        pub useconds: u32,
+    }
+}
+
+field! {
+    PpsTimestamp: 0x80, 0x0F, "sensor.pps_timestamp"
+}
+
+record! {
+    /// Complementary filter stabilized north vector (0x80,0x10).
+    ///
+    /// Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
+    ///
+    /// Supported by 3DM-GX5-15.
+    ///
+    /// - Without magnetic disturbance it equals the measured magnetic field.
+    /// - A lasting disturbance is not compensated.
+    ///
+    /// Source: 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10).
+    #[derive(Default)]
+    pub struct NorthVector {
+        /// Geomagnetic field.
+        ///
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor.
+        pub stabilized_mag: types::Vector3f,
+    }
+}
+
+field! {
+    NorthVector: 0x80, 0x10, "sensor.north_vector"
+}
+
+record! {
+    /// Complementary filter stabilized up vector (0x80,0x11).
+    ///
+    /// Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
+    ///
+    /// Supported by 3DM-GX5-15.
+    ///
+    /// - At rest it equals the measured acceleration.
+    ///
+    /// Source: 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11).
+    #[derive(Default)]
+    pub struct UpVector {
+        /// The part of the measured acceleration that gravity causes.
+        ///
+        /// Elements: x, y, z. Unit: g. Frame: sensor.
+        pub stabilized_accel: types::Vector3f,
+    }
+}
+
+field! {
+    UpVector: 0x80, 0x11, "sensor.up_vector"
+}
+
+record! {
+    /// GPS timestamp (0x80,0x12).
+    ///
+    /// GPS time of the sensor data.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// - Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
+    /// - The fraction of the time of week is the time since the last pulse.
+    /// - Without external synchronization it is the internal system time.
+    /// - Where the device has it, use the shared GPS timestamp
+    ///   [(0xFF,0xD3)](crate::shared::GpsTimestamp) instead; this field may be deprecated.
+    ///
+    /// Source: 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12); 3dm-cv7-gnss-ins: GPS
+    /// Timestamp (0x80,0x12).
+    #[derive(Default)]
+    pub struct GpsTimestamp {
+        /// GPS time of week.
+        ///
+        /// Unit: s. Valid if [`valid_flags.tow_valid`](types::SensorGpsTimestampFlags::tow_valid)
+        /// is set.
+        pub tow: f64,
+        /// GPS week number.
+        ///
+        /// Unit: week. Valid if
+        /// [`valid_flags.week_number_valid`](types::SensorGpsTimestampFlags::week_number_valid) is
+        /// set.
+        pub week_number: u16,
+        /// State of the time.
+        ///
+        /// On the 3DM-GX5-15: values of [`types::Gx5SensorGpsTimestampFlags`].
+        pub valid_flags: types::SensorGpsTimestampFlags,
+    }
+}
+
+#[rustfmt::skip]
+impl GpsTimestamp {
+    /// Reads `valid_flags` as [`types::Gx5SensorGpsTimestampFlags`].
+    ///
+    /// On the 3DM-GX5-15: values of [`types::Gx5SensorGpsTimestampFlags`].
+    #[must_use]
+    pub fn valid_flags_as_gx5_sensor_gps_timestamp_flags(&self) -> types::Gx5SensorGpsTimestampFlags {
+        self.valid_flags.into()
+    }
+}
+
+field! {
+    GpsTimestamp: 0x80, 0x12, "sensor.gps_timestamp"
+}
+
+record! {
+    /// Temperature statistics (0x80,0x14).
+    ///
+    /// Temperatures since the last power-on or reset.
+    ///
+    /// Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The values come from the inertial sensors, alone or together with sensors on the board.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Temperature Statistics (0x80,0x14).
+    #[derive(Default)]
+    pub struct TemperatureStatistics {
+        /// Lowest temperature.
+        ///
+        /// Unit: degC.
+        pub min_temperature: f32,
+        /// Highest temperature.
+        ///
+        /// Unit: degC.
+        pub max_temperature: f32,
+        /// Mean temperature.
+        ///
+        /// Unit: degC.
+        pub mean_temperature: f32,
+    }
+}
+
+field! {
+    TemperatureStatistics: 0x80, 0x14, "sensor.temperature_statistics"
+}
+
+record! {
+    /// Raw pressure (0x80,0x16).
+    ///
+    /// Raw ambient pressure in counts of the sensor, temperature compensated.
+    ///
+    /// Source: mip-sdk-4: Raw Pressure (0x80,0x16).
+    #[derive(Default)]
+    pub struct RawPressure {
+        /// Pressure in counts.
+        ///
+        /// Unit: 1.
+        pub raw_pressure: f32,
+    }
+}
+
+field! {
+    RawPressure: 0x80, 0x16, "sensor.raw_pressure"
+}
+
+record! {
+    /// Scaled pressure (0x80,0x17).
+    ///
+    /// Measured ambient pressure, temperature compensated.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17); 3dm-cv7-gnss-ins: Scaled
+    /// Pressure (0x80,0x17).
+    #[derive(Default)]
+    pub struct ScaledPressure {
+        /// Ambient pressure.
+        ///
+        /// Unit: mbar.
+        pub scaled_pressure: f32,
+    }
+}
+
+field! {
+    ScaledPressure: 0x80, 0x17, "sensor.scaled_pressure"
+}
+
+record! {
+    /// Overrange status (0x80,0x18).
+    ///
+    /// Which sensor axes are near or outside their range.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18).
+    #[derive(Default)]
+    pub struct OverrangeStatus {
+        /// One bit for each axis.
+        pub status: OverrangeFlags,
+    }
+}
+
+field! {
+    OverrangeStatus: 0x80, 0x18, "sensor.overrange_status"
+}
+
+record! {
+    /// Odometer data (0x80,0x40).
+    ///
+    /// Speed by the wheel encoder.
+    ///
+    /// Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40).
+    #[derive(Default)]
+    pub struct Odometer {
+        /// Average speed over the interval; negative values come from quadrature encoders only.
+        ///
+        /// Unit: m/s. Valid if [`valid_flags.odometer`](OdometerFlags::odometer) is set.
+        pub speed: f32,
+        /// Uncertainty of the speed.
+        ///
+        /// Unit: m/s. Valid if [`valid_flags.odometer`](OdometerFlags::odometer) is set.
+        pub uncertainty: f32,
+        /// Whether the values are valid.
+        pub valid_flags: OdometerFlags,
+    }
+}
+
+field! {
+    Odometer: 0x80, 0x40, "sensor.odometer"
+}

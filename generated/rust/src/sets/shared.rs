@@ -1,0 +1,271 @@
+//! Shared data (0xFF): Fields that every data set can hold. No packet has this set: they come in
+//! packets of the other data sets.
+//!
+//! Source: 3dm-cv7-gnss-ins: Shared (0xFF); 3dm-cv7-gnss-ins: Shared Data Descriptors.
+
+#[allow(unused_imports)] // some sets name a type in comments only, or none
+use crate::types;
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0xFF;
+
+bitfield! {
+    /// Which parts of the GPS time are valid.
+    GpsTimestampFlags: u16 {
+        /// The whole seconds of the time of week have been set. Bit 0.
+        TOW: bool = 0,
+            tow, set_tow, with_tow;
+        /// The week number has been set. Bit 1.
+        WEEK_NUMBER: bool = 1,
+            week_number, set_week_number, with_week_number;
+        /// Both are set. Bits 0 to 1. Overlaps other bits.
+        TIME_VALID: u8 = 0..=1,
+            time_valid, set_time_valid, with_time_valid;
+    }
+}
+
+bitfield! {
+    /// Whether the external time is valid.
+    ExternalTimestampFlags: u16 {
+        /// The time is valid. Bit 0.
+        NANOSECONDS: bool = 0,
+            nanoseconds, set_nanoseconds, with_nanoseconds;
+    }
+}
+
+bitfield! {
+    /// Whether the difference of external time is valid.
+    ExternalTimeDeltaFlags: u16 {
+        /// The difference is valid. Bit 0.
+        DT_NANOS: bool = 0,
+            dt_nanos, set_dt_nanos, with_dt_nanos;
+    }
+}
+
+record! {
+    /// Event source (0xFF,0xD0).
+    ///
+    /// The event trigger that caused the packet.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - Put it first in the format of event messages, to tell their packets from scheduled ones.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0).
+    #[derive(Default)]
+    pub struct EventSource {
+        /// Id of the trigger; 0 means that the packet was scheduled by the message format
+        /// [(0x0C,0x0F)](crate::mip_3dm::MessageFormat).
+        pub trigger_id: u8,
+    }
+}
+
+field! {
+    EventSource: 0xFF, 0xD0, "shared.event_source", in 0x80..=0xFF
+}
+
+record! {
+    /// Ticks (0xFF,0xD1).
+    ///
+    /// Base periods since power-up.
+    ///
+    /// Uncertain: The SDK has the counter return to 0 after about 50 days. That fits 2^32 ticks at
+    /// 1000 Hz; at other rates it would take longer or shorter.
+    ///
+    /// - One tick is one period of the base rate.
+    ///
+    /// Source: mip-sdk-4: Ticks (0xFF,0xD1).
+    #[derive(Default)]
+    pub struct Ticks {
+        /// Ticks.
+        ///
+        /// Unit: 1.
+        pub ticks: u32,
+    }
+}
+
+field! {
+    Ticks: 0xFF, 0xD1, "shared.ticks", in 0x80..=0xFF
+}
+
+record! {
+    /// Delta ticks (0xFF,0xD2).
+    ///
+    /// Base periods since this field was last sent.
+    ///
+    /// Uncertain: Whether each set and each event instance counts for itself, as with delta time
+    /// [(0xFF,0xD4)](DeltaTime).
+    ///
+    /// - One tick is one period of the base rate.
+    ///
+    /// Source: mip-sdk-4: Delta Ticks (0xFF,0xD2).
+    #[derive(Default)]
+    pub struct DeltaTicks {
+        /// Ticks.
+        ///
+        /// Unit: 1.
+        pub ticks: u32,
+    }
+}
+
+field! {
+    DeltaTicks: 0xFF, 0xD2, "shared.delta_ticks", in 0x80..=0xFF
+}
+
+record! {
+    /// GPS timestamp (0xFF,0xD3).
+    ///
+    /// External time of the data as GPS time of week and week number.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - In event messages it is the time of the trigger.
+    /// - It becomes valid after the PPS is locked and [(0x01,0x72)](crate::base::GpsTimeUpdate) has
+    ///   set the time of week and the week number.
+    /// - An internal GNSS receiver as PPS source sets the time by itself.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3).
+    #[derive(Default)]
+    pub struct GpsTimestamp {
+        /// GPS time of week.
+        ///
+        /// Unit: s. Valid if [`valid_flags.tow`](GpsTimestampFlags::tow) is set.
+        pub tow: f64,
+        /// GPS week number.
+        ///
+        /// Unit: week. Valid if [`valid_flags.week_number`](GpsTimestampFlags::week_number) is set.
+        pub week_number: u16,
+        /// Which parts are valid.
+        pub valid_flags: GpsTimestampFlags,
+    }
+}
+
+field! {
+    GpsTimestamp: 0xFF, 0xD3, "shared.gps_timestamp", in 0x80..=0xFF
+}
+
+record! {
+    /// Delta time (0xFF,0xD4).
+    ///
+    /// External time since this field was last sent in the same set and event instance.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - It is the same as external time delta [(0xFF,0xD8)](ExternalTimeDelta), in other units.
+    /// - Sending either restarts the counter that both share, so use only one of them.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Delta Time (0xFF,0xD4).
+    #[derive(Default)]
+    pub struct DeltaTime {
+        /// Time since the last output.
+        ///
+        /// Unit: s.
+        pub seconds: f64,
+    }
+}
+
+field! {
+    DeltaTime: 0xFF, 0xD4, "shared.delta_time", in 0x80..=0xFF
+}
+
+record! {
+    /// Reference timestamp (0xFF,0xD5).
+    ///
+    /// Time of the data by the internal reference clock.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The clock starts at power-on, only moves forward and never jumps; the value is always
+    ///   valid.
+    /// - In event messages it is the time of the trigger.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Reference Timestamp (0xFF,0xD5).
+    #[derive(Default)]
+    pub struct ReferenceTimestamp {
+        /// Time since initialization.
+        ///
+        /// Unit: ns.
+        pub nanoseconds: u64,
+    }
+}
+
+field! {
+    ReferenceTimestamp: 0xFF, 0xD5, "shared.reference_timestamp", in 0x80..=0xFF
+}
+
+record! {
+    /// Reference time delta (0xFF,0xD6).
+    ///
+    /// Reference time since this field was last sent in the same set and event instance.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The value is always valid.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Reference Time Delta (0xFF,0xD6).
+    #[derive(Default)]
+    pub struct ReferenceTimeDelta {
+        /// Time since the last output.
+        ///
+        /// Unit: ns.
+        pub dt_nanos: u64,
+    }
+}
+
+field! {
+    ReferenceTimeDelta: 0xFF, 0xD6, "shared.reference_time_delta", in 0x80..=0xFF
+}
+
+record! {
+    /// External timestamp (0xFF,0xD7).
+    ///
+    /// Time of the data in the external clock domain.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - It is the GPS timestamp [(0xFF,0xD3)](GpsTimestamp) in nanoseconds.
+    /// - In event messages it is the time of the trigger.
+    /// - It becomes valid when the external clock is synchronized through the PPS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7).
+    #[derive(Default)]
+    pub struct ExternalTimestamp {
+        /// External time.
+        ///
+        /// Unit: ns. Valid if [`valid_flags.nanoseconds`](ExternalTimestampFlags::nanoseconds) is
+        /// set.
+        pub nanoseconds: u64,
+        /// Whether the time is valid.
+        pub valid_flags: ExternalTimestampFlags,
+    }
+}
+
+field! {
+    ExternalTimestamp: 0xFF, 0xD7, "shared.external_timestamp", in 0x80..=0xFF
+}
+
+record! {
+    /// External time delta (0xFF,0xD8).
+    ///
+    /// External time since this field was last sent in the same set and event instance.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - It is the same as delta time [(0xFF,0xD4)](DeltaTime), in other units.
+    /// - Sending either restarts the counter that both share, so use only one of them.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: External Time Delta (0xFF,0xD8).
+    #[derive(Default)]
+    pub struct ExternalTimeDelta {
+        /// Time since the last output.
+        ///
+        /// Unit: ns. Valid if [`valid_flags.dt_nanos`](ExternalTimeDeltaFlags::dt_nanos) is set.
+        pub dt_nanos: u64,
+        /// Whether the difference is valid.
+        pub valid_flags: ExternalTimeDeltaFlags,
+    }
+}
+
+field! {
+    ExternalTimeDelta: 0xFF, 0xD8, "shared.external_time_delta", in 0x80..=0xFF
+}

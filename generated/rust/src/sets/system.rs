@@ -1,0 +1,232 @@
+//! System (0x7F): Advanced commands of devices that are built from several intelligent parts.
+//!
+//! Source: 3dm-gx5-15: 4.4 System Commands.
+
+#[allow(unused_imports)] // some sets name a type in comments only, or none
+use crate::types;
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0x7F;
+
+open_enum! {
+    /// A port of a device.
+    ///
+    /// Source: mip-sdk-4: Interface Control (0x7F,0x02).
+    CommInterface: u8 {
+        /// All ports.
+        ALL = 0, "all";
+        /// The main port: USB while it is connected, else the main UART.
+        MAIN = 1, "main";
+        /// The first port that is a UART or can be one.
+        UART_1 = 17, "uart_1";
+        /// The second UART.
+        UART_2 = 18, "uart_2";
+        /// The third UART.
+        UART_3 = 19, "uart_3";
+        /// First virtual serial port of USB.
+        USB_1 = 33, "usb_1";
+        /// Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM.
+        USB_2 = 34, "usb_2";
+    }
+}
+
+bitfield! {
+    /// Protocols of a port.
+    ///
+    /// Source: mip-sdk-4: Interface Control (0x7F,0x02).
+    CommProtocols: u32 {
+        /// MIP. Bit 0.
+        MIP: bool = 0,
+            mip, set_mip, with_mip;
+        /// NMEA-0183. Bit 8.
+        NMEA: bool = 8,
+            nmea, set_nmea, with_nmea;
+        /// RTCM corrections. Bit 9.
+        RTCM: bool = 9,
+            rtcm, set_rtcm, with_rtcm;
+        /// SPARTN corrections. Bit 24.
+        SPARTN: bool = 24,
+            spartn, set_spartn, with_spartn;
+    }
+}
+
+open_enum! {
+    /// Which part of the device the host talks to, and in which protocol.
+    ProtocolMode: u8 {
+        /// The device itself, MIP.
+        STANDARD = 1, "standard";
+        /// The inertial sensor inside, MIP.
+        SENSOR_DIRECT = 2, "sensor_direct";
+        /// The GNSS receiver inside, NMEA and UBX; only on models that have one.
+        GNSS_DIRECT = 3, "gnss_direct";
+    }
+}
+
+record! {
+    /// Interface control (0x7F,0x02).
+    ///
+    /// Protocols that a port takes in and gives out.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`InterfaceControlResponse`].
+    ///
+    /// - Accepted on the main port only. The main port always keeps MIP in both directions.
+    /// - The acknowledge comes on that port after the change; what arrives meanwhile may be lost.
+    /// - The device refuses protocols that it or the port does not have, and more parsers than it
+    ///   has; then nothing is changed.
+    /// - Answers in an incoming protocol leave by the same port, even if the protocol is not an
+    ///   outgoing one.
+    /// - How many parsers and streams there are depends on the device.
+    ///
+    /// Source: mip-sdk-4: Interface Control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
+    pub struct InterfaceControl {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// The port.
+        ///
+        /// Uncertain: Whether write and read take `all`.
+        pub port: Option<CommInterface>,
+        /// Protocols that it takes in.
+        ///
+        /// Required for write.
+        pub protocols_incoming: Option<CommProtocols>,
+        /// Protocols that it gives out.
+        ///
+        /// Required for write.
+        pub protocols_outgoing: Option<CommProtocols>,
+    }
+    wire 10 {
+        [function selects]
+        [port for WRITE READ SAVE LOAD DEFAULT]
+        [protocols_incoming for WRITE]
+        [protocols_outgoing for WRITE]
+    }
+}
+
+constructors! {
+    InterfaceControl { function, port, protocols_incoming, protocols_outgoing }
+
+    /// Apply the new setting.
+    fn write(
+        port: CommInterface,
+        protocols_incoming: CommProtocols,
+        protocols_outgoing: CommProtocols,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read(port: CommInterface) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(port: CommInterface) = SAVE;
+
+    /// Load the saved setting.
+    fn load(port: CommInterface) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(port: CommInterface) = DEFAULT;
+}
+
+field! {
+    InterfaceControl: 0x7F, 0x02, "system.interface_control"
+}
+
+command! {
+    InterfaceControl -> InterfaceControlResponse;
+    responds InterfaceControlResponse for READ;
+}
+
+record! {
+    /// Communication mode (0x7F,0x10).
+    ///
+    /// Switches the port between the device and one of the sensors inside it.
+    ///
+    /// For advanced use. Functions: write, read, save, load and default. Answered by
+    /// [`CommModeResponse`]. Supported by 3DM-GX5-15.
+    ///
+    /// - The acknowledge is sent in the old mode, just before the switch.
+    /// - In a direct mode only this command and device status
+    ///   [(0x0C,0x64)](crate::mip_3dm::DeviceStatus) of the device itself are answered.
+    ///
+    /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).
+    pub struct CommMode {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Communication mode.
+        ///
+        /// Default: [`ProtocolMode::STANDARD`]. Required for write.
+        pub mode: Option<ProtocolMode>,
+    }
+    wire 2 {
+        [function selects]
+        [mode for WRITE]
+    }
+}
+
+constructors! {
+    CommMode { function, mode }
+
+    /// Apply the new setting.
+    fn write(mode: ProtocolMode) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    CommMode: 0x7F, 0x10, "system.comm_mode"
+}
+
+command! {
+    CommMode -> CommModeResponse;
+    responds CommModeResponse for READ;
+}
+
+record! {
+    /// Interface control response (0x7F,0x82).
+    ///
+    /// Answers [`InterfaceControl`].
+    ///
+    /// Source: mip-sdk-4: Interface Control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
+    #[derive(Default)]
+    pub struct InterfaceControlResponse {
+        /// The port.
+        ///
+        /// Uncertain: Whether write and read take `all`.
+        pub port: CommInterface,
+        /// Protocols that it takes in.
+        pub protocols_incoming: CommProtocols,
+        /// Protocols that it gives out.
+        pub protocols_outgoing: CommProtocols,
+    }
+}
+
+field! {
+    InterfaceControlResponse: 0x7F, 0x82, "system.interface_control_response", answers InterfaceControl
+}
+
+record! {
+    /// Communication mode response (0x7F,0x90).
+    ///
+    /// Answers [`CommMode`]. Supported by 3DM-GX5-15.
+    ///
+    /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).
+    #[derive(Default)]
+    pub struct CommModeResponse {
+        /// Communication mode.
+        ///
+        /// Default: [`ProtocolMode::STANDARD`].
+        pub mode: ProtocolMode,
+    }
+}
+
+field! {
+    CommModeResponse: 0x7F, 0x90, "system.comm_mode_response", answers CommMode
+}

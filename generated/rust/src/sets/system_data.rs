@@ -1,0 +1,139 @@
+//! System data (0xA0): State of the device as a whole.
+//!
+//! Source: 3dm-cv7-gnss-ins: System (0xA0).
+
+#[allow(unused_imports)] // some sets name a type in comments only, or none
+use crate::types;
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0xA0;
+
+bitfield! {
+    /// Level of each GPIO pin, set for high. Bits of pins that do not exist read 0.
+    GpioPinStates: u8 {
+        /// GPIO pin 1. Bit 0.
+        PIN_1: bool = 0,
+            pin_1, set_pin_1, with_pin_1;
+        /// GPIO pin 2. Bit 1.
+        PIN_2: bool = 1,
+            pin_2, set_pin_2, with_pin_2;
+        /// GPIO pin 3. Bit 2.
+        PIN_3: bool = 2,
+            pin_3, set_pin_3, with_pin_3;
+        /// GPIO pin 4. Bit 3.
+        PIN_4: bool = 3,
+            pin_4, set_pin_4, with_pin_4;
+    }
+}
+
+record! {
+    /// Built-in test (0xA0,0x01).
+    ///
+    /// Flags of the tests that run all the time.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The field is long; stream it at a low rate or poll it.
+    /// - A flag stays set until it is sent, so a short fault between two messages or during idle is
+    ///   not lost.
+    /// - Each stream and each event action keeps its own copy of the flags.
+    /// - Some flags may be set without a fault, for instance a receiver without a position fix.
+    /// - Unnamed bits are reserved and must be ignored.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Built In Test (0xA0,0x01).
+    #[derive(Default)]
+    pub struct BuiltInTest {
+        /// Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the
+        /// second byte.
+        ///
+        /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7ContinuousBuiltInTest`].
+        pub result: [u8; 16],
+    }
+}
+
+#[rustfmt::skip]
+impl BuiltInTest {
+    /// Reads `result` as [`types::Cv7ContinuousBuiltInTest`].
+    ///
+    /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7ContinuousBuiltInTest`].
+    #[must_use]
+    pub fn result_as_cv7_continuous_built_in_test(&self) -> types::Cv7ContinuousBuiltInTest {
+        self.result.into()
+    }
+}
+
+field! {
+    BuiltInTest: 0xA0, 0x01, "system_data.built_in_test"
+}
+
+record! {
+    /// Time sync status (0xA0,0x02).
+    ///
+    /// Whether the device time is locked to the pulse per second.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02).
+    #[derive(Default)]
+    pub struct TimeSyncStatus {
+        /// True while the lock is valid; false if the PPS is disabled or no pulse is found.
+        pub time_sync: crate::Bool,
+        /// Time since the last pulse, at most 255.
+        ///
+        /// Unit: s.
+        pub last_pps_received: u8,
+    }
+}
+
+field! {
+    TimeSyncStatus: 0xA0, 0x02, "system_data.time_sync_status"
+}
+
+record! {
+    /// GPIO state (0xA0,0x03).
+    ///
+    /// Levels of all user GPIO pins.
+    ///
+    /// Supported by 3DM-CV7-GNSS/INS.
+    ///
+    /// - The pins are sampled within one base period of this set; shorter pulses can be missed.
+    /// - Only pins that are configured to the GPIO feature by
+    ///   [(0x0C,0x41)](crate::mip_3dm::GpioConfig) are sure to give valid levels.
+    /// - For fast signals and exact times use the timestamp feature and the event system.
+    ///
+    /// Source: 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03).
+    #[derive(Default)]
+    pub struct GpioState {
+        /// One bit for each pin.
+        pub states: GpioPinStates,
+    }
+}
+
+field! {
+    GpioState: 0xA0, 0x03, "system_data.gpio_state"
+}
+
+record! {
+    /// GPIO analog value (0xA0,0x04).
+    ///
+    /// Voltage at one GPIO pin.
+    ///
+    /// - Only for pins that are configured as analog inputs.
+    ///
+    /// Source: mip-sdk-4: Gpio Analog Value (0xA0,0x04).
+    #[derive(Default)]
+    pub struct GpioAnalogValue {
+        /// GPIO pin, counted from 1.
+        ///
+        /// Range: at least 1.
+        pub gpio_id: u8,
+        /// Scaled voltage.
+        ///
+        /// Unit: V.
+        pub value: f32,
+    }
+}
+
+field! {
+    GpioAnalogValue: 0xA0, 0x04, "system_data.gpio_analog_value"
+}

@@ -1,0 +1,171 @@
+"""The Rust target: a `no_std` crate with one module per descriptor set."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
+
+from ... import model as m
+from ...naming import Identifier
+from ...render import File
+from . import commands, docs, names, records, tables
+from .names import LANGUAGE, Record, constant, home, member, method, module, type_name, variant
+from .records import Records
+
+TITLE = "Rust, no_std"
+
+
+def files(model: m.Model) -> Iterable[File]:
+    shown = {name: model.taste(f"{name}.rs").rstrip() for name in ("taste", "client")}
+    yield File("Cargo.toml", "Cargo.toml.j2")
+    yield File("README.md", "README.md.j2", shown)
+    if shown["taste"]:
+        yield File("examples/taste.rs", "verbatim.j2", {"text": model.taste("taste.rs")})
+    for path in ("types", "protocol", "sets", "devices/known", "registry/fields"):
+        yield File(f"src/{path}.rs", f"{path}.rs.j2")
+    for s in model.sets:
+        yield File(f"src/sets/{module(s.name)}.rs", "set.rs.j2", {"set": s})
+
+
+def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
+    of, about, rows = Records(model), docs.Docs(model), tables.Tables(model)
+    return {
+        # names
+        "constant": constant,
+        "home": home,
+        "member": member,
+        "method": method,
+        "module": module,
+        "named": names.named,
+        "path": names.path,
+        "type_name": type_name,
+        "variant": variant,
+        # types
+        "bits_type": names.bits_type,
+        "inner": names.inner,
+        "rust": of.rust,
+        "scalar": names.scalar,
+        # records
+        "constructors": of.constructors,
+        "conversions": lambda _: of.conversions(),
+        "derives_default": of.derives_default,
+        "is_long": records.is_long,
+        "is_selector": records.is_selector,
+        "is_sequence": records.is_sequence,
+        "members": of.members,
+        "members_of": of.members_of,
+        "readings": of.readings,
+        "settable": of.settable,
+        "unions_of": of.unions_of,
+        "when": records.when,
+        # what refers to what
+        "answered": model.commands,
+        "original": model.original,
+        "responses": model.responses,
+        # commands
+        "response": commands.response,
+        "response_variant": names.response_variant,
+        "silent": commands.silent,
+        "holding": lambda conditions, f: commands.holding(conditions, f, of),
+        "replies": model.replies,
+        # documentation
+        "comment": docs.comment,
+        "case_doc": about.case,
+        "bits_doc": about.bits,
+        "conversion_doc": about.conversion,
+        "device_doc": about.device,
+        "difference": about.difference,
+        "field_doc": about.field,
+        "parameter_doc": about.parameter,
+        "prose": docs.prose,
+        "reading_doc": about.reading,
+        "set_doc": about.set,
+        "title": docs.title,
+        "type_doc": about.type,
+        "union_doc": about.union,
+        "value_doc": about.value,
+        # tables
+        "ack_codes": rows.ack_codes,
+        "decimal": tables.decimal,
+        "hex": lambda n: f"0x{n:02X}",
+        "layouts": rows.layouts,
+        "linked": rows.linked,
+        "octets": tables.octets,
+        "option": tables.option,
+        "quoted": tables.quoted,
+        "set_pattern": rows.set_pattern,
+        "set_range": rows.set_range,
+    }
+
+
+# --------------------------------------------------------------------------- identifiers
+
+
+def identifiers(model: m.Model) -> Iterable[Identifier]:
+    of = Records(model)
+    for fixed in LANGUAGE["modules"]:
+        yield Identifier("the crate", fixed, f"the module {fixed}", None)
+    for s in model.sets:
+        yield Identifier("the crate", module(s.name), s.name, s.position)
+    for t in (model.protocol.function_selector, *model.all_types):
+        yield from _type(of, t)
+    for s in model.sets:
+        for f in s.fields:
+            yield from _field(model, f)
+        for f in s.own_fields:
+            yield from _record(of, f, f.full_name)
+    for union in of.unions:
+        yield from _union(union)
+    for d in model.devices:
+        yield Identifier("devices", constant(d.name), d.name, d.position)
+
+
+def _field(model: m.Model, f: m.Field) -> Iterator[Identifier]:
+    yield Identifier(module(f.set_name), type_name(f.name), f.full_name, f.position)
+    yield Identifier("registry", type_name(f"{f.set_name}_{f.name}"), f.full_name, f.position)
+    if len(f.responses) > 1:
+        several = f"the responses of {f.full_name}"
+        yield Identifier(module(f.set_name), names.responses_name(f), several, f.position)
+        for r in model.responses(f):
+            yield Identifier(several, names.response_variant(r, f), r.name, f.position)
+
+
+def _union(union: records.Union) -> Iterator[Identifier]:
+    position = union.record.position
+    where = f"{home(union.record)}::{union.name}"
+    what = f"the union {union.operation.member} of {union.record.name}"
+    yield Identifier(home(union.record), union.name, what, position)
+    yield Identifier(where, "Other", "an unknown tag", position)
+    for case in union.operation.cases:
+        yield Identifier(where, variant(case.tag.name), case.tag.name, position)
+
+
+def _type(of: Records, t: m.Type) -> Iterator[Identifier]:
+    position = None if isinstance(t, m.Vector) else t.position
+    where = f"{home(t)}::{type_name(t.name)}"
+    yield Identifier(home(t), type_name(t.name), t.name, position)
+    match t:
+        case m.Enum():
+            for v in t.values:
+                yield Identifier(where, constant(v.name), v.name, position)
+        case m.Bitfield():
+            for b in t.bits:
+                for name in (constant(b.name), method(b.name), f"set_{b.name}", f"with_{b.name}"):
+                    yield Identifier(where, name, b.name, position)
+        case m.Vector():
+            for e in t.elements:
+                yield Identifier(where, member(e), e, None)
+        case m.Struct():
+            yield from _record(of, t, t.name)
+
+
+def _record(of: Records, record: Record, what: str) -> Iterator[Identifier]:
+    methods = f"the methods of {what}"
+    for x in of.members(record):
+        yield Identifier(what, x.name, x.parameter.name, x.parameter.position)
+    for c in of.constructors(record):
+        yield Identifier(methods, c.name, c.name, record.position)
+    for x in of.settable(record):
+        yield Identifier(methods, f"with_{x.parameter.name}", x.parameter.name, record.position)
+    for r in of.readings(record):
+        yield Identifier(methods, r.name, r.name, record.position)

@@ -1,0 +1,38 @@
+"""How commands are answered."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ... import model as m
+from .names import constant, responses_name, type_name
+from .records import BOOL, Records
+
+
+def response(command: m.Field) -> str:
+    """The type of what a command is answered with."""
+    if len(command.responses) > 1:
+        return responses_name(command)
+    return type_name(command.responses[0]) if command.responses else "()"
+
+
+def silent(command: m.Field) -> list[m.Function]:
+    """The functions that nothing answers."""
+    return [f for f in command.functions if not f.reply]
+
+
+def holding(conditions: Iterable[m.Condition], command: m.Field, records: Records) -> list[str]:
+    """Conditions on a command as members and their values: `part = types::Mode::FAST`."""
+    members = {x.parameter.name: x for x in records.members(command)}
+    found = []
+    for c in conditions:
+        x = members[c.parameter]
+        element = x.parameter.element
+        known = element.by_name(c.label) if isinstance(element, m.Enum) else None
+        value = str(c.value)
+        if known:
+            value = f"{x.type}::{constant(known.name)}"
+        elif isinstance(element, m.Enum) or x.type == BOOL:
+            value = f"{x.type}({c.value})"
+        found.append(f"{x.name} = {f'Some({value})' if x.optional else value}")
+    return found

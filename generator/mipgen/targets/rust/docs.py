@@ -1,0 +1,205 @@
+"""Documentation comments: what `describe` says, as Markdown with links between the items of the crate."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable
+
+from ... import describe
+from ... import model as m
+from .names import Record, constant, home, member, method, path, type_name
+from .records import Conversion, Reading, Union
+
+WIDTH = 100
+
+#: A paragraph, the items of a list, or the rows of a table.
+Block = str | list[str] | list[tuple[str, ...]]
+
+
+class Docs:
+    """What is said of each item, as the blocks of its documentation."""
+
+    def __init__(self, model: m.Model) -> None:
+        self.model = model
+
+    # ------------------------------------------------------------------ sets, fields and parameters
+
+    def set(self, s: m.Set) -> list[Block]:
+        return [f"{prose(s.title)} (0x{s.number:02X}): {prose(s.description)}", sources(s)]
+
+    def field(self, f: m.Field) -> list[Block]:
+        said, notes = self._facts(describe.field(f, self.model), home(f))
+        return [f"{title(f)}.", self._prose(f.description, home(f)), said, *self._unheld(f), notes, sources(f)]
+
+    def parameter(self, p: m.Parameter, record: Record) -> tuple[str, str, list[str]]:
+        said, notes = self._facts(describe.parameter(p, record, self.model), home(record))
+        return self._prose(p.description, home(record)) or ("" if said else words(p.name)), said, notes
+
+    def _unheld(self, record: Record) -> list[Block]:
+        """What is on the wire and held by no member."""
+        found: list[Block] = []
+        for p in record.parameters:
+            if p.derived:
+                description, said, notes = self.parameter(p, record)
+                texts = " ".join(filter(None, (description, said, *notes)))
+                found.append(f"On the wire there is also `{p.name}`: {texts}")
+        return found
+
+    # ------------------------------------------------------------------ types and their parts
+
+    def type(self, t: m.Type) -> list[Block]:
+        said = prose(t.description) or words(t.name)
+        more, _ = self._facts(describe.type(t, self.model), home(t))
+        unheld = self._unheld(t) if isinstance(t, m.Struct) else []
+        return [said, more, *unheld, "" if isinstance(t, m.Vector) else sources(t)]
+
+    def value(self, v: m.EnumValue) -> list[Block]:
+        said, _ = self._facts(describe.value(v, self.model), "")
+        return [f"{prose(v.description) or words(v.name)} {said}".strip()]
+
+    def bits(self, b: m.Bits, of: m.Bitfield) -> list[Block]:
+        said, _ = self._facts(describe.bits(b, self.model), home(of))
+        return [f"{prose(b.description) or words(b.name)} {said}"]
+
+    def union(self, u: Union) -> list[Block]:
+        return [f"The alternatives of `{u.operation.member}` in [`{type_name(u.record.name)}`]."]
+
+    def case(self, c: m.Case, u: Union) -> list[Block]:
+        union = next(p for p in u.record.parameters if p.operation is u.operation)
+        facts = [describe.case(c, union, u.record)]
+        facts += describe.parameter(c.parameter, u.record, self.model) if c.parameter else []
+        said, notes = self._facts(facts, home(u.record))
+        description = c.parameter.description if c.parameter else ""
+        return [prose(description or c.tag.description) or words(c.tag.name), said, notes]
+
+    # ------------------------------------------------------------------ functions
+
+    def reading(self, r: Reading, record: Record) -> list[Block]:
+        return [f"Reads `{r.member.name}` as [`{r.type}`].", self._variants(r, record, home(record))]
+
+    def conversion(self, c: Conversion) -> list[Block]:
+        return [self._variants(c.reading, c.record, "types")]
+
+    def _variants(self, r: Reading, record: Record, here: str) -> str:
+        p = r.member.parameter
+        facts = describe.topics(describe.parameter(p, record, self.model), "variant")
+        return self._facts([f for v, f in zip(p.variants, facts, strict=True) if v in r.variants], here)[0]
+
+    # ------------------------------------------------------------------ devices
+
+    def device(self, d: m.Device) -> list[Block]:
+        found: list[Block] = [prose(d.title), prose(d.description)]
+        for n in d.notes:
+            rows = [tuple(map(prose, row)) for row in n.rows]
+            rule = [("---",) * len(rows[0])] if rows else []
+            found += [f"# {prose(n.title)}", prose(n.description), rows[:1] + rule + rows[1:]]
+        return found
+
+    def difference(self, v: m.DeviceVariant) -> str:
+        """What is different on a device, as plain text."""
+        facts = describe.topics(describe.parameter(v.parameter, v.field, self.model), "variant")
+        fact = facts[v.parameter.variants.index(v.variant)]
+        return describe.say(fact.value, lambda r: r.words)
+
+    # ------------------------------------------------------------------ texts of the specification
+
+    def _prose(self, text: str, here: str) -> str:
+        return describe.say(describe.prose(text, self.model), lambda r: reference(r, here), prose)
+
+    def _facts(self, facts: Iterable[describe.Fact], here: str) -> tuple[str, list[str]]:
+        """The facts as one paragraph, and the notes."""
+        said: list[str] = []
+        notes: list[str] = []
+        for fact in facts:
+            sentence = describe.say(fact.sentence, lambda r: reference(r, here), prose)
+            (notes if fact.topic == "note" else said).append(sentence[:1].upper() + sentence[1:])
+        return " ".join(said), notes
+
+
+def title(f: m.Field) -> str:
+    return f"{prose(f.title)} (0x{f.set:02X},0x{f.descriptor:02X})"
+
+
+def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct) -> str:
+    found = "; ".join(map(prose, describe.sources(thing)))
+    return f"Source: {found}." if found else ""
+
+
+def words(name: str) -> str:
+    """A name as a sentence, for want of a description.
+
+    >>> words("time_of_week")
+    'Time of week.'
+    """
+    return f"{name.replace('_', ' ').capitalize()}."
+
+
+def prose(text: str) -> str:
+    """Words as Markdown: what looks like markup is none, except for code.
+
+    >>> prose("a[1] < `b[2]`")
+    'a\\\\[1\\\\] \\\\< `b[2]`'
+    """
+    parts = text.split("`")
+    for i in range(0, len(parts), 2):
+        for character in "[]<>*|":
+            parts[i] = parts[i].replace(character, f"\\{character}")
+    return "`".join(parts)
+
+
+# --------------------------------------------------------------------------- references
+
+
+def reference(r: describe.Ref, here: str) -> str:
+    """A link to an item, or a word where the crate has no such item."""
+    match r.thing, r.within:
+        case m.Field() as f, _:
+            shown = r.words if r.words.startswith("(") else ""
+            return link(path(f, here), shown)
+        case (m.Enum() | m.Bitfield() | m.Struct()) as t, _:
+            return link(path(t, here))
+        case m.EnumValue() as v, m.Enum() as t:
+            return link(f"{path(t, here)}::{constant(v.name)}")
+        case m.Bits() as b, m.Bitfield() as t:
+            return link(f"{path(t, here)}::{method(b.name)}", f"`{r.words}`")
+        case m.Parameter() as p, _:
+            return f"`{member(p.name)}`"
+    return prose(r.words)
+
+
+def link(target: str, shown: str = "") -> str:
+    """
+    >>> link("Mode::FAST"), link("crate::gnss_1::Dop"), link("Flags::hot", "`flags.hot`")
+    ('[`Mode::FAST`]', '[`gnss_1::Dop`](crate::gnss_1::Dop)', '[`flags.hot`](Flags::hot)')
+    """
+    shown = shown or f"`{target.removeprefix('crate::')}`"
+    return f"[{shown}]" if shown == f"`{target}`" else f"[{shown}]({target})"
+
+
+# --------------------------------------------------------------------------- layout
+
+
+def comment(blocks: Iterable[Block], indent: int = 0, marker: str = "///") -> str:
+    """The lines of a documentation comment.
+
+    >>> print(comment(["One.", ["two", "three"], ""], 4))
+        /// One.
+        ///
+        /// - two
+        /// - three
+    """
+    margin = " " * indent
+    width = WIDTH - indent - len(marker) - 1
+    lines: list[str] = []
+    for block in filter(None, blocks):
+        lines += [""] if lines else []
+        if isinstance(block, str):
+            lines += wrapped(block, width)
+        else:
+            for item in block:
+                lines += wrapped(f"- {item}", width, "  ") if isinstance(item, str) else [f"| {' | '.join(item)} |"]
+    return "\n".join(f"{margin}{marker} {line}".rstrip() for line in lines)
+
+
+def wrapped(text: str, width: int, hanging: str = "") -> list[str]:
+    return textwrap.wrap(text, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False)

@@ -1,0 +1,105 @@
+"""What things of the model are called in Rust, and where they stand."""
+
+from __future__ import annotations
+
+from ... import model as m
+from ...naming import Escape, pascal, upper
+from ...render import language
+
+Record = m.Field | m.Struct
+
+LANGUAGE = language("rust")
+KEYWORDS = frozenset(LANGUAGE["keywords"])
+
+module = Escape(KEYWORDS, digit_prefix="mip_")
+member = Escape(KEYWORDS)
+method = Escape(KEYWORDS | frozenset(LANGUAGE["bit_methods"]))
+_constructor = Escape(KEYWORDS | frozenset(LANGUAGE["functions"]))
+_type = Escape(KEYWORDS | frozenset(LANGUAGE["types"]), digit_prefix="Mip")
+_variant = Escape(KEYWORDS, digit_prefix="Mip")
+_constant = Escape(frozenset(LANGUAGE["constants"]))
+
+
+def type_name(words: str) -> str:
+    """
+    >>> type_name("pps_source"), type_name("3dm"), type_name("result"), type_name("self")
+    ('PpsSource', 'Mip3dm', 'Result_', 'Self_')
+    """
+    return _type(pascal(words))
+
+
+def variant(words: str) -> str:
+    """
+    >>> variant("none"), variant("self")
+    ('None', 'Self_')
+    """
+    return _variant(pascal(words))
+
+
+def constant(words: str) -> str:
+    """
+    >>> constant("receiver_1"), constant("values"), constant("5_hz")
+    ('RECEIVER_1', 'VALUES_', '_5_HZ')
+    """
+    return _constant(upper(words))
+
+
+def constructor(function: m.Function) -> str:
+    name: str = LANGUAGE["constructors"].get(function.name, function.name)
+    return _constructor(name)
+
+
+def named(name: str, words: str) -> str:
+    """An identifier, followed by the name in the specification if that differs.
+
+    >>> named("mode", "mode"), named("type_", "type")
+    ('mode', 'type_ "type"')
+    """
+    return name if name == words else f'{name} "{words}"'
+
+
+def responses_name(command: m.Field) -> str:
+    """The type of what a command with several responses is answered with."""
+    return type_name(f"{command.name}_responses")
+
+
+def response_variant(response: m.Field, command: m.Field) -> str:
+    words = response.name.removeprefix(f"{command.name}_").removesuffix("_response")
+    return variant(words or response.name)
+
+
+# --------------------------------------------------------------------------- places
+
+
+def home(thing: m.Type | Record) -> str:
+    """The module that a type stands in."""
+    if isinstance(thing, m.Field):
+        return module(thing.set_name)
+    owner = None if isinstance(thing, m.Vector) else thing.owner
+    return module(owner) if owner else "types"
+
+
+def path(thing: m.Type | Record, here: str) -> str:
+    """What a type is called inside the module `here`."""
+    name, where = type_name(thing.name), home(thing)
+    return name if where == here else f"types::{name}" if where == "types" else f"crate::{where}::{name}"
+
+
+# --------------------------------------------------------------------------- scalars
+
+
+def scalar(of: m.Scalar | None) -> str:
+    assert of is not None
+    return str(LANGUAGE["scalars"][of.name])
+
+
+def inner(t: m.Enum | m.Bitfield) -> str:
+    """What a newtype wraps."""
+    return f"[u8; {t.size}]" if isinstance(t, m.Bitfield) and t.scalar is None else scalar(t.scalar)
+
+
+def bits_type(bits: m.Bits, here: str) -> str:
+    """The type of some bits: a flag, an enumeration, or the smallest number that holds them."""
+    if bits.enum is not None:
+        return path(bits.enum, here)
+    return "bool" if bits.width == 1 else next(f"u{n}" for n in (8, 16, 32, 64) if n >= bits.width)

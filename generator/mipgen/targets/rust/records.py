@@ -1,0 +1,265 @@
+"""Records: their members, and the functions that make and read them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from ... import model as m
+from .names import Record, constant, constructor, home, inner, member, path, scalar, type_name, variant
+
+BOOL = scalar(m.SCALARS["bool"])
+DEFAULT = "core::default::Default::default()"
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """A parameter that a record holds: whatever does not follow from others."""
+
+    name: str
+    type: str
+    optional: bool
+    parameter: m.Parameter
+
+    @property
+    def whole_type(self) -> str:
+        return f"Option<{self.type}>" if self.optional else self.type
+
+    @property
+    def argument(self) -> str:
+        """The type of a function's argument that becomes this member: what is easy to give."""
+        if self.type == BOOL:
+            return "bool"
+        vector = isinstance(self.parameter.element, m.Vector) and self.parameter.length is None
+        return f"impl Into<{self.type}>" if vector or self.type.startswith("crate::List<") else self.type
+
+    @property
+    def default(self) -> str:
+        """What it is by default, as an expression."""
+        if self.optional:
+            return "None"
+        return reserved(self.parameter) if self.parameter.reserved else default(self.parameter.operation)
+
+
+@dataclass(frozen=True, slots=True)
+class Constructor:
+    name: str
+    description: str
+    function: m.Function | None
+    given: tuple[Member, ...]  # the arguments
+    set: tuple[tuple[str, str], ...]  # other members, and what they become
+
+
+@dataclass(frozen=True, slots=True)
+class Union:
+    name: str
+    record: Record  # that it is defined beside
+    operation: m.SwitchOp
+
+    @property
+    def default(self) -> str:
+        """The alternative of tag 0, as an expression."""
+        case = next((c for c in self.operation.cases if c.tag.value == 0), None)
+        if case is None:
+            return f"{self.name}::Other({path(self.operation.tag_type, home(self.record))}(0))"
+        value = f"({default(case.operation)})" if case.operation else ""
+        return f"{self.name}::{variant(case.tag.name)}{value}"
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """A function that reads a member as the type that names its values."""
+
+    name: str
+    type: str
+    member: Member
+    variants: tuple[m.Variant, ...]
+    tag: Member | None  # the sibling that decides, if it is not the device
+    values: tuple[str, ...]  # of the tag
+
+
+@dataclass(frozen=True, slots=True)
+class Conversion:
+    """From one named type to another that it is read as."""
+
+    of: m.Enum | m.Bitfield
+    to: m.Enum | m.Bitfield
+    record: Record  # where it is read so first
+    reading: Reading
+
+
+class Records:
+    """The records of a model."""
+
+    def __init__(self, model: m.Model) -> None:
+        self.model = model
+        self.unions: list[Union] = []
+        for record in self.all():
+            for p in record.parameters:
+                if isinstance(p.operation, m.SwitchOp) and self._union(p.operation, home(record)) is None:
+                    self.unions.append(Union(type_name(f"{record.name}_{p.name}"), record, p.operation))
+
+    def all(self) -> Iterator[Record]:
+        yield from structs(self.model.types)
+        yield self.model.protocol.acknowledge
+        for s in self.model.sets:
+            yield from structs(s.types)
+            yield from s.own_fields
+
+    # ------------------------------------------------------------------ types
+
+    def unions_of(self, record: Record) -> list[Union]:
+        return [u for u in self.unions if u.record is record]
+
+    def union(self, op: m.SwitchOp, here: str) -> Union:
+        """Unions of a module that have the same alternatives are one type."""
+        found = self._union(op, here)
+        assert found is not None
+        return found
+
+    def _union(self, op: m.SwitchOp, here: str) -> Union | None:
+        same = (u for u in self.unions if home(u.record) == here and u.operation.tag_type == op.tag_type)
+        return next((u for u in same if u.operation.cases == op.cases), None)
+
+    def rust(self, op: m.Operation, here: str) -> str:
+        """The type of what an operation reads."""
+        match op:
+            case m.ScalarOp():
+                return path(op.type, here) if op.type else scalar(op.scalar)
+            case m.BitsOp():
+                return path(op.type, here)
+            case m.TextOp():
+                return f"crate::Text<{op.count}>" if op.count is not None else f"crate::VarText<{op.capacity}>"
+            case m.ArrayOp() if op.vector is not None:
+                return path(op.vector, here)
+            case m.ArrayOp():
+                item = self.rust(op.item, here)
+                return f"[{item}; {op.count}]" if op.count is not None else f"crate::List<{item}, {op.capacity}>"
+            case m.StructOp():
+                return path(op.struct, here)
+            case m.SwitchOp():
+                return self.union(op, here).name
+        raise AssertionError(op)
+
+    # ------------------------------------------------------------------ members
+
+    def members(self, record: Record) -> list[Member]:
+        groups = [p for op in record.operations if isinstance(op, m.GroupOp) for p in op.body]
+        return [
+            Member(member(p.name), self.rust(p.operation, home(record)), p.operation in groups, p)
+            for p in record.parameters
+            if not p.derived
+        ]
+
+    def members_of(self, group: m.GroupOp, record: Record) -> list[Member]:
+        return [x for x in self.members(record) if x.parameter.operation in group.body]
+
+    def derives_default(self, record: Record) -> bool:
+        """Is the default of each member the one of its type?"""
+        return all(x.default in ("None", DEFAULT) for x in self.members(record))
+
+    # ------------------------------------------------------------------ functions that make a record
+
+    def constructors(self, record: Record) -> list[Constructor]:
+        if isinstance(record, m.Struct):
+            call = m.Call(None, record.parameters, ())
+            return [self._constructor(record, call, "new", "Puts the values together.")]
+        if record.role != m.COMMAND:
+            return []
+        return [
+            self._constructor(record, call, constructor(call.function), call.function.description)
+            if call.function
+            else self._constructor(record, call, "new", "The command with its parameters.")
+            for call in record.calls
+        ]
+
+    def _constructor(self, record: Record, call: m.Call, name: str, description: str) -> Constructor:
+        """The caller gives no reserved values, and no tag whose union is given."""
+        members = [x for x in self.members(record) if not x.parameter.selector]
+        needed = [x for x in members if x.parameter in call.required]
+        unions = {x.parameter.tag: x for x in needed if x.parameter.tag}
+        given, values = [], []
+        for x in members:
+            if x not in needed:
+                values += [] if call.function else [(x.name, "None")]
+            elif x.parameter.reserved is not None:
+                values.append((x.name, reserved(x.parameter)))
+            elif x.parameter.name in unions:
+                values.append((x.name, f"{unions[x.parameter.name].name}.tag()"))
+            else:
+                given.append(x)
+        return Constructor(name, description, call.function, tuple(given), tuple(values))
+
+    def settable(self, record: Record) -> list[Member]:
+        """What a caller may add to a command."""
+        command = isinstance(record, m.Field) and record.role == m.COMMAND
+        return [x for x in self.members(record) if command and x.parameter.optional]
+
+    # ------------------------------------------------------------------ functions that read a member
+
+    def readings(self, record: Record) -> list[Reading]:
+        """One for each type that names the values of a member, on a device or beside a value of a sibling."""
+        here, members = home(record), {x.parameter.name: x for x in self.members(record)}
+        found = []
+        for x in members.values():
+            for t in dict.fromkeys(v.type for v in x.parameter.readings):
+                if t is None or inner(t) != raw(x):
+                    continue
+                variants = tuple(v for v in x.parameter.readings if v.type == t)
+                by = {v.by for v in variants}
+                tag = None if m.DEVICE in by else members[by.pop()]
+                values = tuple(f"{tag.type}::{constant(v.key)}" for v in variants) if tag else ()
+                found.append(Reading(f"{x.parameter.name}_as_{t.name}", path(t, here), x, variants, tag, values))
+        return found
+
+    def conversions(self) -> list[Conversion]:
+        """From the named types of members to the types that they are read as."""
+        found: dict[tuple[str, str], Conversion] = {}
+        for record in self.all():
+            for reading in self.readings(record):
+                of, to = reading.member.parameter.element, reading.variants[0].type
+                if isinstance(of, (m.Enum, m.Bitfield)) and to is not None:
+                    found.setdefault((of.name, to.name), Conversion(of, to, record, reading))
+        return list(found.values())
+
+
+def structs(types: Iterable[m.Type]) -> list[m.Struct]:
+    return [t for t in types if isinstance(t, m.Struct)]
+
+
+def is_sequence(record: Record) -> bool:
+    """Has it just its members on the wire, one after another?"""
+    plain = all(isinstance(op, (m.ScalarOp, m.BitsOp, m.StructOp, m.ArrayOp, m.TextOp)) for op in record.operations)
+    return plain and not any(p.counts or member(p.name) != p.name for p in record.parameters)
+
+
+def is_selector(op: m.Operation, record: Record) -> bool:
+    return any(p.selector and p.operation is op for p in record.parameters)
+
+
+def when(group: m.GroupOp, record: m.Field) -> str:
+    """When a group must be there: for some functions, or never."""
+    required = record.counted[group.first - 1].required_for
+    return f"for {' '.join(constant(f.name) for f in required)}" if required else "optional"
+
+
+def default(op: m.Operation) -> str:
+    """The default of what an operation reads."""
+    return f"[{DEFAULT}; {op.count}]" if is_long(op) and isinstance(op, m.ArrayOp) else DEFAULT
+
+
+def raw(x: Member) -> str:
+    """The type of its number, or of its bytes."""
+    op = x.parameter.operation
+    named = op.type if isinstance(op, (m.ScalarOp, m.BitsOp)) else None
+    return inner(named) if named else x.type
+
+
+def reserved(p: m.Parameter) -> str:
+    """What is sent for a reserved parameter."""
+    return f"[{p.reserved}; {p.length}]" if isinstance(p.length, int) else str(p.reserved)
+
+
+def is_long(op: m.Operation) -> bool:
+    """Is it an array that is too long for the traits of Rust and serde?"""
+    return isinstance(op, m.ArrayOp) and op.vector is None and (op.count or 0) > 32

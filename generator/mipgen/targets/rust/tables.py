@@ -1,0 +1,65 @@
+"""Rows of the tables of fields and devices, and the literals in them."""
+
+from __future__ import annotations
+
+from ... import model as m
+from .names import constant
+
+
+def quoted(text: str) -> str:
+    """A string literal.
+
+    >>> print(quoted('say "µ"'))
+    "say \\"µ\\""
+    """
+    escaped = " ".join(text.split()).replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{escaped}"'
+
+
+def decimal(value: float | int) -> str:
+    """A floating-point literal.
+
+    >>> decimal(250), decimal(0.5)
+    ('250.0', '0.5')
+    """
+    return repr(float(value))
+
+
+def option(value: object | None) -> str:
+    return "None" if value is None else f"Some({value})"
+
+
+def octets(op: m.ConstantOp) -> list[int]:
+    """The bytes of a constant."""
+    return list(op.value.to_bytes(op.size, "big", signed=op.value < 0))
+
+
+class Tables:
+    def __init__(self, model: m.Model) -> None:
+        self.model = model
+
+    def set_range(self, f: m.Field) -> tuple[int, int]:
+        """The sets whose packets can hold the field, if it is not repeated."""
+        if f is self.model.protocol.acknowledge:
+            return 0x01, 0x7F
+        return (0x80, 0xFF) if f.set == 0xFF else (f.set, f.set)
+
+    def set_pattern(self, f: m.Field) -> str:
+        """The sets of a field as a pattern, where they are more than its own."""
+        first, last = self.set_range(f)
+        if first != last:
+            return f"0x{first:02X}..=0x{last:02X}"
+        numbers = [f.set, *(x.set for x in self.model.repeats(f))]
+        return " | ".join(f"0x{n:02X}" for n in numbers) if len(numbers) > 1 else ""
+
+    def linked(self, f: m.Field) -> list[str]:
+        """The responses of a command, or the commands of a response."""
+        return [x.full_name for x in (self.model.responses(f) or self.model.commands(f))]
+
+    def layouts(self, f: m.Field) -> int:
+        """How many layouts the descriptor has."""
+        return len(self.model.candidates(f.set, f.descriptor))
+
+    def ack_codes(self, d: m.Device) -> list[str]:
+        names = {v.value: constant(v.name) for v in self.model.protocol.ack_code.values}
+        return [f"AckCode::{names[code]}" for code in d.ack_codes]

@@ -1,0 +1,36 @@
+use mip_protocol::{base, mip_3dm, Answer, Client, Parser, RequestError};
+
+/// Your serial port: sends bytes, and gives what has come in.
+fn exchange(_sent: &[u8]) -> &'static [u8] {
+    &[]
+}
+
+fn main() -> Result<(), RequestError> {
+    let mut client: Client = Client::new();
+    let mut parser = Parser::new();
+
+    let (ticket, packet) = client.send(&mip_3dm::PpsSourceControl::read(), 0)?;
+    let mut received = exchange(packet.bytes());
+    while let Some(packet) = parser.next(&mut received) {
+        for event in client.receive(&packet) {
+            match event.answer(&ticket) {
+                Some(Answer::Acknowledged(Some(response))) => println!("{:?}", response.source),
+                Some(other) => println!("{other:?}"), // refused, with the named code, or undecodable
+                None => {}                            // answers another command
+            }
+        }
+    }
+    // Before a command is given up, the parser gives up what it holds back: noise may hide an answer.
+    while let Some(packet) = client.poll(&mut parser, 1_000) {
+        client.receive(&packet);
+    }
+    assert_eq!(client.take(&ticket), Some(Answer::TimedOut)); // events stay until they are taken
+
+    // Several commands in one packet:
+    let mut request = client.request(base::SET);
+    let first = request.add(&base::Ping::new())?;
+    let second = request.add(&base::Ping::new())?;
+    let packet = request.send(1_000);
+    println!("to send: {:02x?}, for {first:?} and {second:?}", packet.bytes());
+    Ok(())
+}

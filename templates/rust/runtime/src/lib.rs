@@ -1,0 +1,57 @@
+#![doc = include_str!("../README.md")]
+#![no_std]
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+#![deny(
+    clippy::arithmetic_side_effects,
+    clippy::expect_used,
+    clippy::indexing_slicing,
+    clippy::panic,
+    clippy::todo,
+    clippy::unimplemented,
+    clippy::unreachable,
+    clippy::unwrap_used
+)]
+// Deprecated fields still have to be read, and there is no heap to put a large variant on.
+#![allow(deprecated, clippy::large_enum_variant)]
+
+#[cfg(feature = "alloc")]
+extern crate alloc;
+#[cfg(feature = "std")]
+extern crate std;
+
+#[macro_use]
+mod macros;
+
+mod bits;
+pub mod client;
+pub mod codec;
+pub mod field;
+mod list;
+pub mod packet;
+mod parser;
+#[cfg(feature = "std")]
+mod stream;
+mod text;
+
+pub mod devices;
+#[cfg(feature = "dynamic")]
+pub mod dynamic;
+pub mod protocol;
+pub mod registry;
+mod sets;
+pub mod types;
+
+pub use sets::*;
+
+pub use bits::Bits;
+pub use client::{Answer, Client, Event, Outcome, RequestError, Ticket};
+pub use codec::{Bool, DecodeError, EncodeError, Reader, Union, Wire, Writer};
+pub use field::{Command, Field, RawField, Response, ResponseCheck, ResponseOf, Role};
+pub use list::{CapacityError, List};
+pub use packet::{checksum, FieldLengthError, Packet, PacketBuilder, PacketError};
+pub use parser::Parser;
+pub use registry::AnyField;
+#[cfg(feature = "std")]
+pub use stream::PacketReader;
+pub use text::{Text, VarText};

@@ -1,0 +1,94 @@
+//! Fields: where they belong, and how commands are answered.
+
+/// Where a field belongs, perhaps in other sets too; the constants that tell it from others with
+/// its descriptor; and of a response the commands that it answers.
+macro_rules! field {
+    (
+        $name:ident: $set:literal, $descriptor:literal, $text:literal
+        $(, in $sets:pat)?
+        $(, constants $([$offset:literal: $($byte:literal)+])+)?
+        $(, answers $($command:ident)+)?
+    ) => {
+        impl $crate::Field for $name {
+            const SET: u8 = $set;
+            const DESCRIPTOR: u8 = $descriptor;
+            const NAME: &'static str = $text;
+            $(const CONSTANTS: &'static [(usize, &'static [u8])] = &[$(($offset, &[$($byte),+])),+];)?
+
+            $(
+                fn in_set(set: u8) -> bool {
+                    matches!(set, $sets)
+                }
+            )?
+        }
+
+        $($(impl $crate::ResponseOf<$command> for $name {})+)?
+    };
+}
+
+/// How a command is answered: with what, for which functions, and when not at all.
+macro_rules! command {
+    (
+        $name:ident -> $response:ty;
+        $(responds $reply:ident $(for $($asked:ident)+)? $(, if $($part:ident = $is:expr),+)?;)*
+        $(silent for $($mute:ident)+;)?
+        $(silent if $($member:ident = $value:expr),+;)?
+        $(timeout $milliseconds:literal;)?
+    ) => {
+        impl $crate::Command for $name {
+            type Response = $response;
+            $(const TIMEOUT_MS: Option<u32> = Some($milliseconds);)?
+
+            fn expects_reply(&self) -> bool {
+                true
+                    $(&& !matches!(self.function, $($crate::protocol::FunctionSelector::$mute)|+))?
+                    $(&& !($(self.$member == $value)&&+))?
+            }
+
+            fn response_check(&self) -> Option<$crate::ResponseCheck> {
+                $(
+                    if true
+                        $(&& matches!(self.function, $($crate::protocol::FunctionSelector::$asked)|+))?
+                        $($(&& self.$part == $is)+)?
+                    {
+                        return Some($crate::field::check::<$reply>);
+                    }
+                )*
+                None
+            }
+        }
+    };
+}
+
+/// The several types that one command can be answered with.
+macro_rules! responses {
+    (
+        $(#[$meta:meta])*
+        pub enum $name:ident {
+            $($(#[$variant_meta:meta])* $variant:ident($field:ident),)*
+        }
+    ) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        pub enum $name {
+            $($(#[$variant_meta])* $variant($field),)*
+        }
+
+        impl $crate::Response for $name {
+            const DESCRIPTORS: &'static [u8] = &[$(<$field as $crate::Field>::DESCRIPTOR),*];
+
+            fn from_field(
+                field: &$crate::RawField<'_>,
+            ) -> Option<Result<Self, $crate::DecodeError>> {
+                $(
+                    if let Some(found) = <$field as $crate::Response>::from_field(field) {
+                        return Some(found.map(Self::$variant));
+                    }
+                )*
+                None
+            }
+        }
+    };
+}

@@ -1,0 +1,119 @@
+"""What a fresh machine needs, and what it is told when it lacks something; the locks of the Python tools."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+from support import ROOT
+
+TOOLS = ROOT / "tests/tools.sh"
+PLAIN = ("sh", "make", "grep", "ls", "awk", "env", "dirname", "cat")  # of any machine
+SHIMS = """#!/bin/sh
+case "$0 $*" in
+  */rustup*"target list"*) cat "$MACHINE/targets" 2>/dev/null ;;
+  */rustup*"target add"*) echo "$4" >>"$MACHINE/targets" ;;
+  */rustup*"component add"*) : >"$MACHINE/$4" ;;
+  */cargo-clippy*) test -f "$MACHINE/clippy" ;;
+  */rustfmt*) test -f "$MACHINE/rustfmt" ;;
+esac
+"""
+
+
+@pytest.fixture
+def machine(tmp_path: Path) -> Path:
+    """A folder of programs: those of any machine, Python, cargo with rustup, and a C compiler."""
+    for name in PLAIN:
+        (tmp_path / name).symlink_to(str(shutil.which(name)))
+    for name in ("cargo", "rustup", "rustfmt", "cargo-clippy", "cc"):
+        (tmp_path / name).write_text(SHIMS)
+        (tmp_path / name).chmod(0o755)
+    (tmp_path / "state").mkdir()
+    return tmp_path
+
+
+def run(machine: Path, *command: str | Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [str(c) for c in command], capture_output=True, text=True, cwd=ROOT,
+        env={"PATH": str(machine), "MACHINE": str(machine / "state"), "HOME": str(machine)},
+    )  # fmt: skip
+
+
+def test_rustup_brings_what_tests_need(machine: Path) -> None:
+    first, second = (run(machine, TOOLS, "test") for _ in range(2))
+    assert (first.returncode, first.stdout, first.stderr) == (0, "installing rustfmt\ninstalling clippy\n", "")
+    assert (second.returncode, second.stdout, second.stderr) == (0, "", "")
+
+
+def test_checks_need_neither_cargo_nor_a_compiler(machine: Path) -> None:
+    (machine / "cc").unlink()
+    (machine / "cargo").unlink()
+    assert run(machine, TOOLS, "check").returncode == 0
+
+
+@pytest.mark.parametrize("runner", ["test", "test-all"])
+def test_what_is_missing_is_named_with_its_remedy_before_anything_runs(runner: str, machine: Path) -> None:
+    (machine / "cc").unlink()
+    (machine / "cargo").unlink()
+    done = run(machine, "make", runner)
+    assert done.returncode != 0
+    assert "cargo is missing; install Rust: https://rustup.rs\n" in done.stderr
+    assert "a C compiler, cc, is missing; install one (Debian: apt-get install gcc libc6-dev)\n" in done.stderr
+    assert "passed" not in done.stdout and "tests run" not in done.stdout
+
+
+def test_a_compiler_that_cannot_link_is_noticed(machine: Path) -> None:
+    (machine / "cc").write_text("#!/bin/sh\nexit 1\n")
+    done = run(machine, TOOLS, "test")
+    assert done.returncode == 1 and "cc must link with -fsanitize=address,undefined" in done.stderr
+
+
+def test_heavy_tests_need_more(machine: Path) -> None:
+    done = run(machine, TOOLS, "all")
+    assert done.returncode == 1
+    named = re.findall(r"^make: (.*) is missing; ", done.stderr, re.M)
+    assert named == ["g++", "clang", "clang++", "Python 3.10", "Python 3.11", "Python 3.12", "Python 3.13"]
+    assert "installing thumbv7m-none-eabi\n" in done.stdout
+
+
+def test_every_target_of_make_says_what_it_is_for(machine: Path) -> None:
+    makefile = (ROOT / "Makefile").read_text("utf-8")
+    phony = set(" ".join(re.findall(r"^\.PHONY: (.*)$", makefile, re.M)).split())
+    shown = set(re.findall(r"^  make ([a-z-]+) +\w", run(machine, "make").stdout, re.M))
+    assert phony - shown == {"conformance-driver", "tools", "tools-check", "tools-all"} - shown
+    assert {"generate", "test", "test-all", "check", "quick", "lock"} <= shown
+
+
+# --------------------------------------------------------------------------- locks
+
+
+def pinned(name: str) -> dict[str, str]:
+    text = (ROOT / name).read_text("utf-8")
+    return {canonicalize_name(n): v for n, v in re.findall(r"^([\w.-]+)==(\S+)", text, re.M)}
+
+
+@pytest.mark.parametrize("name", ["requirements.txt", "requirements-dev.txt"])
+def test_locks_are_of_no_machine(name: str) -> None:
+    """Pins and hashes alone: no folder, no address."""
+    for line in (ROOT / name).read_text("utf-8").splitlines():
+        assert re.fullmatch(r"[\w.-]+==\S+( ; .*)? \\|    --hash=sha256:\w{64}( \\)?|    #.*|#.*|", line), line
+        assert "/" not in line, line
+
+
+def test_locks_hold_what_the_package_asks_for() -> None:
+    lock = pinned("requirements.txt")
+    project = (ROOT / "pyproject.toml").read_text("utf-8").partition("\ndependencies = [")[2].partition("]")[0]
+    needs = [Requirement(x) for x in re.findall(r'"(.*?)"', project)]
+    assert {"ruff", "clang-format", "jinja2"} <= {n.name for n in needs}
+    for need in needs:
+        assert need.specifier.contains(lock[canonicalize_name(need.name)]), need
+
+
+def test_both_locks_agree() -> None:
+    """One environment is made from both."""
+    assert pinned("requirements.txt").items() <= pinned("requirements-dev.txt").items()

@@ -1,0 +1,187 @@
+//! Enumerations, vectors, and what all newtypes have.
+
+/// An enumeration that keeps values which it does not know.
+macro_rules! open_enum {
+    (
+        $(#[$meta:meta])*
+        $name:ident: $number:ty {
+            $($(#[$value_meta:meta])* $value:ident = $literal:literal, $text:literal;)*
+        }
+    ) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[cfg_attr(
+            feature = "serde",
+            derive(serde::Serialize, serde::Deserialize),
+            serde(transparent)
+        )]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        pub struct $name(pub $number);
+
+        impl $name {
+            $($(#[$value_meta])* pub const $value: Self = Self($literal);)*
+
+            /// All values that have a name.
+            pub const VALUES: &'static [Self] = &[$(Self::$value),*];
+
+            /// The name of the value in the specification, if it has one.
+            #[must_use]
+            pub const fn name(self) -> ::core::option::Option<&'static str> {
+                match self {
+                    $(Self::$value => ::core::option::Option::Some($text),)*
+                    _ => ::core::option::Option::None,
+                }
+            }
+        }
+
+        newtype!($name: $number);
+
+        impl ::core::fmt::Display for $name {
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                match self.name() {
+                    ::core::option::Option::Some(name) => f.pad(name),
+                    ::core::option::Option::None => ::core::fmt::Display::fmt(&self.0, f),
+                }
+            }
+        }
+
+        impl ::core::fmt::Debug for $name {
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                f.write_str(concat!(stringify!($name), "("))?;
+                ::core::fmt::Display::fmt(self, f)?;
+                f.write_str(")")
+            }
+        }
+
+        impl $crate::bits::Number for $name {
+            fn from_bits(bits: u64) -> Self {
+                Self(<$number as $crate::bits::Number>::from_bits(bits))
+            }
+
+            fn to_bits(self) -> u64 {
+                $crate::bits::Number::to_bits(self.0)
+            }
+        }
+    };
+}
+
+/// A few numbers of one kind whose places have names.
+macro_rules! vector {
+    (
+        $(#[$meta:meta])*
+        $name:ident: [$number:ty; $count:literal] {
+            $($(#[$element_meta:meta])* $element:ident,)*
+        }
+    ) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        pub struct $name {
+            $($(#[$element_meta])* pub $element: $number,)*
+        }
+
+        impl $name {
+            /// The elements in the order of the wire.
+            #[must_use]
+            pub const fn to_array(self) -> [$number; $count] {
+                [$(self.$element),*]
+            }
+        }
+
+        impl ::core::convert::From<[$number; $count]> for $name {
+            fn from([$($element),*]: [$number; $count]) -> Self {
+                Self { $($element),* }
+            }
+        }
+
+        impl ::core::convert::From<$name> for [$number; $count] {
+            fn from(value: $name) -> Self {
+                value.to_array()
+            }
+        }
+
+        impl $crate::Wire for $name {
+            const SIZE: usize = <[$number; $count] as $crate::Wire>::SIZE;
+
+            fn decode_from(
+                reader: &mut $crate::Reader<'_>,
+            ) -> ::core::result::Result<Self, $crate::DecodeError> {
+                reader.read::<[$number; $count]>().map(Self::from)
+            }
+
+            fn encode_to(
+                &self,
+                writer: &mut $crate::Writer<'_>,
+            ) -> ::core::result::Result<(), $crate::EncodeError> {
+                writer.write(&self.to_array())
+            }
+        }
+
+        #[cfg(feature = "dynamic")]
+        impl $crate::dynamic::ToValue for $name {
+            fn to_value(&self) -> $crate::dynamic::Value {
+                self.to_array().to_value()
+            }
+        }
+
+        #[cfg(feature = "dynamic")]
+        impl $crate::dynamic::FromValue for $name {
+            fn from_value(
+                value: &$crate::dynamic::Value,
+            ) -> ::core::result::Result<Self, $crate::dynamic::ValueError> {
+                <[$number; $count]>::from_value(value).map(Self::from)
+            }
+        }
+    };
+}
+
+/// What every newtype around a number or bytes has.
+macro_rules! newtype {
+    ($name:ident: $inner:ty) => {
+        impl ::core::convert::From<$inner> for $name {
+            fn from(value: $inner) -> Self {
+                Self(value)
+            }
+        }
+
+        impl ::core::convert::From<$name> for $inner {
+            fn from(value: $name) -> Self {
+                value.0
+            }
+        }
+
+        impl $crate::Wire for $name {
+            const SIZE: usize = <$inner as $crate::Wire>::SIZE;
+
+            fn decode_from(
+                reader: &mut $crate::Reader<'_>,
+            ) -> ::core::result::Result<Self, $crate::DecodeError> {
+                reader.read().map(Self)
+            }
+
+            fn encode_to(
+                &self,
+                writer: &mut $crate::Writer<'_>,
+            ) -> ::core::result::Result<(), $crate::EncodeError> {
+                writer.write(&self.0)
+            }
+        }
+
+        #[cfg(feature = "dynamic")]
+        impl $crate::dynamic::ToValue for $name {
+            fn to_value(&self) -> $crate::dynamic::Value {
+                self.0.to_value()
+            }
+        }
+
+        #[cfg(feature = "dynamic")]
+        impl $crate::dynamic::FromValue for $name {
+            fn from_value(
+                value: &$crate::dynamic::Value,
+            ) -> ::core::result::Result<Self, $crate::dynamic::ValueError> {
+                $crate::dynamic::FromValue::from_value(value).map(Self)
+            }
+        }
+    };
+}

@@ -1,0 +1,260 @@
+//! Measurements (0x80): Data of every type.
+
+#[allow(unused_imports)] // some sets name a type in comments only, or none
+use crate::types;
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0x80;
+
+record! {
+    /// Acceleration (0x80,0x01).
+    ///
+    /// A vector whose elements are valid together.
+    ///
+    /// Sent at 100 Hz at most. Supported by Model A and Model B.
+    ///
+    /// Source: guide: Acceleration; leaflet: Acceleration.
+    #[derive(Default)]
+    pub struct Accel {
+        /// Specific force.
+        ///
+        /// Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit: x by
+        /// [`valid_flags.ready`](types::StateFlags::ready), y by
+        /// [`valid_flags.hot`](types::StateFlags::hot), z by
+        /// [`valid_flags.ready`](types::StateFlags::ready). On the Model B: unit m, m, s; frame
+        /// ned. Turned by the device.
+        pub scaled_accel: types::Vector3f,
+        /// What is valid.
+        pub valid_flags: types::StateFlags,
+    }
+}
+
+field! {
+    Accel: 0x80, 0x01, "measurements.accel", in 0x80 | 0x81 | 0x92
+}
+
+record! {
+    /// Numbers (0x80,0x02).
+    ///
+    /// One of each.
+    ///
+    /// Supported by Model A.
+    ///
+    /// Source: guide: Numbers.
+    #[derive(Default)]
+    pub struct Numbers {
+        /// Unsigned.
+        pub u8: u8,
+        /// Unsigned.
+        pub u16: u16,
+        /// Unsigned.
+        pub u32: u32,
+        /// Unsigned.
+        pub u64: u64,
+        /// Signed.
+        pub s8: i8,
+        /// Signed.
+        pub s16: i16,
+        /// Signed.
+        pub s32: i32,
+        /// Signed.
+        pub s64: i64,
+        /// Four bytes.
+        ///
+        /// Unit: 1.
+        pub float: f32,
+        /// Eight bytes.
+        ///
+        /// Unit: 1.
+        pub double: f64,
+        /// True or false.
+        pub bool: crate::Bool,
+        /// One character.
+        pub char: u8,
+    }
+}
+
+field! {
+    Numbers: 0x80, 0x02, "measurements.numbers", in 0x80 | 0x92
+}
+
+record! {
+    /// Strings (0x80,0x03).
+    ///
+    /// Fixed, counted, and to the end.
+    ///
+    /// Supported by Model A.
+    ///
+    /// On the wire there is also `length`: Of the name. The number of elements of `name`.
+    ///
+    /// Source: guide: Strings.
+    #[derive(Default)]
+    pub struct Strings {
+        /// Padded with spaces.
+        pub model: crate::Text<16>,
+        /// The name.
+        pub name: crate::VarText<236>,
+        /// All that follows.
+        pub rest: crate::VarText<236>,
+    }
+    wire 253 {
+        [model]
+        [length: u8 counts name]
+        [name by length]
+        [rest]
+    }
+}
+
+field! {
+    Strings: 0x80, 0x03, "measurements.strings", in 0x80 | 0x81 | 0x92
+}
+
+record! {
+    /// Health (0x80,0x04).
+    ///
+    /// The wide bitfield.
+    ///
+    /// Deprecated: use [`Numbers`] instead. Supported by Model A.
+    ///
+    /// Source: guide: Health.
+    #[derive(Default)]
+    #[deprecated(note = "use measurements.numbers instead")]
+    pub struct Health {
+        /// The bits.
+        pub result: types::Health,
+        /// An enumeration over four bytes.
+        pub code: types::WideCode,
+    }
+}
+
+field! {
+    Health: 0x80, 0x04, "measurements.health", in 0x80 | 0x92
+}
+
+record! {
+    /// Arrays (0x80,0x05).
+    ///
+    /// Arrays of all that can stand in one.
+    ///
+    /// Supported by Model A.
+    ///
+    /// Source: guide: Arrays.
+    #[derive(Default)]
+    pub struct Arrays {
+        /// Enumerations.
+        pub modes: [types::Mode; 3],
+        /// Bitfields.
+        pub flags: [types::StateFlags; 2],
+        /// Vectors.
+        ///
+        /// Elements: x, y, z. Unit: m.
+        pub vectors: [types::Vector3f; 2],
+        /// Structures.
+        ///
+        /// Unit: m.
+        pub points: [types::Point; 2],
+        /// A nested structure.
+        pub track: types::Segment,
+        /// Reserved.
+        pub offsets: [i8; 4],
+    }
+}
+
+field! {
+    Arrays: 0x80, 0x05, "measurements.arrays", in 0x80 | 0x92
+}
+
+record! {
+    /// Growing (0x80,0x06).
+    ///
+    /// Newer devices send more of it.
+    ///
+    /// Supported by Model A.
+    ///
+    /// Source: guide: Growing.
+    #[derive(Default)]
+    pub struct Growing {
+        /// Always there.
+        pub first: u16,
+        /// From version 2 on.
+        ///
+        /// Optional.
+        pub second: Option<u16>,
+        /// From version 3 on.
+        ///
+        /// Unit: deg. Optional.
+        pub third: Option<f32>,
+    }
+    wire 8 {
+        [first]
+        [second optional]
+        [third optional]
+    }
+}
+
+field! {
+    Growing: 0x80, 0x06, "measurements.growing", in 0x80 | 0x92
+}
+
+record! {
+    /// Radio (0x80,0x07).
+    ///
+    /// A bool vouches for values; one source has no layout that agrees with it.
+    ///
+    /// Also called `modem` and `rf`. Uncertain: The leaflet gives the strength two bytes.
+    /// Uncertain: Inferred: the strength is never positive.
+    ///
+    /// Source: sheet: Radio.
+    #[derive(Default)]
+    pub struct Radio {
+        /// Whether there is a connection.
+        pub connected: crate::Bool,
+        /// Of the signal.
+        ///
+        /// Range: less than 1. Valid if `connected` is true. Uncertain: Its unit.
+        pub strength: i32,
+        /// Never nothing.
+        ///
+        /// Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true.
+        pub noise: f32,
+        /// Reserved.
+        ///
+        /// Reserved.
+        pub gap: f32,
+        /// Reserved.
+        pub gaps: [f64; 2],
+    }
+}
+
+field! {
+    Radio: 0x80, 0x07, "measurements.radio", in 0x80 | 0x92
+}
+
+record! {
+    /// Cloud (0x80,0x08).
+    ///
+    /// The count can exceed what a field holds beside the value behind the array.
+    ///
+    /// Supported by Model A.
+    ///
+    /// On the wire there is also `num_points`: Number of points. The number of elements of
+    /// `points`.
+    ///
+    /// Source: guide: Cloud.
+    #[derive(Default)]
+    pub struct Cloud {
+        /// The points.
+        pub points: crate::List<types::Point, 61>,
+        /// Behind an array that fills the field.
+        pub stamp: u64,
+    }
+    wire 253 {
+        [num_points: u8 counts points]
+        [points by num_points]
+        [stamp]
+    }
+}
+
+field! {
+    Cloud: 0x80, 0x08, "measurements.cloud", in 0x80 | 0x92
+}

@@ -1,0 +1,59 @@
+//! Awkward names (0x0C): Names that are keywords or begin with a digit.
+
+#[allow(unused_imports)] // some sets name a type in comments only, or none
+use crate::types;
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0x0C;
+
+record! {
+    /// Default (0x0C,0x10).
+    ///
+    /// Its parameters are keywords here and there.
+    ///
+    /// Not acknowledged if `mode` of [`tools::Settings`](crate::tools::Settings) is
+    /// [`types::Mode::FAST`]. Supported by Model A.
+    ///
+    /// Source: guide: Default.
+    #[derive(Default)]
+    pub struct Default {
+        /// A keyword.
+        pub class: u8,
+        /// A keyword.
+        pub type_: u8,
+        /// A keyword.
+        pub register: u8,
+        /// A keyword.
+        pub self_: u8,
+        /// Used by generated code elsewhere.
+        pub present: u8,
+    }
+    wire 5 {
+        [class]
+        [type_ "type"]
+        [register]
+        [self_ "self"]
+        [present]
+    }
+}
+
+constructors! {
+    Default
+
+    /// The command with its parameters.
+    fn new(
+        class: u8,
+        type_: u8,
+        register: u8,
+        self_: u8,
+        present: u8,
+    );
+}
+
+field! {
+    Default: 0x0C, 0x10, "3d.default"
+}
+
+command! {
+    Default -> ();
+}

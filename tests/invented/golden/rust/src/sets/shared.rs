@@ -1,0 +1,30 @@
+//! Shared (0xFF): Valid in every data set.
+
+#[allow(unused_imports)] // some sets name a type in comments only, or none
+use crate::types;
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0xFF;
+
+record! {
+    /// Timestamp (0xFF,0xD3).
+    ///
+    /// When the packet was sent.
+    ///
+    /// Supported by Model A.
+    ///
+    /// Source: guide: Timestamp.
+    #[derive(Default)]
+    pub struct Timestamp {
+        /// Time of week.
+        ///
+        /// Unit: s. Valid if [`valid_flags.ready`](types::StateFlags::ready) is set.
+        pub tow: f64,
+        /// What is valid.
+        pub valid_flags: types::StateFlags,
+    }
+}
+
+field! {
+    Timestamp: 0xFF, 0xD3, "shared.timestamp", in 0x80..=0xFF
+}

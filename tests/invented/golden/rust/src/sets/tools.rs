@@ -1,0 +1,1164 @@
+//! Tools (0x01): Commands of every shape.
+
+#[allow(unused_imports)] // some sets name a type in comments only, or none
+use crate::types;
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0x01;
+
+open_enum! {
+    /// Which member the union has.
+    Shape: u8 {
+        /// None.
+        NONE = 0, "none";
+        /// Circle.
+        CIRCLE = 1, "circle";
+        /// Path.
+        PATH = 2, "path";
+        /// Turn.
+        TURN = 3, "turn";
+        /// Label.
+        LABEL = 4, "label";
+    }
+}
+
+open_enum! {
+    /// How a circle is filled.
+    Fill: u8 {
+        /// Empty.
+        EMPTY = 0, "empty";
+        /// Solid.
+        SOLID = 1, "solid";
+        /// Striped.
+        STRIPED = 2, "striped";
+    }
+}
+
+record! {
+    /// Two numbers.
+    #[derive(Default)]
+    pub struct Stripes {
+        /// Of a stripe.
+        ///
+        /// Unit: m.
+        pub width: f64,
+        /// Of all stripes.
+        ///
+        /// Unit: deg. Range: -180 to 180.
+        pub angle: f32,
+    }
+}
+
+constructors! {
+    Stripes
+
+    /// Puts the values together.
+    fn new(width: f64, angle: f32);
+}
+
+record! {
+    /// Ends in a union of its own.
+    #[derive(Default)]
+    pub struct Circle {
+        /// The middle.
+        pub center: types::Point,
+        /// Which member follows.
+        pub fill: Fill,
+        /// How it is filled.
+        ///
+        /// Selected by `fill`.
+        pub filling: CircleFilling,
+    }
+    wire 17 {
+        [center]
+        [fill]
+        [filling as fill]
+    }
+}
+
+union! {
+    /// The alternatives of `filling` in [`Circle`].
+    pub enum CircleFilling: Fill {
+        /// Empty.
+        ///
+        /// Empty if `fill` is [`Fill::EMPTY`].
+        EMPTY => Empty,
+        /// A colour.
+        ///
+        /// If `fill` is [`Fill::SOLID`].
+        SOLID => Solid(u32) "solid",
+        /// Striped.
+        ///
+        /// If `fill` is [`Fill::STRIPED`].
+        STRIPED => Striped(Stripes) "striped",
+    }
+    default CircleFilling::Empty
+}
+
+constructors! {
+    Circle
+
+    /// Puts the values together.
+    fn new(center: types::Point, filling: CircleFilling), fill: filling.tag();
+}
+
+record! {
+    /// A counted array at its end.
+    ///
+    /// On the wire there is also `num_points`: Number of points. The number of elements of
+    /// `points`.
+    #[derive(Default)]
+    pub struct Path {
+        /// Does it return to its start?
+        pub closed: crate::Bool,
+        /// The points.
+        pub points: crate::List<types::Point, 62>,
+    }
+    wire 250 {
+        [closed]
+        [num_points: u8 counts points]
+        [points by num_points]
+    }
+}
+
+constructors! {
+    Path
+
+    /// Puts the values together.
+    fn new(closed: bool, points: impl Into<crate::List<types::Point, 62>>);
+}
+
+open_enum! {
+    /// What drives a pin.
+    Drive: u8 {
+        /// Off.
+        OFF = 0, "off";
+        /// Pulse.
+        PULSE = 1, "pulse";
+        /// Serial.
+        SERIAL = 2, "serial";
+    }
+}
+
+open_enum! {
+    /// Of a pulse.
+    PulseUse: u8 {
+        /// Input.
+        INPUT = 1, "input";
+        /// Output.
+        OUTPUT = 2, "output";
+    }
+}
+
+open_enum! {
+    /// Of a serial line.
+    SerialUse: u8 {
+        /// Receive.
+        RECEIVE = 1, "receive";
+        /// Transmit.
+        TRANSMIT = 33, "transmit";
+    }
+}
+
+bitfield! {
+    /// Of the model A.
+    ModelAFaults: u32 {
+        /// Clock. Bit 0.
+        CLOCK: bool = 0,
+            clock, set_clock, with_clock;
+        /// Sensor. Bit 8.
+        SENSOR: bool = 8,
+            sensor, set_sensor, with_sensor;
+        /// Solution. Bit 24.
+        SOLUTION: bool = 24,
+            solution, set_solution, with_solution;
+    }
+}
+
+bitfield! {
+    /// Of the model B.
+    ModelBFaults: u32 {
+        /// General. Bit 0.
+        GENERAL: bool = 0,
+            general, set_general, with_general;
+        /// Overload. Bit 1.
+        OVERLOAD: bool = 1,
+            overload, set_overload, with_overload;
+        /// Accel. Bit 12.
+        ACCEL: bool = 12,
+            accel, set_accel, with_accel;
+    }
+}
+
+record! {
+    /// Ping (0x01,0x01).
+    ///
+    /// Tests the line.
+    ///
+    /// Supported by Model A and Model B.
+    ///
+    /// Source: guide: Ping; leaflet: Ping.
+    #[derive(Default)]
+    pub struct Ping;
+}
+
+constructors! {
+    Ping
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    Ping: 0x01, 0x01, "tools.ping"
+}
+
+command! {
+    Ping -> ();
+}
+
+record! {
+    /// Settings (0x01,0x02).
+    ///
+    /// Every function, and a prefix of parameters for each.
+    ///
+    /// Functions: write, read, save, load, default and apply. Answered by [`SettingsResponse`].
+    /// Supported by Model A and Model B. On the Model B: write and read only.
+    ///
+    /// Source: guide: Settings; leaflet: Settings.
+    pub struct Settings {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Number of the port, 0 for all.
+        ///
+        /// Range: 0 to 8.
+        pub port: Option<u8>,
+        /// What to do.
+        ///
+        /// Default: [`types::Mode::FAST`]. Required for write, read and apply.
+        pub mode: Option<types::Mode>,
+        /// Speed.
+        ///
+        /// Unit: Bd. Default: 115200. Required for write and apply.
+        pub baud: Option<u32>,
+        /// Required by no function, not even by write.
+        ///
+        /// Optional. If `mode` is [`types::Mode::FAST`]: unit s; range 1 to 10; default 5. If
+        /// `mode` is [`types::Mode::SLOW`]: unit m.
+        pub limit: Option<u16>,
+        /// Reserved: send 1. Optional.
+        pub reserved: Option<u8>,
+    }
+    wire 10 {
+        [function selects]
+        [port for WRITE READ SAVE LOAD DEFAULT APPLY]
+        [mode for WRITE READ APPLY]
+        [baud for WRITE APPLY]
+        [limit optional]
+        [reserved optional]
+    }
+}
+
+constructors! {
+    Settings { function, port, mode, baud, limit, reserved }
+
+    /// Apply the new setting.
+    fn write(
+        port: u8,
+        mode: types::Mode,
+        baud: u32,
+    ) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read(port: u8, mode: types::Mode) = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save(port: u8) = SAVE;
+
+    /// Load the saved setting.
+    fn load(port: u8) = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default(port: u8) = DEFAULT;
+
+    /// Apply the new setting and send no acknowledge (5-series devices).
+    fn apply(
+        port: u8,
+        mode: types::Mode,
+        baud: u32,
+    ) = APPLY;
+}
+
+setters! {
+    Settings {
+        fn with_limit(limit: u16);
+        fn with_reserved(reserved: u8);
+    }
+}
+
+field! {
+    Settings: 0x01, 0x02, "tools.settings"
+}
+
+command! {
+    Settings -> SettingsResponse;
+    responds SettingsResponse for READ;
+    silent for APPLY;
+}
+
+record! {
+    /// Set time (0x01,0x03).
+    ///
+    /// Two responses for one command.
+    ///
+    /// Functions: write, read and apply. Answered by [`SetTimeFastResponse`] or
+    /// [`SetTimeSlowResponse`]. Supported by Model A.
+    ///
+    /// - Send it once a second.
+    ///
+    /// Source: guide: Set time.
+    pub struct SetTime {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Which half of the time.
+        pub part: Option<types::Mode>,
+        /// The new value.
+        ///
+        /// Unit: s. Required for write and apply.
+        pub value: Option<u32>,
+    }
+    wire 6 {
+        [function selects]
+        [part for WRITE READ APPLY]
+        [value for WRITE APPLY]
+    }
+}
+
+constructors! {
+    SetTime { function, part, value }
+
+    /// Apply the new setting.
+    fn write(part: types::Mode, value: u32) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read(part: types::Mode) = READ;
+
+    /// Apply the new setting and send no acknowledge (5-series devices).
+    fn apply(part: types::Mode, value: u32) = APPLY;
+}
+
+field! {
+    SetTime: 0x01, 0x03, "tools.set_time"
+}
+
+command! {
+    SetTime -> SetTimeResponses;
+    responds SetTimeFastResponse for READ, if part = Some(types::Mode::FAST);
+    responds SetTimeSlowResponse for READ, if part = Some(types::Mode::SLOW);
+    silent for APPLY;
+}
+
+responses! {
+    /// What [`SetTime`] is answered with.
+    pub enum SetTimeResponses {
+        /// The response [`SetTimeFastResponse`].
+        Fast(SetTimeFastResponse),
+        /// The response [`SetTimeSlowResponse`].
+        Slow(SetTimeSlowResponse),
+    }
+}
+
+record! {
+    /// Status (0x01,0x04).
+    ///
+    /// Two layouts of one response, told apart by constants.
+    ///
+    /// For advanced use. Answered by [`StatusShort`] or [`StatusLong`]. The device may take 2.5 s
+    /// to answer. Supported by Model A and Model B.
+    ///
+    /// On the wire there is also `model`: The model that the layouts belong to. Always 4711.
+    ///
+    /// Source: guide: Status.
+    #[derive(Default)]
+    pub struct Status {
+        /// Which layout.
+        ///
+        /// Range: 1 to 2.
+        pub selector: u8,
+    }
+    wire 3 {
+        [model: u16 = 4711]
+        [selector]
+    }
+}
+
+constructors! {
+    Status
+
+    /// The command with its parameters.
+    fn new(selector: u8);
+}
+
+field! {
+    Status: 0x01, 0x04, "tools.status", constants [0: 18 103]
+}
+
+command! {
+    Status -> StatusResponses;
+    responds StatusShort, if selector = 1;
+    responds StatusLong, if selector = 2;
+    timeout 2500;
+}
+
+responses! {
+    /// What [`Status`] is answered with.
+    pub enum StatusResponses {
+        /// The response [`StatusShort`].
+        Short(StatusShort),
+        /// The response [`StatusLong`].
+        Long(StatusLong),
+    }
+}
+
+record! {
+    /// Bias (0x01,0x05).
+    ///
+    /// Its response serves another command too.
+    ///
+    /// Functions: write, read, save, load and default. Answered by [`BiasVector`]. Supported by
+    /// Model A.
+    ///
+    /// Source: guide: Bias; leaflet: Bias.
+    pub struct Bias {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Taken off the measurement.
+        ///
+        /// Elements: x, y, z. Unit: g. Frame: sensor. Required for write.
+        pub bias: Option<types::Vector3f>,
+    }
+    wire 13 {
+        [function selects]
+        [bias for WRITE]
+    }
+}
+
+constructors! {
+    Bias { function, bias }
+
+    /// Apply the new setting.
+    fn write(bias: impl Into<types::Vector3f>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+
+    /// Load the saved setting.
+    fn load() = LOAD;
+
+    /// Load the factory default setting.
+    fn load_default() = DEFAULT;
+}
+
+field! {
+    Bias: 0x01, 0x05, "tools.bias"
+}
+
+command! {
+    Bias -> BiasVector;
+    responds BiasVector for READ;
+}
+
+record! {
+    /// Capture bias (0x01,0x06).
+    ///
+    /// Measures the bias.
+    ///
+    /// Answered by [`BiasVector`]. Supported by Model A.
+    ///
+    /// Source: guide: Capture bias.
+    #[derive(Default)]
+    pub struct CaptureBias {
+        /// How long.
+        ///
+        /// Unit: s. Range: 1 to 30.
+        pub time: u16,
+    }
+}
+
+constructors! {
+    CaptureBias
+
+    /// The command with its parameters.
+    fn new(time: u16);
+}
+
+field! {
+    CaptureBias: 0x01, 0x06, "tools.capture_bias"
+}
+
+command! {
+    CaptureBias -> BiasVector;
+    responds BiasVector;
+}
+
+record! {
+    /// Formats (0x01,0x07).
+    ///
+    /// Counted arrays of structures and of numbers; not answered if told so.
+    ///
+    /// Not acknowledged if `suppress_ack` is true. Supported by Model A.
+    ///
+    /// On the wire there is also `num_segments`: Number of segments. The number of elements of
+    /// `segments`.
+    ///
+    /// Source: guide: Formats.
+    #[derive(Default)]
+    pub struct Formats {
+        /// Send no acknowledge.
+        pub suppress_ack: crate::Bool,
+        /// Between a counter and its array.
+        pub checkpoint: u8,
+        /// The segments.
+        pub segments: crate::List<types::Segment, 25>,
+    }
+    wire 253 {
+        [suppress_ack]
+        [num_segments: u8 counts segments]
+        [checkpoint]
+        [segments by num_segments]
+    }
+}
+
+constructors! {
+    Formats
+
+    /// The command with its parameters.
+    fn new(
+        suppress_ack: bool,
+        checkpoint: u8,
+        segments: impl Into<crate::List<types::Segment, 25>>,
+    );
+}
+
+field! {
+    Formats: 0x01, 0x07, "tools.formats"
+}
+
+command! {
+    Formats -> ();
+    silent if suppress_ack = crate::Bool(1);
+}
+
+record! {
+    /// Choice (0x01,0x08).
+    ///
+    /// A tagged union with an empty variant, nested unions, arrays and strings in it.
+    ///
+    /// Functions: write and read. Answered by [`ChoiceResponse`]. Supported by Model A.
+    ///
+    /// Source: guide: Choice.
+    pub struct Choice {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// Which one.
+        pub instance: Option<u8>,
+        /// Which member follows.
+        ///
+        /// Required for write.
+        pub shape: Option<Shape>,
+        /// The member.
+        ///
+        /// Selected by `shape`. Required for write.
+        pub parameters: Option<ChoiceParameters>,
+    }
+    wire 253 {
+        [function selects]
+        [instance for WRITE READ]
+        [shape for WRITE]
+        [parameters as shape for WRITE]
+    }
+}
+
+union! {
+    /// The alternatives of `parameters` in [`Choice`].
+    pub enum ChoiceParameters: Shape {
+        /// None.
+        ///
+        /// Empty if `shape` is [`Shape::NONE`].
+        NONE => None,
+        /// Circle.
+        ///
+        /// If `shape` is [`Shape::CIRCLE`].
+        CIRCLE => Circle(Circle) "circle",
+        /// Path.
+        ///
+        /// If `shape` is [`Shape::PATH`].
+        PATH => Path(Path) "path",
+        /// A rotation.
+        ///
+        /// If `shape` is [`Shape::TURN`]. Elements: w, x, y, z. Unit: 1.
+        TURN => Turn(types::Quatf) "rotation",
+        /// A name.
+        ///
+        /// If `shape` is [`Shape::LABEL`].
+        LABEL => Label(crate::Text<8>) "label",
+    }
+    default ChoiceParameters::None
+}
+
+constructors! {
+    Choice { function, instance, shape, parameters }
+
+    /// Apply the new setting.
+    fn write(instance: u8, parameters: ChoiceParameters) = WRITE, shape: parameters.tag();
+
+    /// Send the current setting back in a response.
+    fn read(instance: u8) = READ;
+}
+
+field! {
+    Choice: 0x01, 0x08, "tools.choice"
+}
+
+command! {
+    Choice -> ChoiceResponse;
+    responds ChoiceResponse for READ;
+}
+
+record! {
+    /// List (0x01,0x09).
+    ///
+    /// Optional counted array; a read may carry a zero count.
+    ///
+    /// Functions: write, read and save. Answered by [`ListResponse`]. Supported by Model A.
+    ///
+    /// On the wire there is also `count`: Number of items. The number of elements of `items`.
+    /// Required for write.
+    ///
+    /// Source: guide: List.
+    pub struct List {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// The items.
+        ///
+        /// Required for write.
+        pub items: Option<crate::List<u16, 125>>,
+    }
+    wire 252 {
+        [function selects]
+        [(items) for WRITE {
+
+            [count: u8 counts items]
+            [items by count]
+        }]
+    }
+}
+
+constructors! {
+    List { function, items }
+
+    /// Apply the new setting.
+    fn write(items: impl Into<crate::List<u16, 125>>) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read() = READ;
+
+    /// Save the current setting to non-volatile memory.
+    fn save() = SAVE;
+}
+
+field! {
+    List: 0x01, 0x09, "tools.list"
+}
+
+command! {
+    List -> ListResponse;
+    responds ListResponse for READ;
+}
+
+record! {
+    /// Inventory (0x01,0x0A).
+    ///
+    /// Answers with an array to the end of the field.
+    ///
+    /// Answered by [`InventoryResponse`]. Supported by Model A.
+    ///
+    /// Source: guide: Inventory.
+    #[derive(Default)]
+    pub struct Inventory;
+}
+
+constructors! {
+    Inventory
+
+    /// The command with its parameters.
+    fn new();
+}
+
+field! {
+    Inventory: 0x01, 0x0A, "tools.inventory"
+}
+
+command! {
+    Inventory -> InventoryResponse;
+    responds InventoryResponse;
+}
+
+record! {
+    /// Pin (0x01,0x0B).
+    ///
+    /// The names of one number depend on another.
+    ///
+    /// Functions: write and read. Answered by [`PinResponse`]. Supported by Model A.
+    ///
+    /// Source: guide: Pin.
+    pub struct Pin {
+        /// What to do with the setting.
+        pub function: types::FunctionSelector,
+        /// What drives it.
+        pub drive: Option<Drive>,
+        /// How it is used.
+        ///
+        /// Required for write. If `drive` is [`Drive::PULSE`]: values of [`PulseUse`]. If `drive`
+        /// is [`Drive::SERIAL`]: values of [`SerialUse`].
+        pub use_: Option<u8>,
+    }
+    wire 3 {
+        [function selects]
+        [drive for WRITE READ]
+        [use_ "use" for WRITE]
+    }
+}
+
+constructors! {
+    Pin { function, drive, use_ }
+
+    /// Apply the new setting.
+    fn write(drive: Drive, use_: u8) = WRITE;
+
+    /// Send the current setting back in a response.
+    fn read(drive: Drive) = READ;
+}
+
+#[rustfmt::skip]
+impl Pin {
+    /// Reads `use_` as [`PulseUse`].
+    ///
+    /// If `drive` is [`Drive::PULSE`]: values of [`PulseUse`].
+    #[must_use]
+    pub fn use_as_pulse_use(&self) -> Option<PulseUse> {
+        let named = matches!(self.drive, Some(Drive::PULSE));
+        self.use_.filter(|_| named).map(Into::into)
+    }
+
+    /// Reads `use_` as [`SerialUse`].
+    ///
+    /// If `drive` is [`Drive::SERIAL`]: values of [`SerialUse`].
+    #[must_use]
+    pub fn use_as_serial_use(&self) -> Option<SerialUse> {
+        let named = matches!(self.drive, Some(Drive::SERIAL));
+        self.use_.filter(|_| named).map(Into::into)
+    }
+}
+
+field! {
+    Pin: 0x01, 0x0B, "tools.pin"
+}
+
+command! {
+    Pin -> PinResponse;
+    responds PinResponse for READ;
+}
+
+record! {
+    /// Hello (0x01,0x0C).
+    ///
+    /// The device asks and a host answers.
+    ///
+    /// Also called `keep_alive`. Answered by [`HelloResponse`]. The device sends it, and the host
+    /// answers.
+    ///
+    /// Source: sheet: Hello.
+    pub struct Hello {
+        /// Reserved: send 1.0.
+        pub reserved: f32,
+        /// Reserved: send 0.0. Optional.
+        pub later: Option<[f64; 2]>,
+    }
+    wire 20 {
+        [reserved]
+        [later optional]
+    }
+}
+
+#[rustfmt::skip]
+impl core::default::Default for Hello {
+    fn default() -> Self {
+        Self {
+            reserved: 1.0,
+            later: None,
+        }
+    }
+}
+
+constructors! {
+    Hello
+
+    /// The command with its parameters.
+    fn new(), reserved: 1.0, later: None;
+}
+
+setters! {
+    Hello {
+        fn with_later(later: [f64; 2]);
+    }
+}
+
+field! {
+    Hello: 0x01, 0x0C, "tools.hello"
+}
+
+command! {
+    Hello -> HelloResponse;
+    responds HelloResponse;
+}
+
+record! {
+    /// Settings response (0x01,0x82).
+    ///
+    /// Answers [`Settings`]. Supported by Model A and Model B.
+    ///
+    /// Source: guide: Settings; leaflet: Settings.
+    pub struct SettingsResponse {
+        /// Number of the port, 0 for all.
+        ///
+        /// Range: 0 to 8.
+        pub port: u8,
+        /// What to do.
+        ///
+        /// Default: [`types::Mode::FAST`].
+        pub mode: types::Mode,
+        /// Speed.
+        ///
+        /// Unit: Bd. Default: 115200.
+        pub baud: u32,
+        /// Required by no function, not even by write.
+        ///
+        /// If `mode` is [`types::Mode::FAST`]: unit s; range 1 to 10; default 5. If `mode` is
+        /// [`types::Mode::SLOW`]: unit m.
+        pub limit: u16,
+        /// Reserved.
+        pub reserved: u8,
+    }
+}
+
+#[rustfmt::skip]
+impl core::default::Default for SettingsResponse {
+    fn default() -> Self {
+        Self {
+            port: core::default::Default::default(),
+            mode: core::default::Default::default(),
+            baud: core::default::Default::default(),
+            limit: core::default::Default::default(),
+            reserved: 1,
+        }
+    }
+}
+
+field! {
+    SettingsResponse: 0x01, 0x82, "tools.settings_response", answers Settings
+}
+
+record! {
+    /// Set time response (0x01,0x83).
+    ///
+    /// Answers [`SetTime`]. Sent if `part` is [`types::Mode::FAST`]. Supported by Model A.
+    ///
+    /// Source: guide: Set time.
+    #[derive(Default)]
+    pub struct SetTimeFastResponse {
+        /// The fast half.
+        ///
+        /// Unit: s.
+        pub value: u32,
+    }
+}
+
+field! {
+    SetTimeFastResponse: 0x01, 0x83, "tools.set_time_fast_response", answers SetTime
+}
+
+record! {
+    /// Set time response (0x01,0x84).
+    ///
+    /// Answers [`SetTime`]. Sent if `part` is [`types::Mode::SLOW`]. Supported by Model A.
+    ///
+    /// Source: guide: Set time.
+    #[derive(Default)]
+    pub struct SetTimeSlowResponse {
+        /// The slow half.
+        ///
+        /// Unit: s.
+        pub value: u32,
+    }
+}
+
+field! {
+    SetTimeSlowResponse: 0x01, 0x84, "tools.set_time_slow_response", answers SetTime
+}
+
+record! {
+    /// Choice response (0x01,0x88).
+    ///
+    /// Answers [`Choice`]. Supported by Model A.
+    ///
+    /// Source: guide: Choice.
+    #[derive(Default)]
+    pub struct ChoiceResponse {
+        /// Which one.
+        pub instance: u8,
+        /// Which member follows.
+        pub shape: Shape,
+        /// The member.
+        ///
+        /// Selected by `shape`.
+        pub parameters: ChoiceParameters,
+    }
+    wire 252 {
+        [instance]
+        [shape]
+        [parameters as shape]
+    }
+}
+
+field! {
+    ChoiceResponse: 0x01, 0x88, "tools.choice_response", answers Choice
+}
+
+record! {
+    /// List response (0x01,0x89).
+    ///
+    /// Answers [`List`]. Supported by Model A.
+    ///
+    /// On the wire there is also `count`: Number of items. The number of elements of `items`.
+    ///
+    /// Source: guide: List.
+    #[derive(Default)]
+    pub struct ListResponse {
+        /// The items.
+        pub items: crate::List<u16, 126>,
+    }
+    wire 253 {
+        [count: u8 counts items]
+        [items by count]
+    }
+}
+
+field! {
+    ListResponse: 0x01, 0x89, "tools.list_response", answers List
+}
+
+record! {
+    /// Inventory response (0x01,0x8A).
+    ///
+    /// Answers [`Inventory`]. Supported by Model A.
+    ///
+    /// Source: guide: Inventory.
+    #[derive(Default)]
+    pub struct InventoryResponse {
+        /// As many as there are.
+        pub descriptors: crate::List<u16, 126>,
+    }
+}
+
+field! {
+    InventoryResponse: 0x01, 0x8A, "tools.inventory_response", answers Inventory
+}
+
+record! {
+    /// Pin response (0x01,0x8B).
+    ///
+    /// Answers [`Pin`]. Supported by Model A.
+    ///
+    /// Source: guide: Pin.
+    #[derive(Default)]
+    pub struct PinResponse {
+        /// What drives it.
+        pub drive: Drive,
+        /// How it is used.
+        ///
+        /// If `drive` is [`Drive::PULSE`]: values of [`PulseUse`]. If `drive` is [`Drive::SERIAL`]:
+        /// values of [`SerialUse`].
+        pub use_: u8,
+    }
+    wire 2 {
+        [drive]
+        [use_ "use"]
+    }
+}
+
+#[rustfmt::skip]
+impl PinResponse {
+    /// Reads `use_` as [`PulseUse`].
+    ///
+    /// If `drive` is [`Drive::PULSE`]: values of [`PulseUse`].
+    #[must_use]
+    pub fn use_as_pulse_use(&self) -> Option<PulseUse> {
+        let named = matches!(self.drive, Drive::PULSE);
+        Some(self.use_).filter(|_| named).map(Into::into)
+    }
+
+    /// Reads `use_` as [`SerialUse`].
+    ///
+    /// If `drive` is [`Drive::SERIAL`]: values of [`SerialUse`].
+    #[must_use]
+    pub fn use_as_serial_use(&self) -> Option<SerialUse> {
+        let named = matches!(self.drive, Drive::SERIAL);
+        Some(self.use_).filter(|_| named).map(Into::into)
+    }
+}
+
+field! {
+    PinResponse: 0x01, 0x8B, "tools.pin_response", answers Pin
+}
+
+record! {
+    /// Hello response (0x01,0x8C).
+    ///
+    /// Also called `keep_alive_response` and `welcome`. Answers [`Hello`]. Uncertain: When it
+    /// comes.
+    ///
+    /// Source: sheet: Hello.
+    #[derive(Default)]
+    pub struct HelloResponse {
+        /// When the device was seen.
+        ///
+        /// Unit: s.
+        pub seen: u32,
+    }
+}
+
+field! {
+    HelloResponse: 0x01, 0x8C, "tools.hello_response", answers Hello
+}
+
+record! {
+    /// Status response (0x01,0x90).
+    ///
+    /// Answers [`Status`]. Sent if `selector` is 1. Supported by Model A and Model B.
+    ///
+    /// On the wire there is also `model`: The model. Always 4711.
+    ///
+    /// On the wire there is also `selector`: The short layout. Always 1.
+    ///
+    /// Source: guide: Status.
+    #[derive(Default)]
+    pub struct StatusShort {
+        /// Faults.
+        ///
+        /// On the Model A: values of [`ModelAFaults`]. On the Model B: values of [`ModelBFaults`].
+        pub flags: u32,
+    }
+    wire 7 {
+        [model: u16 = 4711]
+        [selector: u8 = 1]
+        [flags]
+    }
+}
+
+#[rustfmt::skip]
+impl StatusShort {
+    /// Reads `flags` as [`ModelAFaults`].
+    ///
+    /// On the Model A: values of [`ModelAFaults`].
+    #[must_use]
+    pub fn flags_as_model_a_faults(&self) -> ModelAFaults {
+        self.flags.into()
+    }
+
+    /// Reads `flags` as [`ModelBFaults`].
+    ///
+    /// On the Model B: values of [`ModelBFaults`].
+    #[must_use]
+    pub fn flags_as_model_b_faults(&self) -> ModelBFaults {
+        self.flags.into()
+    }
+}
+
+field! {
+    StatusShort: 0x01, 0x90, "tools.status_short", constants [0: 18 103] [2: 1], answers Status
+}
+
+record! {
+    /// Status response (0x01,0x90).
+    ///
+    /// Answers [`Status`]. Sent if `selector` is 2. Supported by Model A and Model B.
+    ///
+    /// On the wire there is also `model`: The model. Always 4711.
+    ///
+    /// On the wire there is also `selector`: The long layout. Always 2.
+    ///
+    /// Source: guide: Status.
+    #[derive(Default)]
+    pub struct StatusLong {
+        /// Faults.
+        ///
+        /// On the Model A: values of [`ModelAFaults`]. On the Model B: values of [`ModelBFaults`].
+        pub flags: u32,
+        /// Since start.
+        ///
+        /// Unit: s.
+        pub uptime: u64,
+    }
+    wire 15 {
+        [model: u16 = 4711]
+        [selector: u8 = 2]
+        [flags]
+        [uptime]
+    }
+}
+
+#[rustfmt::skip]
+impl StatusLong {
+    /// Reads `flags` as [`ModelAFaults`].
+    ///
+    /// On the Model A: values of [`ModelAFaults`].
+    #[must_use]
+    pub fn flags_as_model_a_faults(&self) -> ModelAFaults {
+        self.flags.into()
+    }
+
+    /// Reads `flags` as [`ModelBFaults`].
+    ///
+    /// On the Model B: values of [`ModelBFaults`].
+    #[must_use]
+    pub fn flags_as_model_b_faults(&self) -> ModelBFaults {
+        self.flags.into()
+    }
+}
+
+field! {
+    StatusLong: 0x01, 0x90, "tools.status_long", constants [0: 18 103] [2: 2], answers Status
+}
+
+record! {
+    /// Bias response (0x01,0x9B).
+    ///
+    /// Answers [`Bias`] and [`CaptureBias`]. Supported by Model A.
+    ///
+    /// Source: guide: Bias; leaflet: Bias.
+    #[derive(Default)]
+    pub struct BiasVector {
+        /// Taken off the measurement.
+        ///
+        /// Elements: x, y, z. Unit: g. Frame: sensor.
+        pub bias: types::Vector3f,
+    }
+}
+
+field! {
+    BiasVector: 0x01, 0x9B, "tools.bias_vector", answers Bias CaptureBias
+}

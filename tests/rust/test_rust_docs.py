@@ -1,0 +1,178 @@
+"""What the crate says of each field, parameter, value and bit: every fact, at that very item.
+
+The comments are read out of the generated source, by the items that they stand at.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+import pytest
+from mipgen import describe
+from mipgen import model as m
+from mipgen.targets.rust import names
+from mipgen.targets.rust.records import Records
+from test_rust import rendered, specification
+
+#: Module, type and member ("" for the type itself).
+Item = tuple[str, str, str]
+
+TYPE = re.compile(r"(?:    pub (?:struct|enum) (\w+)|    (\w+): [^!]+ \{$|pub (?:type|static) (\w+))")
+MEMBER = re.compile(r"        (?:pub )?(\w+)(?:: | = | =>|,)")
+
+
+def comments(files: dict[str, bytes]) -> dict[Item, str]:
+    """The documentation of all items, as plain words."""
+    found: dict[Item, str] = {}
+    for path, data in files.items():
+        if not re.fullmatch(r"src/(sets/\w+|types|protocol|devices/known)\.rs", path):
+            continue
+        module, owner, lines = path.removesuffix(".rs").rpartition("/")[2], "", []
+        for line in data.decode("utf-8").splitlines():
+            text = line.strip()
+            if text.startswith("//!"):
+                found[module, "", ""] = f"{found.get((module, '', ''), '')} {text[3:]}"
+            elif text.startswith("///"):
+                lines.append(text[3:])
+            elif not text.startswith("#["):
+                if match := TYPE.match(line):
+                    owner = next(filter(None, match.groups()))
+                    found[module, owner, ""] = " ".join(lines)
+                elif lines and (match := MEMBER.match(line)):
+                    found[module, owner, match[1]] = " ".join(lines)
+                lines = []
+    return {item: plain(unmarked(text)) for item, text in found.items()}
+
+
+def unmarked(markdown: str) -> str:
+    """The words of links, and of what is escaped."""
+    return re.sub(r"\\(.)", r"\1", re.sub(r"(?<!\\)\[((?:[^][\\]|\\.)*)\](?:\([\w:]+\))?", r"\1", markdown))
+
+
+def plain(text: str) -> str:
+    """Words in lower case, because a sentence may begin inside another; code is not marked."""
+    return " ".join(text.replace("`", "").split()).lower()
+
+
+def said(text: describe.Text, here: str) -> str:
+    """A text as the crate must have it."""
+
+    def ref(r: describe.Ref) -> str:
+        if isinstance(r.thing, m.Field):
+            return r.words if r.words.startswith("(") else names.path(r.thing, here).removeprefix("crate::")
+        if isinstance(r.thing, (m.Enum, m.Bitfield, m.Struct)):
+            return names.path(r.thing, here).removeprefix("crate::")
+        if isinstance(r.thing, m.EnumValue) and isinstance(r.within, m.Enum):
+            return f"{names.path(r.within, here).removeprefix('crate::')}::{names.constant(r.thing.name)}"
+        return names.member(r.words) if isinstance(r.thing, m.Parameter) else r.words
+
+    return describe.say(text, ref)
+
+
+class Expected:
+    """What must be said, by item."""
+
+    def __init__(self, model: m.Model) -> None:
+        self.model = model
+        self.records = Records(model)
+
+    def all(self) -> Iterator[tuple[Item, str]]:
+        for s in self.model.sets:
+            module = names.module(s.name)
+            yield from (((module, "", ""), text) for text in (s.title, s.description, *describe.sources(s)))
+            for f in s.fields:
+                yield from self.field(f)
+            for f in s.own_fields:
+                yield from self.parameters(f)
+        yield from self.field(self.model.protocol.acknowledge)
+        yield from self.parameters(self.model.protocol.acknowledge)
+        for t in (self.model.protocol.function_selector, *self.model.all_types):
+            yield from self.type(t)
+        for u in self.records.unions:
+            yield from self.union(u.record, u.name, u.operation)
+        for d in self.model.devices:
+            item = ("known", names.constant(d.name), "")
+            notes = [text for n in d.notes for text in (n.title, n.description, *(c for row in n.rows for c in row))]
+            yield from ((item, text) for text in (d.title, d.description, *notes))
+
+    def field(self, f: m.Field) -> Iterator[tuple[Item, str]]:
+        item = (names.home(f), names.type_name(f.name), "")
+        texts = [said(describe.prose(f.description, self.model), item[0]), *describe.sources(f)]
+        texts += [said(fact.sentence, item[0]) for fact in describe.field(f, self.model)]
+        yield from ((item, text) for text in (f"{f.title} (0x{f.set:02X},0x{f.descriptor:02X})", *texts))
+
+    def parameters(self, record: names.Record) -> Iterator[tuple[Item, str]]:
+        """What no member holds is said at the record, behind its name."""
+        here, owner = names.home(record), names.type_name(record.name)
+        for p in record.parameters:
+            texts = [said(describe.prose(p.description, self.model), here), *self.facts(p, record)]
+            if p.derived:
+                yield (here, owner, ""), f"{p.name}: {' '.join(filter(None, texts))}"
+            else:
+                yield from (((here, owner, names.member(p.name)), text) for text in texts)
+
+    def facts(self, p: m.Parameter, record: names.Record) -> list[str]:
+        return [said(fact.sentence, names.home(record)) for fact in describe.parameter(p, record, self.model)]
+
+    def union(self, record: names.Record, name: str, op: m.SwitchOp) -> Iterator[tuple[Item, str]]:
+        here = names.home(record)
+        for case in op.cases:
+            texts = [(case.parameter and case.parameter.description) or case.tag.description]
+            texts += self.facts(case.parameter, record) if case.parameter else []
+            yield from (((here, name, names.constant(case.tag.name)), text) for text in texts)
+
+    def type(self, t: m.Type) -> Iterator[tuple[Item, str]]:
+        here, owner = names.home(t), names.type_name(t.name)
+        sources = [] if isinstance(t, m.Vector) else describe.sources(t)
+        yield from (((here, owner, ""), text) for text in (t.description, *sources))
+        match t:
+            case m.Struct():
+                yield from self.parameters(t)
+            case m.Enum():
+                for v in t.values:
+                    texts = [v.description, *(said(fact.sentence, here) for fact in describe.value(v, self.model))]
+                    yield from (((here, owner, names.constant(v.name)), text) for text in texts)
+            case m.Bitfield():
+                for b in t.bits:
+                    texts = [b.description, *(said(fact.sentence, here) for fact in describe.bits(b, self.model))]
+                    yield from (((here, owner, names.constant(b.name)), text) for text in texts)
+
+
+def missing(model: m.Model, files: dict[str, bytes]) -> list[str]:
+    """What is not said where it must be."""
+    there = comments(files)
+    return [f"{item}: {text}" for item, text in Expected(model).all() if plain(text) not in there.get(item, "")]
+
+
+@pytest.mark.parametrize("spec", ["awkward", "invented", "real"])
+def test_every_fact_is_told_where_it_belongs(spec: str) -> None:
+    assert missing(specification(spec), rendered(spec)) == []
+
+
+@pytest.mark.parametrize(
+    ("path", "right", "wrong"),
+    [
+        ("sets/tools", "Unit: Bd.", "Unit: m."),
+        ("sets/tools", "Range: 1 to 30.", "Range: 1 to 31."),
+        ("sets/tools", "Default: [`types::Mode::FAST`].", "Default: [`types::Mode::SLOW`]."),
+        ("sets/tools", "If `mode` is [`types::Mode::FAST`]: unit s", "If `mode` is [`types::Mode::SLOW`]: unit s"),
+        ("sets/tools", "Required for write, read and apply.", "Required for write."),
+        ("sets/tools", "The number of elements of `segments`.", "The number of elements of `items`."),
+        ("sets/tools", "Always 4711.", "Always 4712."),
+        ("sets/tools", "Supported by Model A.", "Supported by Model B."),
+        ("sets/tools", "The device may take 2.5 s", "The device may take 3 s"),
+        ("sets/measurements", "z by [`valid_flags.ready`]", "z by [`valid_flags.hot`]"),
+        ("sets/measurements", "Sent at 100 Hz at most.", "Sent at 10 Hz at most."),
+        ("types", "Bit 1.", "Bit 2."),
+        ("types", "Overlaps other bits.", ""),
+        ("devices/known", "serial", "parallel"),
+    ],
+)
+def test_what_is_wrong_is_seen(path: str, right: str, wrong: str) -> None:
+    files = dict(rendered("invented"))
+    text = files[f"src/{path}.rs"].decode("utf-8")
+    unwrapped = re.sub(r"(?<=\S)\n +/// (?=\S)", " ", text)
+    assert right in unwrapped, right
+    files[f"src/{path}.rs"] = unwrapped.replace(right, wrong, 1).encode()
+    assert missing(specification("invented"), files) != []
