@@ -518,10 +518,10 @@ class Field:
 
 @dataclass(frozen=True, slots=True)
 class Reply:
-    """A response of a command. It is sent if the function is one of `functions`, where the command has a selector,
-    and if all of `when` holds."""
+    """The response of a command, in each of its layouts. It is sent if the function is one of `functions`, where the
+    command has a selector, and if all of `when` holds."""
 
-    response: Field
+    layouts: tuple[Field, ...]
     functions: tuple[Function, ...]
     when: tuple[Condition, ...]
 
@@ -805,7 +805,8 @@ class Model:
         """What a command is answered with, and when. Conditions are on the parameters of the command that owns a
         response; another command that has the same response is answered with it always."""
         functions = tuple(f for f in command.functions if f.responds)
-        return tuple(Reply(r, functions, r.when if r.command == command.name else ()) for r in self.responses(command))
+        layouts = _grouped((r.when if r.command == command.name else (), r) for r in self.responses(command))
+        return tuple(Reply(found, functions, when) for when, found in layouts.items())
 
     def commands(self, response: Field) -> tuple[Field, ...]:
         """The commands that a response answers."""

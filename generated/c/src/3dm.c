@@ -31,14 +31,13 @@ void mip_3dm_constellation_settings_entry_write(
     mip_write_u16(w, &v->option_flags, 1);
 }
 
-void mip_3dm_supported_event_info_read(struct mip_reader *r,
-                                       struct mip_3dm_supported_event_info *v) {
+void mip_3dm_event_support_info_read(struct mip_reader *r, struct mip_3dm_event_support_info *v) {
     mip_read_u8(r, &v->type, 1);
     mip_read_u8(r, &v->count, 1);
 }
 
-void mip_3dm_supported_event_info_write(struct mip_writer *w,
-                                        const struct mip_3dm_supported_event_info *v) {
+void mip_3dm_event_support_info_write(struct mip_writer *w,
+                                      const struct mip_3dm_event_support_info *v) {
     mip_write_u8(w, &v->type, 1);
     mip_write_u8(w, &v->count, 1);
 }
@@ -194,9 +193,8 @@ struct mip_3dm_poll_gnss_data mip_3dm_poll_gnss_data_make(
     return v;
 }
 
-static void read_poll_estimation_filter_data(struct mip_reader *r, void *value) {
-    struct mip_3dm_poll_estimation_filter_data *v =
-        (struct mip_3dm_poll_estimation_filter_data *)value;
+static void read_poll_filter_data(struct mip_reader *r, void *value) {
+    struct mip_3dm_poll_filter_data *v = (struct mip_3dm_poll_filter_data *)value;
     mip_read_bool(r, &v->suppress_ack, 1);
     mip_read_u8(r, &v->num_descriptors, 1);
     for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
@@ -204,9 +202,8 @@ static void read_poll_estimation_filter_data(struct mip_reader *r, void *value) 
     }
 }
 
-static void write_poll_estimation_filter_data(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_poll_estimation_filter_data *v =
-        (const struct mip_3dm_poll_estimation_filter_data *)value;
+static void write_poll_filter_data(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_poll_filter_data *v = (const struct mip_3dm_poll_filter_data *)value;
     mip_write_bool(w, &v->suppress_ack, 1);
     mip_write_u8(w, &v->num_descriptors, 1);
     for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
@@ -214,39 +211,38 @@ static void write_poll_estimation_filter_data(struct mip_writer *w, const void *
     }
 }
 
-static bool silent_poll_estimation_filter_data(const void *value) {
-    const struct mip_3dm_poll_estimation_filter_data *v =
-        (const struct mip_3dm_poll_estimation_filter_data *)value;
+static bool silent_poll_filter_data(const void *value) {
+    const struct mip_3dm_poll_filter_data *v = (const struct mip_3dm_poll_filter_data *)value;
     return v->suppress_ack == 1;
 }
 
-const struct mip_codec mip_3dm_poll_estimation_filter_data_codec = {
+const struct mip_codec mip_3dm_poll_filter_data_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_POLL_ESTIMATION_FILTER_DATA_DESCRIPTOR,
+    MIP_3DM_POLL_FILTER_DATA_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_poll_estimation_filter_data),
+    sizeof(struct mip_3dm_poll_filter_data),
     0, /* time-out */
-    read_poll_estimation_filter_data,
-    write_poll_estimation_filter_data,
-    silent_poll_estimation_filter_data,
+    read_poll_filter_data,
+    write_poll_filter_data,
+    silent_poll_filter_data,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_poll_estimation_filter_data_decode(
-    struct mip_3dm_poll_estimation_filter_data *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_poll_estimation_filter_data, value, sizeof(*value), NULL);
+mip_error mip_3dm_poll_filter_data_decode(struct mip_3dm_poll_filter_data *value,
+                                          const struct mip_field *field) {
+    return mip_decode_field(field, read_poll_filter_data, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_poll_estimation_filter_data_encode(
-    const struct mip_3dm_poll_estimation_filter_data *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_POLL_ESTIMATION_FILTER_DATA_DESCRIPTOR,
-                            write_poll_estimation_filter_data, value);
+mip_error mip_3dm_poll_filter_data_encode(const struct mip_3dm_poll_filter_data *value,
+                                          struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_POLL_FILTER_DATA_DESCRIPTOR,
+                            write_poll_filter_data, value);
 }
 
-struct mip_3dm_poll_estimation_filter_data mip_3dm_poll_estimation_filter_data_make(
+struct mip_3dm_poll_filter_data mip_3dm_poll_filter_data_make(
     mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
-    struct mip_3dm_poll_estimation_filter_data v;
+    struct mip_3dm_poll_filter_data v;
     memset(&v, 0, sizeof(v));
     v.suppress_ack = suppress_ack;
     v.num_descriptors = num_descriptors;
@@ -313,136 +309,134 @@ struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
     return v;
 }
 
-static const struct mip_response responses_get_imu_data_base_rate[] = {
-    {&mip_3dm_get_imu_data_base_rate_response_codec, NULL},
+static const struct mip_response responses_get_imu_base_rate[] = {
+    {&mip_3dm_get_imu_base_rate_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_get_imu_data_base_rate_codec = {
+const struct mip_codec mip_3dm_get_imu_base_rate_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_GET_IMU_DATA_BASE_RATE_DESCRIPTOR,
+    MIP_3DM_GET_IMU_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_get_imu_data_base_rate),
+    sizeof(struct mip_3dm_get_imu_base_rate),
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
-    responses_get_imu_data_base_rate,
+    responses_get_imu_base_rate,
     NULL,
 };
 
-mip_error mip_3dm_get_imu_data_base_rate_decode(struct mip_3dm_get_imu_data_base_rate *value,
-                                                const struct mip_field *field) {
+mip_error mip_3dm_get_imu_base_rate_decode(struct mip_3dm_get_imu_base_rate *value,
+                                           const struct mip_field *field) {
     return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_get_imu_data_base_rate_encode(const struct mip_3dm_get_imu_data_base_rate *value,
-                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_IMU_DATA_BASE_RATE_DESCRIPTOR,
-                            mip_write_nothing, value);
+mip_error mip_3dm_get_imu_base_rate_encode(const struct mip_3dm_get_imu_base_rate *value,
+                                           struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_IMU_BASE_RATE_DESCRIPTOR, mip_write_nothing,
+                            value);
 }
 
-static void read_get_imu_data_base_rate_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_imu_data_base_rate_response *v =
-        (struct mip_3dm_get_imu_data_base_rate_response *)value;
+static void read_get_imu_base_rate_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_imu_base_rate_response *v =
+        (struct mip_3dm_get_imu_base_rate_response *)value;
     mip_read_u16(r, &v->rate, 1);
 }
 
-static void write_get_imu_data_base_rate_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_imu_data_base_rate_response *v =
-        (const struct mip_3dm_get_imu_data_base_rate_response *)value;
+static void write_get_imu_base_rate_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_imu_base_rate_response *v =
+        (const struct mip_3dm_get_imu_base_rate_response *)value;
     mip_write_u16(w, &v->rate, 1);
 }
 
-const struct mip_codec mip_3dm_get_imu_data_base_rate_response_codec = {
+const struct mip_codec mip_3dm_get_imu_base_rate_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+    MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_get_imu_data_base_rate_response),
+    sizeof(struct mip_3dm_get_imu_base_rate_response),
     0, /* time-out */
-    read_get_imu_data_base_rate_response,
-    write_get_imu_data_base_rate_response,
+    read_get_imu_base_rate_response,
+    write_get_imu_base_rate_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_get_imu_data_base_rate_response_decode(
-    struct mip_3dm_get_imu_data_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_get_imu_data_base_rate_response, value, sizeof(*value),
-                            NULL);
+mip_error mip_3dm_get_imu_base_rate_response_decode(
+    struct mip_3dm_get_imu_base_rate_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_get_imu_base_rate_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_get_imu_data_base_rate_response_encode(
-    const struct mip_3dm_get_imu_data_base_rate_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
-                            write_get_imu_data_base_rate_response, value);
+mip_error mip_3dm_get_imu_base_rate_response_encode(
+    const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_DESCRIPTOR,
+                            write_get_imu_base_rate_response, value);
 }
 
-static const struct mip_response responses_get_gnss_data_base_rate[] = {
-    {&mip_3dm_get_gnss_data_base_rate_response_codec, NULL},
+static const struct mip_response responses_get_gnss_base_rate[] = {
+    {&mip_3dm_get_gnss_base_rate_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_get_gnss_data_base_rate_codec = {
+const struct mip_codec mip_3dm_get_gnss_base_rate_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_GET_GNSS_DATA_BASE_RATE_DESCRIPTOR,
+    MIP_3DM_GET_GNSS_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_get_gnss_data_base_rate),
+    sizeof(struct mip_3dm_get_gnss_base_rate),
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
-    responses_get_gnss_data_base_rate,
+    responses_get_gnss_base_rate,
     NULL,
 };
 
-mip_error mip_3dm_get_gnss_data_base_rate_decode(struct mip_3dm_get_gnss_data_base_rate *value,
-                                                 const struct mip_field *field) {
+mip_error mip_3dm_get_gnss_base_rate_decode(struct mip_3dm_get_gnss_base_rate *value,
+                                            const struct mip_field *field) {
     return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_get_gnss_data_base_rate_encode(
-    const struct mip_3dm_get_gnss_data_base_rate *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_GNSS_DATA_BASE_RATE_DESCRIPTOR,
-                            mip_write_nothing, value);
+mip_error mip_3dm_get_gnss_base_rate_encode(const struct mip_3dm_get_gnss_base_rate *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_GNSS_BASE_RATE_DESCRIPTOR, mip_write_nothing,
+                            value);
 }
 
-static void read_get_gnss_data_base_rate_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_gnss_data_base_rate_response *v =
-        (struct mip_3dm_get_gnss_data_base_rate_response *)value;
+static void read_get_gnss_base_rate_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_gnss_base_rate_response *v =
+        (struct mip_3dm_get_gnss_base_rate_response *)value;
     mip_read_u16(r, &v->rate, 1);
 }
 
-static void write_get_gnss_data_base_rate_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_gnss_data_base_rate_response *v =
-        (const struct mip_3dm_get_gnss_data_base_rate_response *)value;
+static void write_get_gnss_base_rate_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_gnss_base_rate_response *v =
+        (const struct mip_3dm_get_gnss_base_rate_response *)value;
     mip_write_u16(w, &v->rate, 1);
 }
 
-const struct mip_codec mip_3dm_get_gnss_data_base_rate_response_codec = {
+const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_GET_GNSS_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+    MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_get_gnss_data_base_rate_response),
+    sizeof(struct mip_3dm_get_gnss_base_rate_response),
     0, /* time-out */
-    read_get_gnss_data_base_rate_response,
-    write_get_gnss_data_base_rate_response,
+    read_get_gnss_base_rate_response,
+    write_get_gnss_base_rate_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_get_gnss_data_base_rate_response_decode(
-    struct mip_3dm_get_gnss_data_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_get_gnss_data_base_rate_response, value, sizeof(*value),
-                            NULL);
+mip_error mip_3dm_get_gnss_base_rate_response_decode(
+    struct mip_3dm_get_gnss_base_rate_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_get_gnss_base_rate_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_get_gnss_data_base_rate_response_encode(
-    const struct mip_3dm_get_gnss_data_base_rate_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_GNSS_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
-                            write_get_gnss_data_base_rate_response, value);
+mip_error mip_3dm_get_gnss_base_rate_response_encode(
+    const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_DESCRIPTOR,
+                            write_get_gnss_base_rate_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -734,14 +728,13 @@ mip_error mip_3dm_gnss_message_format_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_estimation_filter_message_format[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_filter_message_format[] = {0, 2, 0, 0, 0, 0};
 
-static void read_estimation_filter_message_format(struct mip_reader *r, void *value) {
-    struct mip_3dm_estimation_filter_message_format *v =
-        (struct mip_3dm_estimation_filter_message_format *)value;
+static void read_filter_message_format(struct mip_reader *r, void *value) {
+    struct mip_3dm_filter_message_format *v = (struct mip_3dm_filter_message_format *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_estimation_filter_message_format,
-                      sizeof(required_estimation_filter_message_format));
+    mip_read_required(r, v->function, required_filter_message_format,
+                      sizeof(required_filter_message_format));
     mip_read_group(r, 1, 2);
     mip_read_u8(r, &v->num_descriptors, 1);
     for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
@@ -750,12 +743,12 @@ static void read_estimation_filter_message_format(struct mip_reader *r, void *va
     v->present = mip_read_present(r);
 }
 
-static void write_estimation_filter_message_format(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_estimation_filter_message_format *v =
-        (const struct mip_3dm_estimation_filter_message_format *)value;
+static void write_filter_message_format(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_filter_message_format *v =
+        (const struct mip_3dm_filter_message_format *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_estimation_filter_message_format,
-                       sizeof(required_estimation_filter_message_format), v->present);
+    mip_write_required(w, v->function, required_filter_message_format,
+                       sizeof(required_filter_message_format), v->present);
     mip_write_group(w, 1, 2);
     mip_write_u8(w, &v->num_descriptors, 1);
     for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
@@ -763,47 +756,45 @@ static void write_estimation_filter_message_format(struct mip_writer *w, const v
     }
 }
 
-static bool asked_estimation_filter_message_format_1(const void *value) {
-    const struct mip_3dm_estimation_filter_message_format *v =
-        (const struct mip_3dm_estimation_filter_message_format *)value;
+static bool asked_filter_message_format_1(const void *value) {
+    const struct mip_3dm_filter_message_format *v =
+        (const struct mip_3dm_filter_message_format *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_estimation_filter_message_format[] = {
-    {&mip_3dm_estimation_filter_message_format_response_codec,
-     asked_estimation_filter_message_format_1},
+static const struct mip_response responses_filter_message_format[] = {
+    {&mip_3dm_filter_message_format_response_codec, asked_filter_message_format_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_estimation_filter_message_format_codec = {
+const struct mip_codec mip_3dm_filter_message_format_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
+    MIP_3DM_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_estimation_filter_message_format),
+    sizeof(struct mip_3dm_filter_message_format),
     0, /* time-out */
-    read_estimation_filter_message_format,
-    write_estimation_filter_message_format,
+    read_filter_message_format,
+    write_filter_message_format,
     NULL,
-    responses_estimation_filter_message_format,
+    responses_filter_message_format,
     NULL,
 };
 
-mip_error mip_3dm_estimation_filter_message_format_decode(
-    struct mip_3dm_estimation_filter_message_format *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_estimation_filter_message_format, value, sizeof(*value),
-                            NULL);
+mip_error mip_3dm_filter_message_format_decode(struct mip_3dm_filter_message_format *value,
+                                               const struct mip_field *field) {
+    return mip_decode_field(field, read_filter_message_format, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_estimation_filter_message_format_encode(
-    const struct mip_3dm_estimation_filter_message_format *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
-                            write_estimation_filter_message_format, value);
+mip_error mip_3dm_filter_message_format_encode(const struct mip_3dm_filter_message_format *value,
+                                               struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
+                            write_filter_message_format, value);
 }
 
-struct mip_3dm_estimation_filter_message_format mip_3dm_estimation_filter_message_format_write(
+struct mip_3dm_filter_message_format mip_3dm_filter_message_format_write(
     uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]) {
-    struct mip_3dm_estimation_filter_message_format v;
+    struct mip_3dm_filter_message_format v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.num_descriptors = num_descriptors;
@@ -812,153 +803,140 @@ struct mip_3dm_estimation_filter_message_format mip_3dm_estimation_filter_messag
     return v;
 }
 
-struct mip_3dm_estimation_filter_message_format
-mip_3dm_estimation_filter_message_format_read(void) {
-    struct mip_3dm_estimation_filter_message_format v;
+struct mip_3dm_filter_message_format mip_3dm_filter_message_format_read(void) {
+    struct mip_3dm_filter_message_format v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_3dm_estimation_filter_message_format
-mip_3dm_estimation_filter_message_format_save(void) {
-    struct mip_3dm_estimation_filter_message_format v;
+struct mip_3dm_filter_message_format mip_3dm_filter_message_format_save(void) {
+    struct mip_3dm_filter_message_format v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_3dm_estimation_filter_message_format
-mip_3dm_estimation_filter_message_format_load(void) {
-    struct mip_3dm_estimation_filter_message_format v;
+struct mip_3dm_filter_message_format mip_3dm_filter_message_format_load(void) {
+    struct mip_3dm_filter_message_format v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_3dm_estimation_filter_message_format
-mip_3dm_estimation_filter_message_format_default(void) {
-    struct mip_3dm_estimation_filter_message_format v;
+struct mip_3dm_filter_message_format mip_3dm_filter_message_format_default(void) {
+    struct mip_3dm_filter_message_format v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_estimation_filter_message_format_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_estimation_filter_message_format_response *v =
-        (struct mip_3dm_estimation_filter_message_format_response *)value;
+static void read_filter_message_format_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_filter_message_format_response *v =
+        (struct mip_3dm_filter_message_format_response *)value;
     mip_read_u8(r, &v->num_descriptors, 1);
     for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 84, 3); i < n; i++) {
         mip_descriptor_rate_read(r, &v->descriptors[i]);
     }
 }
 
-static void write_estimation_filter_message_format_response(struct mip_writer *w,
-                                                            const void *value) {
-    const struct mip_3dm_estimation_filter_message_format_response *v =
-        (const struct mip_3dm_estimation_filter_message_format_response *)value;
+static void write_filter_message_format_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_filter_message_format_response *v =
+        (const struct mip_3dm_filter_message_format_response *)value;
     mip_write_u8(w, &v->num_descriptors, 1);
     for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 84); i < n; i++) {
         mip_descriptor_rate_write(w, &v->descriptors[i]);
     }
 }
 
-const struct mip_codec mip_3dm_estimation_filter_message_format_response_codec = {
+const struct mip_codec mip_3dm_filter_message_format_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+    MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_estimation_filter_message_format_response),
+    sizeof(struct mip_3dm_filter_message_format_response),
     0, /* time-out */
-    read_estimation_filter_message_format_response,
-    write_estimation_filter_message_format_response,
+    read_filter_message_format_response,
+    write_filter_message_format_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_estimation_filter_message_format_response_decode(
-    struct mip_3dm_estimation_filter_message_format_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_estimation_filter_message_format_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_3dm_filter_message_format_response_decode(
+    struct mip_3dm_filter_message_format_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_filter_message_format_response, value, sizeof(*value),
+                            NULL);
 }
 
-mip_error mip_3dm_estimation_filter_message_format_response_encode(
-    const struct mip_3dm_estimation_filter_message_format_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
-                            write_estimation_filter_message_format_response, value);
+mip_error mip_3dm_filter_message_format_response_encode(
+    const struct mip_3dm_filter_message_format_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+                            write_filter_message_format_response, value);
 }
 
-static const struct mip_response responses_get_estimation_filter_data_base_rate[] = {
-    {&mip_3dm_get_estimation_filter_data_base_rate_response_codec, NULL},
+static const struct mip_response responses_get_filter_base_rate[] = {
+    {&mip_3dm_get_filter_base_rate_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_codec = {
+const struct mip_codec mip_3dm_get_filter_base_rate_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_DESCRIPTOR,
+    MIP_3DM_GET_FILTER_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_get_estimation_filter_data_base_rate),
+    sizeof(struct mip_3dm_get_filter_base_rate),
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
-    responses_get_estimation_filter_data_base_rate,
+    responses_get_filter_base_rate,
     NULL,
 };
 
-mip_error mip_3dm_get_estimation_filter_data_base_rate_decode(
-    struct mip_3dm_get_estimation_filter_data_base_rate *value, const struct mip_field *field) {
+mip_error mip_3dm_get_filter_base_rate_decode(struct mip_3dm_get_filter_base_rate *value,
+                                              const struct mip_field *field) {
     return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_get_estimation_filter_data_base_rate_encode(
-    const struct mip_3dm_get_estimation_filter_data_base_rate *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_DESCRIPTOR,
+mip_error mip_3dm_get_filter_base_rate_encode(const struct mip_3dm_get_filter_base_rate *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_FILTER_BASE_RATE_DESCRIPTOR,
                             mip_write_nothing, value);
 }
 
-static void read_get_estimation_filter_data_base_rate_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_estimation_filter_data_base_rate_response *v =
-        (struct mip_3dm_get_estimation_filter_data_base_rate_response *)value;
+static void read_get_filter_base_rate_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_filter_base_rate_response *v =
+        (struct mip_3dm_get_filter_base_rate_response *)value;
     mip_read_u16(r, &v->rate, 1);
 }
 
-static void write_get_estimation_filter_data_base_rate_response(struct mip_writer *w,
-                                                                const void *value) {
-    const struct mip_3dm_get_estimation_filter_data_base_rate_response *v =
-        (const struct mip_3dm_get_estimation_filter_data_base_rate_response *)value;
+static void write_get_filter_base_rate_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_filter_base_rate_response *v =
+        (const struct mip_3dm_get_filter_base_rate_response *)value;
     mip_write_u16(w, &v->rate, 1);
 }
 
-const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_response_codec = {
+const struct mip_codec mip_3dm_get_filter_base_rate_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+    MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_get_estimation_filter_data_base_rate_response),
+    sizeof(struct mip_3dm_get_filter_base_rate_response),
     0, /* time-out */
-    read_get_estimation_filter_data_base_rate_response,
-    write_get_estimation_filter_data_base_rate_response,
+    read_get_filter_base_rate_response,
+    write_get_filter_base_rate_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_get_estimation_filter_data_base_rate_response_decode(
-    struct mip_3dm_get_estimation_filter_data_base_rate_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_get_estimation_filter_data_base_rate_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_3dm_get_filter_base_rate_response_decode(
+    struct mip_3dm_get_filter_base_rate_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_get_filter_base_rate_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_get_estimation_filter_data_base_rate_response_encode(
-    const struct mip_3dm_get_estimation_filter_data_base_rate_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
-                            write_get_estimation_filter_data_base_rate_response, value);
+mip_error mip_3dm_get_filter_base_rate_response_encode(
+    const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_DESCRIPTOR,
+                            write_get_filter_base_rate_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -1107,7 +1085,7 @@ mip_error mip_3dm_nmea_message_format_response_encode(
 
 static void read_poll_data(struct mip_reader *r, void *value) {
     struct mip_3dm_poll_data *v = (struct mip_3dm_poll_data *)value;
-    mip_read_u8(r, &v->desc_set, 1);
+    mip_read_u8(r, &v->descriptor_set, 1);
     mip_read_bool(r, &v->suppress_ack, 1);
     mip_read_u8(r, &v->num_descriptors, 1);
     mip_read_u8(r, v->descriptors, mip_read_count(r, v->num_descriptors, 250, 1));
@@ -1115,7 +1093,7 @@ static void read_poll_data(struct mip_reader *r, void *value) {
 
 static void write_poll_data(struct mip_writer *w, const void *value) {
     const struct mip_3dm_poll_data *v = (const struct mip_3dm_poll_data *)value;
-    mip_write_u8(w, &v->desc_set, 1);
+    mip_write_u8(w, &v->descriptor_set, 1);
     mip_write_bool(w, &v->suppress_ack, 1);
     mip_write_u8(w, &v->num_descriptors, 1);
     mip_write_u8(w, v->descriptors, mip_write_count(w, v->num_descriptors, 250));
@@ -1148,12 +1126,12 @@ mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
     return mip_encode_field(builder, 0x0C, MIP_3DM_POLL_DATA_DESCRIPTOR, write_poll_data, value);
 }
 
-struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t desc_set, mip_bool suppress_ack,
+struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t descriptor_set, mip_bool suppress_ack,
                                                 uint8_t num_descriptors,
                                                 const uint8_t descriptors[]) {
     struct mip_3dm_poll_data v;
     memset(&v, 0, sizeof(v));
-    v.desc_set = desc_set;
+    v.descriptor_set = descriptor_set;
     v.suppress_ack = suppress_ack;
     v.num_descriptors = num_descriptors;
     mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
@@ -1161,88 +1139,87 @@ struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t desc_set, mip_bool suppr
     return v;
 }
 
-static void read_get_data_base_rate(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_data_base_rate *v = (struct mip_3dm_get_data_base_rate *)value;
-    mip_read_u8(r, &v->desc_set, 1);
+static void read_get_base_rate(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_base_rate *v = (struct mip_3dm_get_base_rate *)value;
+    mip_read_u8(r, &v->descriptor_set, 1);
 }
 
-static void write_get_data_base_rate(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_data_base_rate *v = (const struct mip_3dm_get_data_base_rate *)value;
-    mip_write_u8(w, &v->desc_set, 1);
+static void write_get_base_rate(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_base_rate *v = (const struct mip_3dm_get_base_rate *)value;
+    mip_write_u8(w, &v->descriptor_set, 1);
 }
 
-static const struct mip_response responses_get_data_base_rate[] = {
-    {&mip_3dm_get_data_base_rate_response_codec, NULL},
+static const struct mip_response responses_get_base_rate[] = {
+    {&mip_3dm_get_base_rate_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_get_data_base_rate_codec = {
+const struct mip_codec mip_3dm_get_base_rate_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_GET_DATA_BASE_RATE_DESCRIPTOR,
+    MIP_3DM_GET_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_get_data_base_rate),
+    sizeof(struct mip_3dm_get_base_rate),
     0, /* time-out */
-    read_get_data_base_rate,
-    write_get_data_base_rate,
+    read_get_base_rate,
+    write_get_base_rate,
     NULL,
-    responses_get_data_base_rate,
+    responses_get_base_rate,
     NULL,
 };
 
-mip_error mip_3dm_get_data_base_rate_decode(struct mip_3dm_get_data_base_rate *value,
-                                            const struct mip_field *field) {
-    return mip_decode_field(field, read_get_data_base_rate, value, sizeof(*value), NULL);
+mip_error mip_3dm_get_base_rate_decode(struct mip_3dm_get_base_rate *value,
+                                       const struct mip_field *field) {
+    return mip_decode_field(field, read_get_base_rate, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_get_data_base_rate_encode(const struct mip_3dm_get_data_base_rate *value,
-                                            struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_DATA_BASE_RATE_DESCRIPTOR,
-                            write_get_data_base_rate, value);
+mip_error mip_3dm_get_base_rate_encode(const struct mip_3dm_get_base_rate *value,
+                                       struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_BASE_RATE_DESCRIPTOR, write_get_base_rate,
+                            value);
 }
 
-struct mip_3dm_get_data_base_rate mip_3dm_get_data_base_rate_make(uint8_t desc_set) {
-    struct mip_3dm_get_data_base_rate v;
+struct mip_3dm_get_base_rate mip_3dm_get_base_rate_make(uint8_t descriptor_set) {
+    struct mip_3dm_get_base_rate v;
     memset(&v, 0, sizeof(v));
-    v.desc_set = desc_set;
+    v.descriptor_set = descriptor_set;
     return v;
 }
 
-static void read_get_data_base_rate_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_data_base_rate_response *v =
-        (struct mip_3dm_get_data_base_rate_response *)value;
-    mip_read_u8(r, &v->desc_set, 1);
+static void read_get_base_rate_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_base_rate_response *v = (struct mip_3dm_get_base_rate_response *)value;
+    mip_read_u8(r, &v->descriptor_set, 1);
     mip_read_u16(r, &v->rate, 1);
 }
 
-static void write_get_data_base_rate_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_data_base_rate_response *v =
-        (const struct mip_3dm_get_data_base_rate_response *)value;
-    mip_write_u8(w, &v->desc_set, 1);
+static void write_get_base_rate_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_base_rate_response *v =
+        (const struct mip_3dm_get_base_rate_response *)value;
+    mip_write_u8(w, &v->descriptor_set, 1);
     mip_write_u16(w, &v->rate, 1);
 }
 
-const struct mip_codec mip_3dm_get_data_base_rate_response_codec = {
+const struct mip_codec mip_3dm_get_base_rate_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_GET_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+    MIP_3DM_GET_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_get_data_base_rate_response),
+    sizeof(struct mip_3dm_get_base_rate_response),
     0, /* time-out */
-    read_get_data_base_rate_response,
-    write_get_data_base_rate_response,
+    read_get_base_rate_response,
+    write_get_base_rate_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_get_data_base_rate_response_decode(
-    struct mip_3dm_get_data_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_get_data_base_rate_response, value, sizeof(*value), NULL);
+mip_error mip_3dm_get_base_rate_response_decode(struct mip_3dm_get_base_rate_response *value,
+                                                const struct mip_field *field) {
+    return mip_decode_field(field, read_get_base_rate_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_get_data_base_rate_response_encode(
-    const struct mip_3dm_get_data_base_rate_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
-                            write_get_data_base_rate_response, value);
+mip_error mip_3dm_get_base_rate_response_encode(const struct mip_3dm_get_base_rate_response *value,
+                                                struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_BASE_RATE_RESPONSE_DESCRIPTOR,
+                            write_get_base_rate_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -1253,7 +1230,7 @@ static void read_message_format(struct mip_reader *r, void *value) {
     mip_read_u8(r, &v->function, 1);
     mip_read_required(r, v->function, required_message_format, sizeof(required_message_format));
     mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->desc_set, 1);
+    mip_read_u8(r, &v->descriptor_set, 1);
     mip_read_group(r, 2, 3);
     mip_read_u8(r, &v->num_descriptors, 1);
     for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
@@ -1268,7 +1245,7 @@ static void write_message_format(struct mip_writer *w, const void *value) {
     mip_write_required(w, v->function, required_message_format, sizeof(required_message_format),
                        v->present);
     mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->desc_set, 1);
+    mip_write_u8(w, &v->descriptor_set, 1);
     mip_write_group(w, 2, 3);
     mip_write_u8(w, &v->num_descriptors, 1);
     for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
@@ -1311,53 +1288,54 @@ mip_error mip_3dm_message_format_encode(const struct mip_3dm_message_format *val
                             value);
 }
 
-struct mip_3dm_message_format mip_3dm_message_format_write(
-    uint8_t desc_set, uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]) {
+struct mip_3dm_message_format
+mip_3dm_message_format_write(uint8_t descriptor_set, uint8_t num_descriptors,
+                             const struct mip_descriptor_rate descriptors[]) {
     struct mip_3dm_message_format v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.desc_set = desc_set;
+    v.descriptor_set = descriptor_set;
     v.num_descriptors = num_descriptors;
     mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
              num_descriptors * sizeof(descriptors[0]));
     return v;
 }
 
-struct mip_3dm_message_format mip_3dm_message_format_read(uint8_t desc_set) {
+struct mip_3dm_message_format mip_3dm_message_format_read(uint8_t descriptor_set) {
     struct mip_3dm_message_format v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
-    v.desc_set = desc_set;
+    v.descriptor_set = descriptor_set;
     return v;
 }
 
-struct mip_3dm_message_format mip_3dm_message_format_save(uint8_t desc_set) {
+struct mip_3dm_message_format mip_3dm_message_format_save(uint8_t descriptor_set) {
     struct mip_3dm_message_format v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    v.desc_set = desc_set;
+    v.descriptor_set = descriptor_set;
     return v;
 }
 
-struct mip_3dm_message_format mip_3dm_message_format_load(uint8_t desc_set) {
+struct mip_3dm_message_format mip_3dm_message_format_load(uint8_t descriptor_set) {
     struct mip_3dm_message_format v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    v.desc_set = desc_set;
+    v.descriptor_set = descriptor_set;
     return v;
 }
 
-struct mip_3dm_message_format mip_3dm_message_format_default(uint8_t desc_set) {
+struct mip_3dm_message_format mip_3dm_message_format_default(uint8_t descriptor_set) {
     struct mip_3dm_message_format v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    v.desc_set = desc_set;
+    v.descriptor_set = descriptor_set;
     return v;
 }
 
 static void read_message_format_response(struct mip_reader *r, void *value) {
     struct mip_3dm_message_format_response *v = (struct mip_3dm_message_format_response *)value;
-    mip_read_u8(r, &v->desc_set, 1);
+    mip_read_u8(r, &v->descriptor_set, 1);
     mip_read_u8(r, &v->num_descriptors, 1);
     for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
         mip_descriptor_rate_read(r, &v->descriptors[i]);
@@ -1367,7 +1345,7 @@ static void read_message_format_response(struct mip_reader *r, void *value) {
 static void write_message_format_response(struct mip_writer *w, const void *value) {
     const struct mip_3dm_message_format_response *v =
         (const struct mip_3dm_message_format_response *)value;
-    mip_write_u8(w, &v->desc_set, 1);
+    mip_write_u8(w, &v->descriptor_set, 1);
     mip_write_u8(w, &v->num_descriptors, 1);
     for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
         mip_descriptor_rate_write(w, &v->descriptors[i]);
@@ -1451,7 +1429,7 @@ static void read_data_stream_control(struct mip_reader *r, void *value) {
     mip_read_required(r, v->function, required_data_stream_control,
                       sizeof(required_data_stream_control));
     mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->desc_set, 1);
+    mip_read_u8(r, &v->descriptor_set, 1);
     mip_read_group(r, 2, 2);
     mip_read_bool(r, &v->enable, 1);
     v->present = mip_read_present(r);
@@ -1463,7 +1441,7 @@ static void write_data_stream_control(struct mip_writer *w, const void *value) {
     mip_write_required(w, v->function, required_data_stream_control,
                        sizeof(required_data_stream_control), v->present);
     mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->desc_set, 1);
+    mip_write_u8(w, &v->descriptor_set, 1);
     mip_write_group(w, 2, 2);
     mip_write_bool(w, &v->enable, 1);
 }
@@ -1503,59 +1481,59 @@ mip_error mip_3dm_data_stream_control_encode(const struct mip_3dm_data_stream_co
                             write_data_stream_control, value);
 }
 
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_write(uint8_t desc_set,
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_write(uint8_t descriptor_set,
                                                                      mip_bool enable) {
     struct mip_3dm_data_stream_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.desc_set = desc_set;
+    v.descriptor_set = descriptor_set;
     v.enable = enable;
     return v;
 }
 
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_read(uint8_t desc_set) {
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_read(uint8_t descriptor_set) {
     struct mip_3dm_data_stream_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
-    v.desc_set = desc_set;
+    v.descriptor_set = descriptor_set;
     return v;
 }
 
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_save(uint8_t desc_set) {
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_save(uint8_t descriptor_set) {
     struct mip_3dm_data_stream_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    v.desc_set = desc_set;
+    v.descriptor_set = descriptor_set;
     return v;
 }
 
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_load(uint8_t desc_set) {
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_load(uint8_t descriptor_set) {
     struct mip_3dm_data_stream_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    v.desc_set = desc_set;
+    v.descriptor_set = descriptor_set;
     return v;
 }
 
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_default(uint8_t desc_set) {
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_default(uint8_t descriptor_set) {
     struct mip_3dm_data_stream_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    v.desc_set = desc_set;
+    v.descriptor_set = descriptor_set;
     return v;
 }
 
 static void read_data_stream_control_response(struct mip_reader *r, void *value) {
     struct mip_3dm_data_stream_control_response *v =
         (struct mip_3dm_data_stream_control_response *)value;
-    mip_read_u8(r, &v->desc_set, 1);
+    mip_read_u8(r, &v->descriptor_set, 1);
     mip_read_bool(r, &v->enabled, 1);
 }
 
 static void write_data_stream_control_response(struct mip_writer *w, const void *value) {
     const struct mip_3dm_data_stream_control_response *v =
         (const struct mip_3dm_data_stream_control_response *)value;
-    mip_write_u8(w, &v->desc_set, 1);
+    mip_write_u8(w, &v->descriptor_set, 1);
     mip_write_bool(w, &v->enabled, 1);
 }
 
@@ -2286,98 +2264,96 @@ mip_error mip_3dm_pps_source_control_response_encode(
                             write_pps_source_control_response, value);
 }
 
-static void read_get_supported_events(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_supported_events *v = (struct mip_3dm_get_supported_events *)value;
+static void read_get_event_support(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_event_support *v = (struct mip_3dm_get_event_support *)value;
     mip_read_u8(r, &v->query, 1);
 }
 
-static void write_get_supported_events(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_supported_events *v =
-        (const struct mip_3dm_get_supported_events *)value;
+static void write_get_event_support(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_event_support *v = (const struct mip_3dm_get_event_support *)value;
     mip_write_u8(w, &v->query, 1);
 }
 
-static const struct mip_response responses_get_supported_events[] = {
-    {&mip_3dm_get_supported_events_response_codec, NULL},
+static const struct mip_response responses_get_event_support[] = {
+    {&mip_3dm_get_event_support_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_get_supported_events_codec = {
+const struct mip_codec mip_3dm_get_event_support_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_GET_SUPPORTED_EVENTS_DESCRIPTOR,
+    MIP_3DM_GET_EVENT_SUPPORT_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_get_supported_events),
+    sizeof(struct mip_3dm_get_event_support),
     0, /* time-out */
-    read_get_supported_events,
-    write_get_supported_events,
+    read_get_event_support,
+    write_get_event_support,
     NULL,
-    responses_get_supported_events,
+    responses_get_event_support,
     NULL,
 };
 
-mip_error mip_3dm_get_supported_events_decode(struct mip_3dm_get_supported_events *value,
-                                              const struct mip_field *field) {
-    return mip_decode_field(field, read_get_supported_events, value, sizeof(*value), NULL);
+mip_error mip_3dm_get_event_support_decode(struct mip_3dm_get_event_support *value,
+                                           const struct mip_field *field) {
+    return mip_decode_field(field, read_get_event_support, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_get_supported_events_encode(const struct mip_3dm_get_supported_events *value,
-                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_SUPPORTED_EVENTS_DESCRIPTOR,
-                            write_get_supported_events, value);
+mip_error mip_3dm_get_event_support_encode(const struct mip_3dm_get_event_support *value,
+                                           struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_EVENT_SUPPORT_DESCRIPTOR,
+                            write_get_event_support, value);
 }
 
-struct mip_3dm_get_supported_events
-mip_3dm_get_supported_events_make(mip_3dm_supported_events_query query) {
-    struct mip_3dm_get_supported_events v;
+struct mip_3dm_get_event_support mip_3dm_get_event_support_make(mip_3dm_event_support_query query) {
+    struct mip_3dm_get_event_support v;
     memset(&v, 0, sizeof(v));
     v.query = query;
     return v;
 }
 
-static void read_get_supported_events_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_supported_events_response *v =
-        (struct mip_3dm_get_supported_events_response *)value;
+static void read_get_event_support_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_event_support_response *v =
+        (struct mip_3dm_get_event_support_response *)value;
     mip_read_u8(r, &v->query, 1);
     mip_read_u8(r, &v->max_instances, 1);
     mip_read_u8(r, &v->num_entries, 1);
     for (size_t i = 0, n = mip_read_count(r, v->num_entries, 125, 2); i < n; i++) {
-        mip_3dm_supported_event_info_read(r, &v->entries[i]);
+        mip_3dm_event_support_info_read(r, &v->entries[i]);
     }
 }
 
-static void write_get_supported_events_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_supported_events_response *v =
-        (const struct mip_3dm_get_supported_events_response *)value;
+static void write_get_event_support_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_event_support_response *v =
+        (const struct mip_3dm_get_event_support_response *)value;
     mip_write_u8(w, &v->query, 1);
     mip_write_u8(w, &v->max_instances, 1);
     mip_write_u8(w, &v->num_entries, 1);
     for (size_t i = 0, n = mip_write_count(w, v->num_entries, 125); i < n; i++) {
-        mip_3dm_supported_event_info_write(w, &v->entries[i]);
+        mip_3dm_event_support_info_write(w, &v->entries[i]);
     }
 }
 
-const struct mip_codec mip_3dm_get_supported_events_response_codec = {
+const struct mip_codec mip_3dm_get_event_support_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_GET_SUPPORTED_EVENTS_RESPONSE_DESCRIPTOR,
+    MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_get_supported_events_response),
+    sizeof(struct mip_3dm_get_event_support_response),
     0, /* time-out */
-    read_get_supported_events_response,
-    write_get_supported_events_response,
+    read_get_event_support_response,
+    write_get_event_support_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_get_supported_events_response_decode(
-    struct mip_3dm_get_supported_events_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_get_supported_events_response, value, sizeof(*value), NULL);
+mip_error mip_3dm_get_event_support_response_decode(
+    struct mip_3dm_get_event_support_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_get_event_support_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_get_supported_events_response_encode(
-    const struct mip_3dm_get_supported_events_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_SUPPORTED_EVENTS_RESPONSE_DESCRIPTOR,
-                            write_get_supported_events_response, value);
+mip_error mip_3dm_get_event_support_response_encode(
+    const struct mip_3dm_get_event_support_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_DESCRIPTOR,
+                            write_get_event_support_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -2710,14 +2686,13 @@ mip_error mip_3dm_get_event_action_status_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_event_trigger_configuration[] = {0, 3, 1, 1, 1, 1};
+static const uint8_t required_event_trigger_config[] = {0, 3, 1, 1, 1, 1};
 
-static void read_event_trigger_configuration(struct mip_reader *r, void *value) {
-    struct mip_3dm_event_trigger_configuration *v =
-        (struct mip_3dm_event_trigger_configuration *)value;
+static void read_event_trigger_config(struct mip_reader *r, void *value) {
+    struct mip_3dm_event_trigger_config *v = (struct mip_3dm_event_trigger_config *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_event_trigger_configuration,
-                      sizeof(required_event_trigger_configuration));
+    mip_read_required(r, v->function, required_event_trigger_config,
+                      sizeof(required_event_trigger_config));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->instance, 1);
     mip_read_group(r, 2, 2);
@@ -2739,12 +2714,12 @@ static void read_event_trigger_configuration(struct mip_reader *r, void *value) 
     v->present = mip_read_present(r);
 }
 
-static void write_event_trigger_configuration(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_event_trigger_configuration *v =
-        (const struct mip_3dm_event_trigger_configuration *)value;
+static void write_event_trigger_config(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_event_trigger_config *v =
+        (const struct mip_3dm_event_trigger_config *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_event_trigger_configuration,
-                       sizeof(required_event_trigger_configuration), v->present);
+    mip_write_required(w, v->function, required_event_trigger_config,
+                       sizeof(required_event_trigger_config), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->instance, 1);
     mip_write_group(w, 2, 2);
@@ -2765,46 +2740,46 @@ static void write_event_trigger_configuration(struct mip_writer *w, const void *
     }
 }
 
-static bool asked_event_trigger_configuration_1(const void *value) {
-    const struct mip_3dm_event_trigger_configuration *v =
-        (const struct mip_3dm_event_trigger_configuration *)value;
+static bool asked_event_trigger_config_1(const void *value) {
+    const struct mip_3dm_event_trigger_config *v =
+        (const struct mip_3dm_event_trigger_config *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_event_trigger_configuration[] = {
-    {&mip_3dm_event_trigger_configuration_response_codec, asked_event_trigger_configuration_1},
+static const struct mip_response responses_event_trigger_config[] = {
+    {&mip_3dm_event_trigger_config_response_codec, asked_event_trigger_config_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_event_trigger_configuration_codec = {
+const struct mip_codec mip_3dm_event_trigger_config_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_EVENT_TRIGGER_CONFIGURATION_DESCRIPTOR,
+    MIP_3DM_EVENT_TRIGGER_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_event_trigger_configuration),
+    sizeof(struct mip_3dm_event_trigger_config),
     0, /* time-out */
-    read_event_trigger_configuration,
-    write_event_trigger_configuration,
+    read_event_trigger_config,
+    write_event_trigger_config,
     NULL,
-    responses_event_trigger_configuration,
+    responses_event_trigger_config,
     NULL,
 };
 
-mip_error mip_3dm_event_trigger_configuration_decode(
-    struct mip_3dm_event_trigger_configuration *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_event_trigger_configuration, value, sizeof(*value), NULL);
+mip_error mip_3dm_event_trigger_config_decode(struct mip_3dm_event_trigger_config *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_event_trigger_config, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_event_trigger_configuration_encode(
-    const struct mip_3dm_event_trigger_configuration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_TRIGGER_CONFIGURATION_DESCRIPTOR,
-                            write_event_trigger_configuration, value);
+mip_error mip_3dm_event_trigger_config_encode(const struct mip_3dm_event_trigger_config *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_TRIGGER_CONFIG_DESCRIPTOR,
+                            write_event_trigger_config, value);
 }
 
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_write(
+struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_write(
     uint8_t instance, mip_event_trigger_type type,
-    const union mip_3dm_event_trigger_configuration_parameters *parameters) {
-    struct mip_3dm_event_trigger_configuration v;
+    const union mip_3dm_event_trigger_config_parameters *parameters) {
+    struct mip_3dm_event_trigger_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.instance = instance;
@@ -2815,45 +2790,41 @@ struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_w
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration
-mip_3dm_event_trigger_configuration_read(uint8_t instance) {
-    struct mip_3dm_event_trigger_configuration v;
+struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_read(uint8_t instance) {
+    struct mip_3dm_event_trigger_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     v.instance = instance;
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration
-mip_3dm_event_trigger_configuration_save(uint8_t instance) {
-    struct mip_3dm_event_trigger_configuration v;
+struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_save(uint8_t instance) {
+    struct mip_3dm_event_trigger_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     v.instance = instance;
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration
-mip_3dm_event_trigger_configuration_load(uint8_t instance) {
-    struct mip_3dm_event_trigger_configuration v;
+struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_load(uint8_t instance) {
+    struct mip_3dm_event_trigger_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     v.instance = instance;
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration
-mip_3dm_event_trigger_configuration_default(uint8_t instance) {
-    struct mip_3dm_event_trigger_configuration v;
+struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_default(uint8_t instance) {
+    struct mip_3dm_event_trigger_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     v.instance = instance;
     return v;
 }
 
-static void read_event_trigger_configuration_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_event_trigger_configuration_response *v =
-        (struct mip_3dm_event_trigger_configuration_response *)value;
+static void read_event_trigger_config_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_event_trigger_config_response *v =
+        (struct mip_3dm_event_trigger_config_response *)value;
     mip_read_u8(r, &v->instance, 1);
     mip_read_u8(r, &v->type, 1);
     switch (v->type) {
@@ -2871,9 +2842,9 @@ static void read_event_trigger_configuration_response(struct mip_reader *r, void
     }
 }
 
-static void write_event_trigger_configuration_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_event_trigger_configuration_response *v =
-        (const struct mip_3dm_event_trigger_configuration_response *)value;
+static void write_event_trigger_config_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_event_trigger_config_response *v =
+        (const struct mip_3dm_event_trigger_config_response *)value;
     mip_write_u8(w, &v->instance, 1);
     mip_write_u8(w, &v->type, 1);
     switch (v->type) {
@@ -2891,40 +2862,38 @@ static void write_event_trigger_configuration_response(struct mip_writer *w, con
     }
 }
 
-const struct mip_codec mip_3dm_event_trigger_configuration_response_codec = {
+const struct mip_codec mip_3dm_event_trigger_config_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_EVENT_TRIGGER_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_event_trigger_configuration_response),
+    sizeof(struct mip_3dm_event_trigger_config_response),
     0, /* time-out */
-    read_event_trigger_configuration_response,
-    write_event_trigger_configuration_response,
+    read_event_trigger_config_response,
+    write_event_trigger_config_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_event_trigger_configuration_response_decode(
-    struct mip_3dm_event_trigger_configuration_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_event_trigger_configuration_response, value, sizeof(*value),
-                            NULL);
+mip_error mip_3dm_event_trigger_config_response_decode(
+    struct mip_3dm_event_trigger_config_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_event_trigger_config_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_event_trigger_configuration_response_encode(
-    const struct mip_3dm_event_trigger_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_TRIGGER_CONFIGURATION_RESPONSE_DESCRIPTOR,
-                            write_event_trigger_configuration_response, value);
+mip_error mip_3dm_event_trigger_config_response_encode(
+    const struct mip_3dm_event_trigger_config_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_DESCRIPTOR,
+                            write_event_trigger_config_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_event_action_configuration[] = {0, 4, 1, 1, 1, 1};
+static const uint8_t required_event_action_config[] = {0, 4, 1, 1, 1, 1};
 
-static void read_event_action_configuration(struct mip_reader *r, void *value) {
-    struct mip_3dm_event_action_configuration *v =
-        (struct mip_3dm_event_action_configuration *)value;
+static void read_event_action_config(struct mip_reader *r, void *value) {
+    struct mip_3dm_event_action_config *v = (struct mip_3dm_event_action_config *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_event_action_configuration,
-                      sizeof(required_event_action_configuration));
+    mip_read_required(r, v->function, required_event_action_config,
+                      sizeof(required_event_action_config));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->instance, 1);
     mip_read_group(r, 2, 2);
@@ -2945,12 +2914,11 @@ static void read_event_action_configuration(struct mip_reader *r, void *value) {
     v->present = mip_read_present(r);
 }
 
-static void write_event_action_configuration(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_event_action_configuration *v =
-        (const struct mip_3dm_event_action_configuration *)value;
+static void write_event_action_config(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_event_action_config *v = (const struct mip_3dm_event_action_config *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_event_action_configuration,
-                       sizeof(required_event_action_configuration), v->present);
+    mip_write_required(w, v->function, required_event_action_config,
+                       sizeof(required_event_action_config), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->instance, 1);
     mip_write_group(w, 2, 2);
@@ -2970,46 +2938,45 @@ static void write_event_action_configuration(struct mip_writer *w, const void *v
     }
 }
 
-static bool asked_event_action_configuration_1(const void *value) {
-    const struct mip_3dm_event_action_configuration *v =
-        (const struct mip_3dm_event_action_configuration *)value;
+static bool asked_event_action_config_1(const void *value) {
+    const struct mip_3dm_event_action_config *v = (const struct mip_3dm_event_action_config *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_event_action_configuration[] = {
-    {&mip_3dm_event_action_configuration_response_codec, asked_event_action_configuration_1},
+static const struct mip_response responses_event_action_config[] = {
+    {&mip_3dm_event_action_config_response_codec, asked_event_action_config_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_event_action_configuration_codec = {
+const struct mip_codec mip_3dm_event_action_config_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_EVENT_ACTION_CONFIGURATION_DESCRIPTOR,
+    MIP_3DM_EVENT_ACTION_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_event_action_configuration),
+    sizeof(struct mip_3dm_event_action_config),
     0, /* time-out */
-    read_event_action_configuration,
-    write_event_action_configuration,
+    read_event_action_config,
+    write_event_action_config,
     NULL,
-    responses_event_action_configuration,
+    responses_event_action_config,
     NULL,
 };
 
-mip_error mip_3dm_event_action_configuration_decode(
-    struct mip_3dm_event_action_configuration *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_event_action_configuration, value, sizeof(*value), NULL);
+mip_error mip_3dm_event_action_config_decode(struct mip_3dm_event_action_config *value,
+                                             const struct mip_field *field) {
+    return mip_decode_field(field, read_event_action_config, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_event_action_configuration_encode(
-    const struct mip_3dm_event_action_configuration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_ACTION_CONFIGURATION_DESCRIPTOR,
-                            write_event_action_configuration, value);
+mip_error mip_3dm_event_action_config_encode(const struct mip_3dm_event_action_config *value,
+                                             struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_ACTION_CONFIG_DESCRIPTOR,
+                            write_event_action_config, value);
 }
 
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_write(
-    uint8_t instance, uint8_t trigger, mip_event_action_type type,
-    const union mip_3dm_event_action_configuration_parameters *parameters) {
-    struct mip_3dm_event_action_configuration v;
+struct mip_3dm_event_action_config
+mip_3dm_event_action_config_write(uint8_t instance, uint8_t trigger, mip_event_action_type type,
+                                  const union mip_3dm_event_action_config_parameters *parameters) {
+    struct mip_3dm_event_action_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.instance = instance;
@@ -3021,45 +2988,41 @@ struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_wri
     return v;
 }
 
-struct mip_3dm_event_action_configuration
-mip_3dm_event_action_configuration_read(uint8_t instance) {
-    struct mip_3dm_event_action_configuration v;
+struct mip_3dm_event_action_config mip_3dm_event_action_config_read(uint8_t instance) {
+    struct mip_3dm_event_action_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     v.instance = instance;
     return v;
 }
 
-struct mip_3dm_event_action_configuration
-mip_3dm_event_action_configuration_save(uint8_t instance) {
-    struct mip_3dm_event_action_configuration v;
+struct mip_3dm_event_action_config mip_3dm_event_action_config_save(uint8_t instance) {
+    struct mip_3dm_event_action_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     v.instance = instance;
     return v;
 }
 
-struct mip_3dm_event_action_configuration
-mip_3dm_event_action_configuration_load(uint8_t instance) {
-    struct mip_3dm_event_action_configuration v;
+struct mip_3dm_event_action_config mip_3dm_event_action_config_load(uint8_t instance) {
+    struct mip_3dm_event_action_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     v.instance = instance;
     return v;
 }
 
-struct mip_3dm_event_action_configuration
-mip_3dm_event_action_configuration_default(uint8_t instance) {
-    struct mip_3dm_event_action_configuration v;
+struct mip_3dm_event_action_config mip_3dm_event_action_config_default(uint8_t instance) {
+    struct mip_3dm_event_action_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     v.instance = instance;
     return v;
 }
 
-static void read_event_action_configuration_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_event_action_configuration_response *v =
-        (struct mip_3dm_event_action_configuration_response *)value;
+static void read_event_action_config_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_event_action_config_response *v =
+        (struct mip_3dm_event_action_config_response *)value;
     mip_read_u8(r, &v->instance, 1);
     mip_read_u8(r, &v->trigger, 1);
     mip_read_u8(r, &v->type, 1);
@@ -3075,9 +3038,9 @@ static void read_event_action_configuration_response(struct mip_reader *r, void 
     }
 }
 
-static void write_event_action_configuration_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_event_action_configuration_response *v =
-        (const struct mip_3dm_event_action_configuration_response *)value;
+static void write_event_action_config_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_event_action_config_response *v =
+        (const struct mip_3dm_event_action_config_response *)value;
     mip_write_u8(w, &v->instance, 1);
     mip_write_u8(w, &v->trigger, 1);
     mip_write_u8(w, &v->type, 1);
@@ -3093,96 +3056,94 @@ static void write_event_action_configuration_response(struct mip_writer *w, cons
     }
 }
 
-const struct mip_codec mip_3dm_event_action_configuration_response_codec = {
+const struct mip_codec mip_3dm_event_action_config_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_EVENT_ACTION_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_event_action_configuration_response),
+    sizeof(struct mip_3dm_event_action_config_response),
     0, /* time-out */
-    read_event_action_configuration_response,
-    write_event_action_configuration_response,
+    read_event_action_config_response,
+    write_event_action_config_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_event_action_configuration_response_decode(
-    struct mip_3dm_event_action_configuration_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_event_action_configuration_response, value, sizeof(*value),
-                            NULL);
+mip_error mip_3dm_event_action_config_response_decode(
+    struct mip_3dm_event_action_config_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_event_action_config_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_event_action_configuration_response_encode(
-    const struct mip_3dm_event_action_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_ACTION_CONFIGURATION_RESPONSE_DESCRIPTOR,
-                            write_event_action_configuration_response, value);
+mip_error mip_3dm_event_action_config_response_encode(
+    const struct mip_3dm_event_action_config_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_DESCRIPTOR,
+                            write_event_action_config_response, value);
 }
 
-static void read_device_start_up_settings(struct mip_reader *r, void *value) {
-    struct mip_3dm_device_start_up_settings *v = (struct mip_3dm_device_start_up_settings *)value;
+static void read_device_settings(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_settings *v = (struct mip_3dm_device_settings *)value;
     mip_read_u8(r, &v->function, 1);
 }
 
-static void write_device_start_up_settings(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_device_start_up_settings *v =
-        (const struct mip_3dm_device_start_up_settings *)value;
+static void write_device_settings(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_device_settings *v = (const struct mip_3dm_device_settings *)value;
     mip_write_u8(w, &v->function, 1);
 }
 
-const struct mip_codec mip_3dm_device_start_up_settings_codec = {
+const struct mip_codec mip_3dm_device_settings_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_DEVICE_START_UP_SETTINGS_DESCRIPTOR,
+    MIP_3DM_DEVICE_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_device_start_up_settings),
+    sizeof(struct mip_3dm_device_settings),
     1000, /* time-out */
-    read_device_start_up_settings,
-    write_device_start_up_settings,
+    read_device_settings,
+    write_device_settings,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_device_start_up_settings_decode(struct mip_3dm_device_start_up_settings *value,
-                                                  const struct mip_field *field) {
-    return mip_decode_field(field, read_device_start_up_settings, value, sizeof(*value), NULL);
+mip_error mip_3dm_device_settings_decode(struct mip_3dm_device_settings *value,
+                                         const struct mip_field *field) {
+    return mip_decode_field(field, read_device_settings, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_device_start_up_settings_encode(
-    const struct mip_3dm_device_start_up_settings *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_START_UP_SETTINGS_DESCRIPTOR,
-                            write_device_start_up_settings, value);
+mip_error mip_3dm_device_settings_encode(const struct mip_3dm_device_settings *value,
+                                         struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_SETTINGS_DESCRIPTOR,
+                            write_device_settings, value);
 }
 
-struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_save(void) {
-    struct mip_3dm_device_start_up_settings v;
+struct mip_3dm_device_settings mip_3dm_device_settings_save(void) {
+    struct mip_3dm_device_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_load(void) {
-    struct mip_3dm_device_start_up_settings v;
+struct mip_3dm_device_settings mip_3dm_device_settings_load(void) {
+    struct mip_3dm_device_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_default(void) {
-    struct mip_3dm_device_start_up_settings v;
+struct mip_3dm_device_settings mip_3dm_device_settings_default(void) {
+    struct mip_3dm_device_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_sensor_to_vehicle_frame_transformation_euler[] = {0, 3, 0, 0, 0, 0};
+static const uint8_t required_sensor_to_vehicle_transform_euler[] = {0, 3, 0, 0, 0, 0};
 
-static void read_sensor_to_vehicle_frame_transformation_euler(struct mip_reader *r, void *value) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *v =
-        (struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *)value;
+static void read_sensor_to_vehicle_transform_euler(struct mip_reader *r, void *value) {
+    struct mip_3dm_sensor_to_vehicle_transform_euler *v =
+        (struct mip_3dm_sensor_to_vehicle_transform_euler *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_sensor_to_vehicle_frame_transformation_euler,
-                      sizeof(required_sensor_to_vehicle_frame_transformation_euler));
+    mip_read_required(r, v->function, required_sensor_to_vehicle_transform_euler,
+                      sizeof(required_sensor_to_vehicle_transform_euler));
     mip_read_group(r, 1, 1);
     mip_read_float(r, &v->roll, 1);
     mip_read_group(r, 2, 2);
@@ -3192,13 +3153,12 @@ static void read_sensor_to_vehicle_frame_transformation_euler(struct mip_reader 
     v->present = mip_read_present(r);
 }
 
-static void write_sensor_to_vehicle_frame_transformation_euler(struct mip_writer *w,
-                                                               const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *v =
-        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *)value;
+static void write_sensor_to_vehicle_transform_euler(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_transform_euler *v =
+        (const struct mip_3dm_sensor_to_vehicle_transform_euler *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_sensor_to_vehicle_frame_transformation_euler,
-                       sizeof(required_sensor_to_vehicle_frame_transformation_euler), v->present);
+    mip_write_required(w, v->function, required_sensor_to_vehicle_transform_euler,
+                       sizeof(required_sensor_to_vehicle_transform_euler), v->present);
     mip_write_group(w, 1, 1);
     mip_write_float(w, &v->roll, 1);
     mip_write_group(w, 2, 2);
@@ -3207,50 +3167,47 @@ static void write_sensor_to_vehicle_frame_transformation_euler(struct mip_writer
     mip_write_float(w, &v->yaw, 1);
 }
 
-static bool asked_sensor_to_vehicle_frame_transformation_euler_1(const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *v =
-        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *)value;
+static bool asked_sensor_to_vehicle_transform_euler_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_transform_euler *v =
+        (const struct mip_3dm_sensor_to_vehicle_transform_euler *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_sensor_to_vehicle_frame_transformation_euler[] = {
-    {&mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_codec,
-     asked_sensor_to_vehicle_frame_transformation_euler_1},
+static const struct mip_response responses_sensor_to_vehicle_transform_euler[] = {
+    {&mip_3dm_sensor_to_vehicle_transform_euler_response_codec,
+     asked_sensor_to_vehicle_transform_euler_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_DESCRIPTOR,
+    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler),
     0, /* time-out */
-    read_sensor_to_vehicle_frame_transformation_euler,
-    write_sensor_to_vehicle_frame_transformation_euler,
+    read_sensor_to_vehicle_transform_euler,
+    write_sensor_to_vehicle_transform_euler,
     NULL,
-    responses_sensor_to_vehicle_frame_transformation_euler,
+    responses_sensor_to_vehicle_transform_euler,
     NULL,
 };
 
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_sensor_to_vehicle_frame_transformation_euler, value,
-                            sizeof(*value), NULL);
+mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_transform_euler, value, sizeof(*value),
+                            NULL);
 }
 
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_DESCRIPTOR,
-                            write_sensor_to_vehicle_frame_transformation_euler, value);
+mip_error mip_3dm_sensor_to_vehicle_transform_euler_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_euler *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_DESCRIPTOR,
+                            write_sensor_to_vehicle_transform_euler, value);
 }
 
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
-mip_3dm_sensor_to_vehicle_frame_transformation_euler_write(float roll, float pitch, float yaw) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler v;
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_write(float roll, float pitch, float yaw) {
+    struct mip_3dm_sensor_to_vehicle_transform_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.roll = roll;
@@ -3259,1167 +3216,1082 @@ mip_3dm_sensor_to_vehicle_frame_transformation_euler_write(float roll, float pit
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
-mip_3dm_sensor_to_vehicle_frame_transformation_euler_read(void) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler v;
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_read(void) {
+    struct mip_3dm_sensor_to_vehicle_transform_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
-mip_3dm_sensor_to_vehicle_frame_transformation_euler_save(void) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler v;
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_save(void) {
+    struct mip_3dm_sensor_to_vehicle_transform_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
-mip_3dm_sensor_to_vehicle_frame_transformation_euler_load(void) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler v;
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_load(void) {
+    struct mip_3dm_sensor_to_vehicle_transform_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
-mip_3dm_sensor_to_vehicle_frame_transformation_euler_default(void) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler v;
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_default(void) {
+    struct mip_3dm_sensor_to_vehicle_transform_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_sensor_to_vehicle_frame_transformation_euler_response(struct mip_reader *r,
-                                                                       void *value) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *v =
-        (struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *)value;
+static void read_sensor_to_vehicle_transform_euler_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_sensor_to_vehicle_transform_euler_response *v =
+        (struct mip_3dm_sensor_to_vehicle_transform_euler_response *)value;
     mip_read_float(r, &v->roll, 1);
     mip_read_float(r, &v->pitch, 1);
     mip_read_float(r, &v->yaw, 1);
 }
 
-static void write_sensor_to_vehicle_frame_transformation_euler_response(struct mip_writer *w,
-                                                                        const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *v =
-        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *)value;
+static void write_sensor_to_vehicle_transform_euler_response(struct mip_writer *w,
+                                                             const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *v =
+        (const struct mip_3dm_sensor_to_vehicle_transform_euler_response *)value;
     mip_write_float(w, &v->roll, 1);
     mip_write_float(w, &v->pitch, 1);
     mip_write_float(w, &v->yaw, 1);
 }
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_DESCRIPTOR,
+    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler_response),
     0, /* time-out */
-    read_sensor_to_vehicle_frame_transformation_euler_response,
-    write_sensor_to_vehicle_frame_transformation_euler_response,
+    read_sensor_to_vehicle_transform_euler_response,
+    write_sensor_to_vehicle_transform_euler_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *value,
+mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
     const struct mip_field *field) {
-    return mip_decode_field(field, read_sensor_to_vehicle_frame_transformation_euler_response,
-                            value, sizeof(*value), NULL);
+    return mip_decode_field(field, read_sensor_to_vehicle_transform_euler_response, value,
+                            sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *value,
+mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(
-        builder, 0x0C, MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_DESCRIPTOR,
-        write_sensor_to_vehicle_frame_transformation_euler_response, value);
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_DESCRIPTOR,
+                            write_sensor_to_vehicle_transform_euler_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_sensor_to_vehicle_frame_transformation_quaternion[] = {0, 1, 0,
-                                                                                     0, 0, 0};
+static const uint8_t required_sensor_to_vehicle_transform_quaternion[] = {0, 1, 0, 0, 0, 0};
 
-static void read_sensor_to_vehicle_frame_transformation_quaternion(struct mip_reader *r,
-                                                                   void *value) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *v =
-        (struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *)value;
+static void read_sensor_to_vehicle_transform_quaternion(struct mip_reader *r, void *value) {
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *v =
+        (struct mip_3dm_sensor_to_vehicle_transform_quaternion *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_sensor_to_vehicle_frame_transformation_quaternion,
-                      sizeof(required_sensor_to_vehicle_frame_transformation_quaternion));
+    mip_read_required(r, v->function, required_sensor_to_vehicle_transform_quaternion,
+                      sizeof(required_sensor_to_vehicle_transform_quaternion));
     mip_read_group(r, 1, 1);
     mip_read_float(r, v->q, 4);
     v->present = mip_read_present(r);
 }
 
-static void write_sensor_to_vehicle_frame_transformation_quaternion(struct mip_writer *w,
-                                                                    const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *v =
-        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *)value;
+static void write_sensor_to_vehicle_transform_quaternion(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *v =
+        (const struct mip_3dm_sensor_to_vehicle_transform_quaternion *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_sensor_to_vehicle_frame_transformation_quaternion,
-                       sizeof(required_sensor_to_vehicle_frame_transformation_quaternion),
-                       v->present);
+    mip_write_required(w, v->function, required_sensor_to_vehicle_transform_quaternion,
+                       sizeof(required_sensor_to_vehicle_transform_quaternion), v->present);
     mip_write_group(w, 1, 1);
     mip_write_float(w, v->q, 4);
 }
 
-static bool asked_sensor_to_vehicle_frame_transformation_quaternion_1(const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *v =
-        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *)value;
+static bool asked_sensor_to_vehicle_transform_quaternion_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *v =
+        (const struct mip_3dm_sensor_to_vehicle_transform_quaternion *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_sensor_to_vehicle_frame_transformation_quaternion[] = {
-    {&mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_codec,
-     asked_sensor_to_vehicle_frame_transformation_quaternion_1},
+static const struct mip_response responses_sensor_to_vehicle_transform_quaternion[] = {
+    {&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec,
+     asked_sensor_to_vehicle_transform_quaternion_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_DESCRIPTOR,
+    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion),
     0, /* time-out */
-    read_sensor_to_vehicle_frame_transformation_quaternion,
-    write_sensor_to_vehicle_frame_transformation_quaternion,
+    read_sensor_to_vehicle_transform_quaternion,
+    write_sensor_to_vehicle_transform_quaternion,
     NULL,
-    responses_sensor_to_vehicle_frame_transformation_quaternion,
+    responses_sensor_to_vehicle_transform_quaternion,
     NULL,
 };
 
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_sensor_to_vehicle_frame_transformation_quaternion, value,
+mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_transform_quaternion, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *value,
+mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *value,
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_DESCRIPTOR,
-                            write_sensor_to_vehicle_frame_transformation_quaternion, value);
+                            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_DESCRIPTOR,
+                            write_sensor_to_vehicle_transform_quaternion, value);
 }
 
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
-mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_write(const float q[4]) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion v;
+struct mip_3dm_sensor_to_vehicle_transform_quaternion
+mip_3dm_sensor_to_vehicle_transform_quaternion_write(const float q[4]) {
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(v.q, q, sizeof(v.q));
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
-mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_read(void) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion v;
+struct mip_3dm_sensor_to_vehicle_transform_quaternion
+mip_3dm_sensor_to_vehicle_transform_quaternion_read(void) {
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
-mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_save(void) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion v;
+struct mip_3dm_sensor_to_vehicle_transform_quaternion
+mip_3dm_sensor_to_vehicle_transform_quaternion_save(void) {
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
-mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_load(void) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion v;
+struct mip_3dm_sensor_to_vehicle_transform_quaternion
+mip_3dm_sensor_to_vehicle_transform_quaternion_load(void) {
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
-mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_default(void) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion v;
+struct mip_3dm_sensor_to_vehicle_transform_quaternion
+mip_3dm_sensor_to_vehicle_transform_quaternion_default(void) {
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_sensor_to_vehicle_frame_transformation_quaternion_response(struct mip_reader *r,
-                                                                            void *value) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *v =
-        (struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *)value;
+static void read_sensor_to_vehicle_transform_quaternion_response(struct mip_reader *r,
+                                                                 void *value) {
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *v =
+        (struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *)value;
     mip_read_float(r, v->q, 4);
 }
 
-static void write_sensor_to_vehicle_frame_transformation_quaternion_response(struct mip_writer *w,
-                                                                             const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *v =
-        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *)value;
+static void write_sensor_to_vehicle_transform_quaternion_response(struct mip_writer *w,
+                                                                  const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *v =
+        (const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *)value;
     mip_write_float(w, v->q, 4);
 }
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_DESCRIPTOR,
+    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response),
     0, /* time-out */
-    read_sensor_to_vehicle_frame_transformation_quaternion_response,
-    write_sensor_to_vehicle_frame_transformation_quaternion_response,
+    read_sensor_to_vehicle_transform_quaternion_response,
+    write_sensor_to_vehicle_transform_quaternion_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *value,
+mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
     const struct mip_field *field) {
-    return mip_decode_field(field, read_sensor_to_vehicle_frame_transformation_quaternion_response,
-                            value, sizeof(*value), NULL);
+    return mip_decode_field(field, read_sensor_to_vehicle_transform_quaternion_response, value,
+                            sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *value,
+mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(
-        builder, 0x0C,
-        MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_DESCRIPTOR,
-        write_sensor_to_vehicle_frame_transformation_quaternion_response, value);
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_DESCRIPTOR,
+                            write_sensor_to_vehicle_transform_quaternion_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_sensor_to_vehicle_frame_transformation_direction_cosine_matrix[] = {
-    0, 1, 0, 0, 0, 0};
+static const uint8_t required_sensor_to_vehicle_transform_dcm[] = {0, 1, 0, 0, 0, 0};
 
-static void read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix(
-    struct mip_reader *r, void *value) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *v =
-        (struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *)value;
+static void read_sensor_to_vehicle_transform_dcm(struct mip_reader *r, void *value) {
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *v =
+        (struct mip_3dm_sensor_to_vehicle_transform_dcm *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(
-        r, v->function, required_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-        sizeof(required_sensor_to_vehicle_frame_transformation_direction_cosine_matrix));
+    mip_read_required(r, v->function, required_sensor_to_vehicle_transform_dcm,
+                      sizeof(required_sensor_to_vehicle_transform_dcm));
     mip_read_group(r, 1, 1);
     mip_read_float(r, v->dcm, 9);
     v->present = mip_read_present(r);
 }
 
-static void write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix(
-    struct mip_writer *w, const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *v =
-        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *)
-            value;
+static void write_sensor_to_vehicle_transform_dcm(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm *v =
+        (const struct mip_3dm_sensor_to_vehicle_transform_dcm *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(
-        w, v->function, required_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-        sizeof(required_sensor_to_vehicle_frame_transformation_direction_cosine_matrix),
-        v->present);
+    mip_write_required(w, v->function, required_sensor_to_vehicle_transform_dcm,
+                       sizeof(required_sensor_to_vehicle_transform_dcm), v->present);
     mip_write_group(w, 1, 1);
     mip_write_float(w, v->dcm, 9);
 }
 
-static bool
-asked_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_1(const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *v =
-        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *)
-            value;
+static bool asked_sensor_to_vehicle_transform_dcm_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm *v =
+        (const struct mip_3dm_sensor_to_vehicle_transform_dcm *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response
-    responses_sensor_to_vehicle_frame_transformation_direction_cosine_matrix[] = {
-        {&mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec,
-         asked_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_1},
-        {NULL, NULL},
+static const struct mip_response responses_sensor_to_vehicle_transform_dcm[] = {
+    {&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec,
+     asked_sensor_to_vehicle_transform_dcm_1},
+    {NULL, NULL},
 };
 
-const struct mip_codec
-    mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_codec = {
-        0x0C, /* descriptor set */
-        MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR,
-        MIP_COMMAND,
-        sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix),
-        0, /* time-out */
-        read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-        write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-        NULL,
-        responses_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-        NULL,
+const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm),
+    0, /* time-out */
+    read_sensor_to_vehicle_transform_dcm,
+    write_sensor_to_vehicle_transform_dcm,
+    NULL,
+    responses_sensor_to_vehicle_transform_dcm,
+    NULL,
 };
 
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field,
-                            read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-                            value, sizeof(*value), NULL);
+mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_transform_dcm, value, sizeof(*value),
+                            NULL);
 }
 
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(
-        builder, 0x0C,
-        MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR,
-        write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, value);
+mip_error mip_3dm_sensor_to_vehicle_transform_dcm_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_DESCRIPTOR,
+                            write_sensor_to_vehicle_transform_dcm, value);
 }
 
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_write(const float dcm[9]) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix v;
+struct mip_3dm_sensor_to_vehicle_transform_dcm
+mip_3dm_sensor_to_vehicle_transform_dcm_write(const float dcm[9]) {
+    struct mip_3dm_sensor_to_vehicle_transform_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(v.dcm, dcm, sizeof(v.dcm));
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_read(void) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix v;
+struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_read(void) {
+    struct mip_3dm_sensor_to_vehicle_transform_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_save(void) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix v;
+struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_save(void) {
+    struct mip_3dm_sensor_to_vehicle_transform_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_load(void) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix v;
+struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_load(void) {
+    struct mip_3dm_sensor_to_vehicle_transform_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_default(void) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix v;
+struct mip_3dm_sensor_to_vehicle_transform_dcm
+mip_3dm_sensor_to_vehicle_transform_dcm_default(void) {
+    struct mip_3dm_sensor_to_vehicle_transform_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response(
-    struct mip_reader *r, void *value) {
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *v =
-        (struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)
-            value;
+static void read_sensor_to_vehicle_transform_dcm_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *v =
+        (struct mip_3dm_sensor_to_vehicle_transform_dcm_response *)value;
     mip_read_float(r, v->dcm, 9);
 }
 
-static void write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response(
-    struct mip_writer *w, const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response
-        *v = (const struct
-              mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)
-            value;
+static void write_sensor_to_vehicle_transform_dcm_response(struct mip_writer *w,
+                                                           const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *v =
+        (const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *)value;
     mip_write_float(w, v->dcm, 9);
 }
 
-const struct mip_codec
-    mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec = {
-        0x0C, /* descriptor set */
-        MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_DESCRIPTOR,
-        MIP_RESPONSE,
-        sizeof(
-            struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response),
-        0, /* time-out */
-        read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
-        write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
-        NULL,
-        NULL,
-        NULL,
-};
-
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(
-        field, read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response, value,
-        sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response
-        *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(
-        builder, 0x0C,
-        MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_DESCRIPTOR,
-        write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_accelerometer_bias_configuration[] = {0, 1, 0, 0, 0, 0, 1};
-
-static void read_accelerometer_bias_configuration(struct mip_reader *r, void *value) {
-    struct mip_3dm_accelerometer_bias_configuration *v =
-        (struct mip_3dm_accelerometer_bias_configuration *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_accelerometer_bias_configuration,
-                      sizeof(required_accelerometer_bias_configuration));
-    mip_read_group(r, 1, 1);
-    mip_read_float(r, v->bias, 3);
-    v->present = mip_read_present(r);
-}
-
-static void write_accelerometer_bias_configuration(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_accelerometer_bias_configuration *v =
-        (const struct mip_3dm_accelerometer_bias_configuration *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_accelerometer_bias_configuration,
-                       sizeof(required_accelerometer_bias_configuration), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_float(w, v->bias, 3);
-}
-
-static bool silent_accelerometer_bias_configuration(const void *value) {
-    const struct mip_3dm_accelerometer_bias_configuration *v =
-        (const struct mip_3dm_accelerometer_bias_configuration *)value;
-    return v->function == MIP_FUNCTION_SELECTOR_APPLY;
-}
-
-static bool asked_accelerometer_bias_configuration_1(const void *value) {
-    const struct mip_3dm_accelerometer_bias_configuration *v =
-        (const struct mip_3dm_accelerometer_bias_configuration *)value;
-
-    return v->function == MIP_FUNCTION_SELECTOR_READ;
-}
-
-static const struct mip_response responses_accelerometer_bias_configuration[] = {
-    {&mip_3dm_accelerometer_bias_configuration_response_codec,
-     asked_accelerometer_bias_configuration_1},
-    {NULL, NULL},
-};
-
-const struct mip_codec mip_3dm_accelerometer_bias_configuration_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_accelerometer_bias_configuration),
-    0, /* time-out */
-    read_accelerometer_bias_configuration,
-    write_accelerometer_bias_configuration,
-    silent_accelerometer_bias_configuration,
-    responses_accelerometer_bias_configuration,
-    NULL,
-};
-
-mip_error mip_3dm_accelerometer_bias_configuration_decode(
-    struct mip_3dm_accelerometer_bias_configuration *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_accelerometer_bias_configuration, value, sizeof(*value),
-                            NULL);
-}
-
-mip_error mip_3dm_accelerometer_bias_configuration_encode(
-    const struct mip_3dm_accelerometer_bias_configuration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_DESCRIPTOR,
-                            write_accelerometer_bias_configuration, value);
-}
-
-struct mip_3dm_accelerometer_bias_configuration
-mip_3dm_accelerometer_bias_configuration_write(const float bias[3]) {
-    struct mip_3dm_accelerometer_bias_configuration v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    memcpy(v.bias, bias, sizeof(v.bias));
-    return v;
-}
-
-struct mip_3dm_accelerometer_bias_configuration
-mip_3dm_accelerometer_bias_configuration_read(void) {
-    struct mip_3dm_accelerometer_bias_configuration v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_accelerometer_bias_configuration
-mip_3dm_accelerometer_bias_configuration_save(void) {
-    struct mip_3dm_accelerometer_bias_configuration v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_accelerometer_bias_configuration
-mip_3dm_accelerometer_bias_configuration_load(void) {
-    struct mip_3dm_accelerometer_bias_configuration v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_accelerometer_bias_configuration
-mip_3dm_accelerometer_bias_configuration_default(void) {
-    struct mip_3dm_accelerometer_bias_configuration v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-struct mip_3dm_accelerometer_bias_configuration
-mip_3dm_accelerometer_bias_configuration_apply(const float bias[3]) {
-    struct mip_3dm_accelerometer_bias_configuration v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_APPLY;
-    memcpy(v.bias, bias, sizeof(v.bias));
-    return v;
-}
-
-static void read_accelerometer_bias_configuration_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_accelerometer_bias_configuration_response *v =
-        (struct mip_3dm_accelerometer_bias_configuration_response *)value;
-    mip_read_float(r, v->bias, 3);
-}
-
-static void write_accelerometer_bias_configuration_response(struct mip_writer *w,
-                                                            const void *value) {
-    const struct mip_3dm_accelerometer_bias_configuration_response *v =
-        (const struct mip_3dm_accelerometer_bias_configuration_response *)value;
-    mip_write_float(w, v->bias, 3);
-}
-
-const struct mip_codec mip_3dm_accelerometer_bias_configuration_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_accelerometer_bias_configuration_response),
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm_response),
     0, /* time-out */
-    read_accelerometer_bias_configuration_response,
-    write_accelerometer_bias_configuration_response,
+    read_sensor_to_vehicle_transform_dcm_response,
+    write_sensor_to_vehicle_transform_dcm_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_accelerometer_bias_configuration_response_decode(
-    struct mip_3dm_accelerometer_bias_configuration_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_accelerometer_bias_configuration_response, value,
+mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_transform_dcm_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_accelerometer_bias_configuration_response_encode(
-    const struct mip_3dm_accelerometer_bias_configuration_response *value,
+mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
-                            write_accelerometer_bias_configuration_response, value);
+                            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_DESCRIPTOR,
+                            write_sensor_to_vehicle_transform_dcm_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_gyroscope_bias_configuration[] = {0, 1, 0, 0, 0, 0, 1};
+static const uint8_t required_accel_bias[] = {0, 1, 0, 0, 0, 0, 1};
 
-static void read_gyroscope_bias_configuration(struct mip_reader *r, void *value) {
-    struct mip_3dm_gyroscope_bias_configuration *v =
-        (struct mip_3dm_gyroscope_bias_configuration *)value;
+static void read_accel_bias(struct mip_reader *r, void *value) {
+    struct mip_3dm_accel_bias *v = (struct mip_3dm_accel_bias *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gyroscope_bias_configuration,
-                      sizeof(required_gyroscope_bias_configuration));
+    mip_read_required(r, v->function, required_accel_bias, sizeof(required_accel_bias));
     mip_read_group(r, 1, 1);
     mip_read_float(r, v->bias, 3);
     v->present = mip_read_present(r);
 }
 
-static void write_gyroscope_bias_configuration(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gyroscope_bias_configuration *v =
-        (const struct mip_3dm_gyroscope_bias_configuration *)value;
+static void write_accel_bias(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_accel_bias *v = (const struct mip_3dm_accel_bias *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gyroscope_bias_configuration,
-                       sizeof(required_gyroscope_bias_configuration), v->present);
+    mip_write_required(w, v->function, required_accel_bias, sizeof(required_accel_bias),
+                       v->present);
     mip_write_group(w, 1, 1);
     mip_write_float(w, v->bias, 3);
 }
 
-static bool silent_gyroscope_bias_configuration(const void *value) {
-    const struct mip_3dm_gyroscope_bias_configuration *v =
-        (const struct mip_3dm_gyroscope_bias_configuration *)value;
+static bool silent_accel_bias(const void *value) {
+    const struct mip_3dm_accel_bias *v = (const struct mip_3dm_accel_bias *)value;
     return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
-static bool asked_gyroscope_bias_configuration_1(const void *value) {
-    const struct mip_3dm_gyroscope_bias_configuration *v =
-        (const struct mip_3dm_gyroscope_bias_configuration *)value;
+static bool asked_accel_bias_1(const void *value) {
+    const struct mip_3dm_accel_bias *v = (const struct mip_3dm_accel_bias *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_gyroscope_bias_configuration[] = {
-    {&mip_3dm_gyroscope_bias_configuration_response_codec, asked_gyroscope_bias_configuration_1},
+static const struct mip_response responses_accel_bias[] = {
+    {&mip_3dm_accel_bias_response_codec, asked_accel_bias_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_gyroscope_bias_configuration_codec = {
+const struct mip_codec mip_3dm_accel_bias_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_DESCRIPTOR,
+    MIP_3DM_ACCEL_BIAS_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_gyroscope_bias_configuration),
+    sizeof(struct mip_3dm_accel_bias),
     0, /* time-out */
-    read_gyroscope_bias_configuration,
-    write_gyroscope_bias_configuration,
-    silent_gyroscope_bias_configuration,
-    responses_gyroscope_bias_configuration,
+    read_accel_bias,
+    write_accel_bias,
+    silent_accel_bias,
+    responses_accel_bias,
     NULL,
 };
 
-mip_error mip_3dm_gyroscope_bias_configuration_decode(
-    struct mip_3dm_gyroscope_bias_configuration *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gyroscope_bias_configuration, value, sizeof(*value), NULL);
+mip_error mip_3dm_accel_bias_decode(struct mip_3dm_accel_bias *value,
+                                    const struct mip_field *field) {
+    return mip_decode_field(field, read_accel_bias, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_gyroscope_bias_configuration_encode(
-    const struct mip_3dm_gyroscope_bias_configuration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_DESCRIPTOR,
-                            write_gyroscope_bias_configuration, value);
+mip_error mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bias *value,
+                                    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_ACCEL_BIAS_DESCRIPTOR, write_accel_bias, value);
 }
 
-struct mip_3dm_gyroscope_bias_configuration
-mip_3dm_gyroscope_bias_configuration_write(const float bias[3]) {
-    struct mip_3dm_gyroscope_bias_configuration v;
+struct mip_3dm_accel_bias mip_3dm_accel_bias_write(const float bias[3]) {
+    struct mip_3dm_accel_bias v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(v.bias, bias, sizeof(v.bias));
     return v;
 }
 
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_read(void) {
-    struct mip_3dm_gyroscope_bias_configuration v;
+struct mip_3dm_accel_bias mip_3dm_accel_bias_read(void) {
+    struct mip_3dm_accel_bias v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_save(void) {
-    struct mip_3dm_gyroscope_bias_configuration v;
+struct mip_3dm_accel_bias mip_3dm_accel_bias_save(void) {
+    struct mip_3dm_accel_bias v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_load(void) {
-    struct mip_3dm_gyroscope_bias_configuration v;
+struct mip_3dm_accel_bias mip_3dm_accel_bias_load(void) {
+    struct mip_3dm_accel_bias v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_default(void) {
-    struct mip_3dm_gyroscope_bias_configuration v;
+struct mip_3dm_accel_bias mip_3dm_accel_bias_default(void) {
+    struct mip_3dm_accel_bias v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-struct mip_3dm_gyroscope_bias_configuration
-mip_3dm_gyroscope_bias_configuration_apply(const float bias[3]) {
-    struct mip_3dm_gyroscope_bias_configuration v;
+struct mip_3dm_accel_bias mip_3dm_accel_bias_apply(const float bias[3]) {
+    struct mip_3dm_accel_bias v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_APPLY;
     memcpy(v.bias, bias, sizeof(v.bias));
     return v;
 }
 
-static void read_gyroscope_bias_configuration_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_gyroscope_bias_configuration_response *v =
-        (struct mip_3dm_gyroscope_bias_configuration_response *)value;
+static void read_accel_bias_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_accel_bias_response *v = (struct mip_3dm_accel_bias_response *)value;
     mip_read_float(r, v->bias, 3);
 }
 
-static void write_gyroscope_bias_configuration_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gyroscope_bias_configuration_response *v =
-        (const struct mip_3dm_gyroscope_bias_configuration_response *)value;
+static void write_accel_bias_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_accel_bias_response *v = (const struct mip_3dm_accel_bias_response *)value;
     mip_write_float(w, v->bias, 3);
 }
 
-const struct mip_codec mip_3dm_gyroscope_bias_configuration_response_codec = {
+const struct mip_codec mip_3dm_accel_bias_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_3DM_ACCEL_BIAS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_gyroscope_bias_configuration_response),
+    sizeof(struct mip_3dm_accel_bias_response),
     0, /* time-out */
-    read_gyroscope_bias_configuration_response,
-    write_gyroscope_bias_configuration_response,
+    read_accel_bias_response,
+    write_accel_bias_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_gyroscope_bias_configuration_response_decode(
-    struct mip_3dm_gyroscope_bias_configuration_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gyroscope_bias_configuration_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_3dm_accel_bias_response_decode(struct mip_3dm_accel_bias_response *value,
+                                             const struct mip_field *field) {
+    return mip_decode_field(field, read_accel_bias_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_gyroscope_bias_configuration_response_encode(
-    const struct mip_3dm_gyroscope_bias_configuration_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
-                            write_gyroscope_bias_configuration_response, value);
+mip_error mip_3dm_accel_bias_response_encode(const struct mip_3dm_accel_bias_response *value,
+                                             struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_ACCEL_BIAS_RESPONSE_DESCRIPTOR,
+                            write_accel_bias_response, value);
 }
 
-static void read_capture_gyroscope_bias(struct mip_reader *r, void *value) {
-    struct mip_3dm_capture_gyroscope_bias *v = (struct mip_3dm_capture_gyroscope_bias *)value;
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gyro_bias[] = {0, 1, 0, 0, 0, 0, 1};
+
+static void read_gyro_bias(struct mip_reader *r, void *value) {
+    struct mip_3dm_gyro_bias *v = (struct mip_3dm_gyro_bias *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gyro_bias, sizeof(required_gyro_bias));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->bias, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_gyro_bias(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gyro_bias *v = (const struct mip_3dm_gyro_bias *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gyro_bias, sizeof(required_gyro_bias), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->bias, 3);
+}
+
+static bool silent_gyro_bias(const void *value) {
+    const struct mip_3dm_gyro_bias *v = (const struct mip_3dm_gyro_bias *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_APPLY;
+}
+
+static bool asked_gyro_bias_1(const void *value) {
+    const struct mip_3dm_gyro_bias *v = (const struct mip_3dm_gyro_bias *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gyro_bias[] = {
+    {&mip_3dm_gyro_bias_response_codec, asked_gyro_bias_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_3dm_gyro_bias_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_GYRO_BIAS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_gyro_bias),
+    0, /* time-out */
+    read_gyro_bias,
+    write_gyro_bias,
+    silent_gyro_bias,
+    responses_gyro_bias,
+    NULL,
+};
+
+mip_error mip_3dm_gyro_bias_decode(struct mip_3dm_gyro_bias *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gyro_bias, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias *value,
+                                   struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GYRO_BIAS_DESCRIPTOR, write_gyro_bias, value);
+}
+
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_write(const float bias[3]) {
+    struct mip_3dm_gyro_bias v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.bias, bias, sizeof(v.bias));
+    return v;
+}
+
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_read(void) {
+    struct mip_3dm_gyro_bias v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_save(void) {
+    struct mip_3dm_gyro_bias v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_load(void) {
+    struct mip_3dm_gyro_bias v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_default(void) {
+    struct mip_3dm_gyro_bias v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_apply(const float bias[3]) {
+    struct mip_3dm_gyro_bias v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_APPLY;
+    memcpy(v.bias, bias, sizeof(v.bias));
+    return v;
+}
+
+static void read_gyro_bias_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_gyro_bias_response *v = (struct mip_3dm_gyro_bias_response *)value;
+    mip_read_float(r, v->bias, 3);
+}
+
+static void write_gyro_bias_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gyro_bias_response *v = (const struct mip_3dm_gyro_bias_response *)value;
+    mip_write_float(w, v->bias, 3);
+}
+
+const struct mip_codec mip_3dm_gyro_bias_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_GYRO_BIAS_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_gyro_bias_response),
+    0, /* time-out */
+    read_gyro_bias_response,
+    write_gyro_bias_response,
+    NULL,
+    NULL,
+    NULL,
+};
+
+mip_error mip_3dm_gyro_bias_response_decode(struct mip_3dm_gyro_bias_response *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_gyro_bias_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gyro_bias_response_encode(const struct mip_3dm_gyro_bias_response *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GYRO_BIAS_RESPONSE_DESCRIPTOR,
+                            write_gyro_bias_response, value);
+}
+
+static void read_capture_gyro_bias(struct mip_reader *r, void *value) {
+    struct mip_3dm_capture_gyro_bias *v = (struct mip_3dm_capture_gyro_bias *)value;
     mip_read_u16(r, &v->averaging_time_ms, 1);
 }
 
-static void write_capture_gyroscope_bias(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_capture_gyroscope_bias *v =
-        (const struct mip_3dm_capture_gyroscope_bias *)value;
+static void write_capture_gyro_bias(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_capture_gyro_bias *v = (const struct mip_3dm_capture_gyro_bias *)value;
     mip_write_u16(w, &v->averaging_time_ms, 1);
 }
 
-static const struct mip_response responses_capture_gyroscope_bias[] = {
-    {&mip_3dm_gyroscope_bias_configuration_response_codec, NULL},
+static const struct mip_response responses_capture_gyro_bias[] = {
+    {&mip_3dm_gyro_bias_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_capture_gyroscope_bias_codec = {
+const struct mip_codec mip_3dm_capture_gyro_bias_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_CAPTURE_GYROSCOPE_BIAS_DESCRIPTOR,
+    MIP_3DM_CAPTURE_GYRO_BIAS_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_capture_gyroscope_bias),
+    sizeof(struct mip_3dm_capture_gyro_bias),
     31000, /* time-out */
-    read_capture_gyroscope_bias,
-    write_capture_gyroscope_bias,
+    read_capture_gyro_bias,
+    write_capture_gyro_bias,
     NULL,
-    responses_capture_gyroscope_bias,
+    responses_capture_gyro_bias,
     NULL,
 };
 
-mip_error mip_3dm_capture_gyroscope_bias_decode(struct mip_3dm_capture_gyroscope_bias *value,
-                                                const struct mip_field *field) {
-    return mip_decode_field(field, read_capture_gyroscope_bias, value, sizeof(*value), NULL);
+mip_error mip_3dm_capture_gyro_bias_decode(struct mip_3dm_capture_gyro_bias *value,
+                                           const struct mip_field *field) {
+    return mip_decode_field(field, read_capture_gyro_bias, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_capture_gyroscope_bias_encode(const struct mip_3dm_capture_gyroscope_bias *value,
-                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_CAPTURE_GYROSCOPE_BIAS_DESCRIPTOR,
-                            write_capture_gyroscope_bias, value);
+mip_error mip_3dm_capture_gyro_bias_encode(const struct mip_3dm_capture_gyro_bias *value,
+                                           struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_CAPTURE_GYRO_BIAS_DESCRIPTOR,
+                            write_capture_gyro_bias, value);
 }
 
-struct mip_3dm_capture_gyroscope_bias
-mip_3dm_capture_gyroscope_bias_make(uint16_t averaging_time_ms) {
-    struct mip_3dm_capture_gyroscope_bias v;
+struct mip_3dm_capture_gyro_bias mip_3dm_capture_gyro_bias_make(uint16_t averaging_time_ms) {
+    struct mip_3dm_capture_gyro_bias v;
     memset(&v, 0, sizeof(v));
     v.averaging_time_ms = averaging_time_ms;
     return v;
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_magnetometer_hard_iron_offset[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_mag_hard_iron_offset[] = {0, 1, 0, 0, 0, 0};
 
-static void read_magnetometer_hard_iron_offset(struct mip_reader *r, void *value) {
-    struct mip_3dm_magnetometer_hard_iron_offset *v =
-        (struct mip_3dm_magnetometer_hard_iron_offset *)value;
+static void read_mag_hard_iron_offset(struct mip_reader *r, void *value) {
+    struct mip_3dm_mag_hard_iron_offset *v = (struct mip_3dm_mag_hard_iron_offset *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_magnetometer_hard_iron_offset,
-                      sizeof(required_magnetometer_hard_iron_offset));
+    mip_read_required(r, v->function, required_mag_hard_iron_offset,
+                      sizeof(required_mag_hard_iron_offset));
     mip_read_group(r, 1, 1);
     mip_read_float(r, v->offset, 3);
     v->present = mip_read_present(r);
 }
 
-static void write_magnetometer_hard_iron_offset(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_magnetometer_hard_iron_offset *v =
-        (const struct mip_3dm_magnetometer_hard_iron_offset *)value;
+static void write_mag_hard_iron_offset(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_mag_hard_iron_offset *v =
+        (const struct mip_3dm_mag_hard_iron_offset *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_magnetometer_hard_iron_offset,
-                       sizeof(required_magnetometer_hard_iron_offset), v->present);
+    mip_write_required(w, v->function, required_mag_hard_iron_offset,
+                       sizeof(required_mag_hard_iron_offset), v->present);
     mip_write_group(w, 1, 1);
     mip_write_float(w, v->offset, 3);
 }
 
-static bool asked_magnetometer_hard_iron_offset_1(const void *value) {
-    const struct mip_3dm_magnetometer_hard_iron_offset *v =
-        (const struct mip_3dm_magnetometer_hard_iron_offset *)value;
+static bool asked_mag_hard_iron_offset_1(const void *value) {
+    const struct mip_3dm_mag_hard_iron_offset *v =
+        (const struct mip_3dm_mag_hard_iron_offset *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_magnetometer_hard_iron_offset[] = {
-    {&mip_3dm_magnetometer_hard_iron_offset_response_codec, asked_magnetometer_hard_iron_offset_1},
+static const struct mip_response responses_mag_hard_iron_offset[] = {
+    {&mip_3dm_mag_hard_iron_offset_response_codec, asked_mag_hard_iron_offset_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_codec = {
+const struct mip_codec mip_3dm_mag_hard_iron_offset_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_DESCRIPTOR,
+    MIP_3DM_MAG_HARD_IRON_OFFSET_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_magnetometer_hard_iron_offset),
+    sizeof(struct mip_3dm_mag_hard_iron_offset),
     0, /* time-out */
-    read_magnetometer_hard_iron_offset,
-    write_magnetometer_hard_iron_offset,
+    read_mag_hard_iron_offset,
+    write_mag_hard_iron_offset,
     NULL,
-    responses_magnetometer_hard_iron_offset,
+    responses_mag_hard_iron_offset,
     NULL,
 };
 
-mip_error mip_3dm_magnetometer_hard_iron_offset_decode(
-    struct mip_3dm_magnetometer_hard_iron_offset *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_magnetometer_hard_iron_offset, value, sizeof(*value), NULL);
+mip_error mip_3dm_mag_hard_iron_offset_decode(struct mip_3dm_mag_hard_iron_offset *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_hard_iron_offset, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_magnetometer_hard_iron_offset_encode(
-    const struct mip_3dm_magnetometer_hard_iron_offset *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_DESCRIPTOR,
-                            write_magnetometer_hard_iron_offset, value);
+mip_error mip_3dm_mag_hard_iron_offset_encode(const struct mip_3dm_mag_hard_iron_offset *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_MAG_HARD_IRON_OFFSET_DESCRIPTOR,
+                            write_mag_hard_iron_offset, value);
 }
 
-struct mip_3dm_magnetometer_hard_iron_offset
-mip_3dm_magnetometer_hard_iron_offset_write(const float offset[3]) {
-    struct mip_3dm_magnetometer_hard_iron_offset v;
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_write(const float offset[3]) {
+    struct mip_3dm_mag_hard_iron_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(v.offset, offset, sizeof(v.offset));
     return v;
 }
 
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_read(void) {
-    struct mip_3dm_magnetometer_hard_iron_offset v;
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_read(void) {
+    struct mip_3dm_mag_hard_iron_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_save(void) {
-    struct mip_3dm_magnetometer_hard_iron_offset v;
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_save(void) {
+    struct mip_3dm_mag_hard_iron_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_load(void) {
-    struct mip_3dm_magnetometer_hard_iron_offset v;
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_load(void) {
+    struct mip_3dm_mag_hard_iron_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_default(void) {
-    struct mip_3dm_magnetometer_hard_iron_offset v;
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_default(void) {
+    struct mip_3dm_mag_hard_iron_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_magnetometer_hard_iron_offset_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_magnetometer_hard_iron_offset_response *v =
-        (struct mip_3dm_magnetometer_hard_iron_offset_response *)value;
+static void read_mag_hard_iron_offset_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_mag_hard_iron_offset_response *v =
+        (struct mip_3dm_mag_hard_iron_offset_response *)value;
     mip_read_float(r, v->offset, 3);
 }
 
-static void write_magnetometer_hard_iron_offset_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_magnetometer_hard_iron_offset_response *v =
-        (const struct mip_3dm_magnetometer_hard_iron_offset_response *)value;
+static void write_mag_hard_iron_offset_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_mag_hard_iron_offset_response *v =
+        (const struct mip_3dm_mag_hard_iron_offset_response *)value;
     mip_write_float(w, v->offset, 3);
 }
 
-const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_response_codec = {
+const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR,
+    MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_magnetometer_hard_iron_offset_response),
+    sizeof(struct mip_3dm_mag_hard_iron_offset_response),
     0, /* time-out */
-    read_magnetometer_hard_iron_offset_response,
-    write_magnetometer_hard_iron_offset_response,
+    read_mag_hard_iron_offset_response,
+    write_mag_hard_iron_offset_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_magnetometer_hard_iron_offset_response_decode(
-    struct mip_3dm_magnetometer_hard_iron_offset_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_magnetometer_hard_iron_offset_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_3dm_mag_hard_iron_offset_response_decode(
+    struct mip_3dm_mag_hard_iron_offset_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_hard_iron_offset_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_magnetometer_hard_iron_offset_response_encode(
-    const struct mip_3dm_magnetometer_hard_iron_offset_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR,
-                            write_magnetometer_hard_iron_offset_response, value);
+mip_error mip_3dm_mag_hard_iron_offset_response_encode(
+    const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR,
+                            write_mag_hard_iron_offset_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_magnetometer_soft_iron_matrix[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_mag_soft_iron_matrix[] = {0, 1, 0, 0, 0, 0};
 
-static void read_magnetometer_soft_iron_matrix(struct mip_reader *r, void *value) {
-    struct mip_3dm_magnetometer_soft_iron_matrix *v =
-        (struct mip_3dm_magnetometer_soft_iron_matrix *)value;
+static void read_mag_soft_iron_matrix(struct mip_reader *r, void *value) {
+    struct mip_3dm_mag_soft_iron_matrix *v = (struct mip_3dm_mag_soft_iron_matrix *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_magnetometer_soft_iron_matrix,
-                      sizeof(required_magnetometer_soft_iron_matrix));
+    mip_read_required(r, v->function, required_mag_soft_iron_matrix,
+                      sizeof(required_mag_soft_iron_matrix));
     mip_read_group(r, 1, 1);
-    mip_read_float(r, v->offset, 9);
+    mip_read_float(r, v->matrix, 9);
     v->present = mip_read_present(r);
 }
 
-static void write_magnetometer_soft_iron_matrix(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_magnetometer_soft_iron_matrix *v =
-        (const struct mip_3dm_magnetometer_soft_iron_matrix *)value;
+static void write_mag_soft_iron_matrix(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_mag_soft_iron_matrix *v =
+        (const struct mip_3dm_mag_soft_iron_matrix *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_magnetometer_soft_iron_matrix,
-                       sizeof(required_magnetometer_soft_iron_matrix), v->present);
+    mip_write_required(w, v->function, required_mag_soft_iron_matrix,
+                       sizeof(required_mag_soft_iron_matrix), v->present);
     mip_write_group(w, 1, 1);
-    mip_write_float(w, v->offset, 9);
+    mip_write_float(w, v->matrix, 9);
 }
 
-static bool asked_magnetometer_soft_iron_matrix_1(const void *value) {
-    const struct mip_3dm_magnetometer_soft_iron_matrix *v =
-        (const struct mip_3dm_magnetometer_soft_iron_matrix *)value;
+static bool asked_mag_soft_iron_matrix_1(const void *value) {
+    const struct mip_3dm_mag_soft_iron_matrix *v =
+        (const struct mip_3dm_mag_soft_iron_matrix *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_magnetometer_soft_iron_matrix[] = {
-    {&mip_3dm_magnetometer_soft_iron_matrix_response_codec, asked_magnetometer_soft_iron_matrix_1},
+static const struct mip_response responses_mag_soft_iron_matrix[] = {
+    {&mip_3dm_mag_soft_iron_matrix_response_codec, asked_mag_soft_iron_matrix_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_codec = {
+const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_DESCRIPTOR,
+    MIP_3DM_MAG_SOFT_IRON_MATRIX_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_magnetometer_soft_iron_matrix),
+    sizeof(struct mip_3dm_mag_soft_iron_matrix),
     0, /* time-out */
-    read_magnetometer_soft_iron_matrix,
-    write_magnetometer_soft_iron_matrix,
+    read_mag_soft_iron_matrix,
+    write_mag_soft_iron_matrix,
     NULL,
-    responses_magnetometer_soft_iron_matrix,
+    responses_mag_soft_iron_matrix,
     NULL,
 };
 
-mip_error mip_3dm_magnetometer_soft_iron_matrix_decode(
-    struct mip_3dm_magnetometer_soft_iron_matrix *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_magnetometer_soft_iron_matrix, value, sizeof(*value), NULL);
+mip_error mip_3dm_mag_soft_iron_matrix_decode(struct mip_3dm_mag_soft_iron_matrix *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_soft_iron_matrix, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_magnetometer_soft_iron_matrix_encode(
-    const struct mip_3dm_magnetometer_soft_iron_matrix *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_DESCRIPTOR,
-                            write_magnetometer_soft_iron_matrix, value);
+mip_error mip_3dm_mag_soft_iron_matrix_encode(const struct mip_3dm_mag_soft_iron_matrix *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_MAG_SOFT_IRON_MATRIX_DESCRIPTOR,
+                            write_mag_soft_iron_matrix, value);
 }
 
-struct mip_3dm_magnetometer_soft_iron_matrix
-mip_3dm_magnetometer_soft_iron_matrix_write(const float offset[9]) {
-    struct mip_3dm_magnetometer_soft_iron_matrix v;
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_write(const float matrix[9]) {
+    struct mip_3dm_mag_soft_iron_matrix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    memcpy(v.offset, offset, sizeof(v.offset));
+    memcpy(v.matrix, matrix, sizeof(v.matrix));
     return v;
 }
 
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_read(void) {
-    struct mip_3dm_magnetometer_soft_iron_matrix v;
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_read(void) {
+    struct mip_3dm_mag_soft_iron_matrix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_save(void) {
-    struct mip_3dm_magnetometer_soft_iron_matrix v;
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_save(void) {
+    struct mip_3dm_mag_soft_iron_matrix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_load(void) {
-    struct mip_3dm_magnetometer_soft_iron_matrix v;
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_load(void) {
+    struct mip_3dm_mag_soft_iron_matrix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_default(void) {
-    struct mip_3dm_magnetometer_soft_iron_matrix v;
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_default(void) {
+    struct mip_3dm_mag_soft_iron_matrix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_magnetometer_soft_iron_matrix_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_magnetometer_soft_iron_matrix_response *v =
-        (struct mip_3dm_magnetometer_soft_iron_matrix_response *)value;
-    mip_read_float(r, v->offset, 9);
+static void read_mag_soft_iron_matrix_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_mag_soft_iron_matrix_response *v =
+        (struct mip_3dm_mag_soft_iron_matrix_response *)value;
+    mip_read_float(r, v->matrix, 9);
 }
 
-static void write_magnetometer_soft_iron_matrix_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_magnetometer_soft_iron_matrix_response *v =
-        (const struct mip_3dm_magnetometer_soft_iron_matrix_response *)value;
-    mip_write_float(w, v->offset, 9);
+static void write_mag_soft_iron_matrix_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_mag_soft_iron_matrix_response *v =
+        (const struct mip_3dm_mag_soft_iron_matrix_response *)value;
+    mip_write_float(w, v->matrix, 9);
 }
 
-const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_response_codec = {
+const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR,
+    MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_magnetometer_soft_iron_matrix_response),
+    sizeof(struct mip_3dm_mag_soft_iron_matrix_response),
     0, /* time-out */
-    read_magnetometer_soft_iron_matrix_response,
-    write_magnetometer_soft_iron_matrix_response,
+    read_mag_soft_iron_matrix_response,
+    write_mag_soft_iron_matrix_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_magnetometer_soft_iron_matrix_response_decode(
-    struct mip_3dm_magnetometer_soft_iron_matrix_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_magnetometer_soft_iron_matrix_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_3dm_mag_soft_iron_matrix_response_decode(
+    struct mip_3dm_mag_soft_iron_matrix_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_soft_iron_matrix_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_magnetometer_soft_iron_matrix_response_encode(
-    const struct mip_3dm_magnetometer_soft_iron_matrix_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR,
-                            write_magnetometer_soft_iron_matrix_response, value);
+mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
+    const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR,
+                            write_mag_soft_iron_matrix_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_coning_and_sculling_enable[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_coning_sculling_enable[] = {0, 1, 0, 0, 0, 0};
 
-static void read_coning_and_sculling_enable(struct mip_reader *r, void *value) {
-    struct mip_3dm_coning_and_sculling_enable *v =
-        (struct mip_3dm_coning_and_sculling_enable *)value;
+static void read_coning_sculling_enable(struct mip_reader *r, void *value) {
+    struct mip_3dm_coning_sculling_enable *v = (struct mip_3dm_coning_sculling_enable *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_coning_and_sculling_enable,
-                      sizeof(required_coning_and_sculling_enable));
+    mip_read_required(r, v->function, required_coning_sculling_enable,
+                      sizeof(required_coning_sculling_enable));
     mip_read_group(r, 1, 1);
     mip_read_bool(r, &v->enable, 1);
     v->present = mip_read_present(r);
 }
 
-static void write_coning_and_sculling_enable(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_coning_and_sculling_enable *v =
-        (const struct mip_3dm_coning_and_sculling_enable *)value;
+static void write_coning_sculling_enable(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_coning_sculling_enable *v =
+        (const struct mip_3dm_coning_sculling_enable *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_coning_and_sculling_enable,
-                       sizeof(required_coning_and_sculling_enable), v->present);
+    mip_write_required(w, v->function, required_coning_sculling_enable,
+                       sizeof(required_coning_sculling_enable), v->present);
     mip_write_group(w, 1, 1);
     mip_write_bool(w, &v->enable, 1);
 }
 
-static bool asked_coning_and_sculling_enable_1(const void *value) {
-    const struct mip_3dm_coning_and_sculling_enable *v =
-        (const struct mip_3dm_coning_and_sculling_enable *)value;
+static bool asked_coning_sculling_enable_1(const void *value) {
+    const struct mip_3dm_coning_sculling_enable *v =
+        (const struct mip_3dm_coning_sculling_enable *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_coning_and_sculling_enable[] = {
-    {&mip_3dm_coning_and_sculling_enable_response_codec, asked_coning_and_sculling_enable_1},
+static const struct mip_response responses_coning_sculling_enable[] = {
+    {&mip_3dm_coning_sculling_enable_response_codec, asked_coning_sculling_enable_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_coning_and_sculling_enable_codec = {
+const struct mip_codec mip_3dm_coning_sculling_enable_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_CONING_AND_SCULLING_ENABLE_DESCRIPTOR,
+    MIP_3DM_CONING_SCULLING_ENABLE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_coning_and_sculling_enable),
+    sizeof(struct mip_3dm_coning_sculling_enable),
     0, /* time-out */
-    read_coning_and_sculling_enable,
-    write_coning_and_sculling_enable,
+    read_coning_sculling_enable,
+    write_coning_sculling_enable,
     NULL,
-    responses_coning_and_sculling_enable,
+    responses_coning_sculling_enable,
     NULL,
 };
 
-mip_error mip_3dm_coning_and_sculling_enable_decode(
-    struct mip_3dm_coning_and_sculling_enable *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_coning_and_sculling_enable, value, sizeof(*value), NULL);
+mip_error mip_3dm_coning_sculling_enable_decode(struct mip_3dm_coning_sculling_enable *value,
+                                                const struct mip_field *field) {
+    return mip_decode_field(field, read_coning_sculling_enable, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_coning_and_sculling_enable_encode(
-    const struct mip_3dm_coning_and_sculling_enable *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_CONING_AND_SCULLING_ENABLE_DESCRIPTOR,
-                            write_coning_and_sculling_enable, value);
+mip_error mip_3dm_coning_sculling_enable_encode(const struct mip_3dm_coning_sculling_enable *value,
+                                                struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_CONING_SCULLING_ENABLE_DESCRIPTOR,
+                            write_coning_sculling_enable, value);
 }
 
-struct mip_3dm_coning_and_sculling_enable
-mip_3dm_coning_and_sculling_enable_write(mip_bool enable) {
-    struct mip_3dm_coning_and_sculling_enable v;
+struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_write(mip_bool enable) {
+    struct mip_3dm_coning_sculling_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.enable = enable;
     return v;
 }
 
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_read(void) {
-    struct mip_3dm_coning_and_sculling_enable v;
+struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_read(void) {
+    struct mip_3dm_coning_sculling_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_save(void) {
-    struct mip_3dm_coning_and_sculling_enable v;
+struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_save(void) {
+    struct mip_3dm_coning_sculling_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_load(void) {
-    struct mip_3dm_coning_and_sculling_enable v;
+struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_load(void) {
+    struct mip_3dm_coning_sculling_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_default(void) {
-    struct mip_3dm_coning_and_sculling_enable v;
+struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_default(void) {
+    struct mip_3dm_coning_sculling_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_coning_and_sculling_enable_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_coning_and_sculling_enable_response *v =
-        (struct mip_3dm_coning_and_sculling_enable_response *)value;
+static void read_coning_sculling_enable_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_coning_sculling_enable_response *v =
+        (struct mip_3dm_coning_sculling_enable_response *)value;
     mip_read_bool(r, &v->enable, 1);
 }
 
-static void write_coning_and_sculling_enable_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_coning_and_sculling_enable_response *v =
-        (const struct mip_3dm_coning_and_sculling_enable_response *)value;
+static void write_coning_sculling_enable_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_coning_sculling_enable_response *v =
+        (const struct mip_3dm_coning_sculling_enable_response *)value;
     mip_write_bool(w, &v->enable, 1);
 }
 
-const struct mip_codec mip_3dm_coning_and_sculling_enable_response_codec = {
+const struct mip_codec mip_3dm_coning_sculling_enable_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_CONING_AND_SCULLING_ENABLE_RESPONSE_DESCRIPTOR,
+    MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_coning_and_sculling_enable_response),
+    sizeof(struct mip_3dm_coning_sculling_enable_response),
     0, /* time-out */
-    read_coning_and_sculling_enable_response,
-    write_coning_and_sculling_enable_response,
+    read_coning_sculling_enable_response,
+    write_coning_sculling_enable_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_coning_and_sculling_enable_response_decode(
-    struct mip_3dm_coning_and_sculling_enable_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_coning_and_sculling_enable_response, value, sizeof(*value),
+mip_error mip_3dm_coning_sculling_enable_response_decode(
+    struct mip_3dm_coning_sculling_enable_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_coning_sculling_enable_response, value, sizeof(*value),
                             NULL);
 }
 
-mip_error mip_3dm_coning_and_sculling_enable_response_encode(
-    const struct mip_3dm_coning_and_sculling_enable_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_CONING_AND_SCULLING_ENABLE_RESPONSE_DESCRIPTOR,
-                            write_coning_and_sculling_enable_response, value);
+mip_error mip_3dm_coning_sculling_enable_response_encode(
+    const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_DESCRIPTOR,
+                            write_coning_sculling_enable_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -4550,13 +4422,12 @@ mip_error mip_3dm_uart_baud_rate_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_gpio_configuration[] = {0, 4, 1, 1, 1, 1};
+static const uint8_t required_gpio_config[] = {0, 4, 1, 1, 1, 1};
 
-static void read_gpio_configuration(struct mip_reader *r, void *value) {
-    struct mip_3dm_gpio_configuration *v = (struct mip_3dm_gpio_configuration *)value;
+static void read_gpio_config(struct mip_reader *r, void *value) {
+    struct mip_3dm_gpio_config *v = (struct mip_3dm_gpio_config *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gpio_configuration,
-                      sizeof(required_gpio_configuration));
+    mip_read_required(r, v->function, required_gpio_config, sizeof(required_gpio_config));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->pin, 1);
     mip_read_group(r, 2, 2);
@@ -4568,11 +4439,11 @@ static void read_gpio_configuration(struct mip_reader *r, void *value) {
     v->present = mip_read_present(r);
 }
 
-static void write_gpio_configuration(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gpio_configuration *v = (const struct mip_3dm_gpio_configuration *)value;
+static void write_gpio_config(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gpio_config *v = (const struct mip_3dm_gpio_config *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gpio_configuration,
-                       sizeof(required_gpio_configuration), v->present);
+    mip_write_required(w, v->function, required_gpio_config, sizeof(required_gpio_config),
+                       v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->pin, 1);
     mip_write_group(w, 2, 2);
@@ -4583,46 +4454,44 @@ static void write_gpio_configuration(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->pin_mode, 1);
 }
 
-static bool asked_gpio_configuration_1(const void *value) {
-    const struct mip_3dm_gpio_configuration *v = (const struct mip_3dm_gpio_configuration *)value;
+static bool asked_gpio_config_1(const void *value) {
+    const struct mip_3dm_gpio_config *v = (const struct mip_3dm_gpio_config *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_gpio_configuration[] = {
-    {&mip_3dm_gpio_configuration_response_codec, asked_gpio_configuration_1},
+static const struct mip_response responses_gpio_config[] = {
+    {&mip_3dm_gpio_config_response_codec, asked_gpio_config_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_gpio_configuration_codec = {
+const struct mip_codec mip_3dm_gpio_config_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_GPIO_CONFIGURATION_DESCRIPTOR,
+    MIP_3DM_GPIO_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_gpio_configuration),
+    sizeof(struct mip_3dm_gpio_config),
     0, /* time-out */
-    read_gpio_configuration,
-    write_gpio_configuration,
+    read_gpio_config,
+    write_gpio_config,
     NULL,
-    responses_gpio_configuration,
+    responses_gpio_config,
     NULL,
 };
 
-mip_error mip_3dm_gpio_configuration_decode(struct mip_3dm_gpio_configuration *value,
-                                            const struct mip_field *field) {
-    return mip_decode_field(field, read_gpio_configuration, value, sizeof(*value), NULL);
+mip_error mip_3dm_gpio_config_decode(struct mip_3dm_gpio_config *value,
+                                     const struct mip_field *field) {
+    return mip_decode_field(field, read_gpio_config, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_gpio_configuration_encode(const struct mip_3dm_gpio_configuration *value,
-                                            struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GPIO_CONFIGURATION_DESCRIPTOR,
-                            write_gpio_configuration, value);
+mip_error mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_config *value,
+                                     struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GPIO_CONFIG_DESCRIPTOR, write_gpio_config,
+                            value);
 }
 
-struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_write(uint8_t pin,
-                                                                   mip_gpio_feature feature,
-                                                                   uint8_t behavior,
-                                                                   mip_gpio_pin_mode pin_mode) {
-    struct mip_3dm_gpio_configuration v;
+struct mip_3dm_gpio_config mip_3dm_gpio_config_write(uint8_t pin, mip_gpio_feature feature,
+                                                     uint8_t behavior, mip_gpio_pin_mode pin_mode) {
+    struct mip_3dm_gpio_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.pin = pin;
@@ -4632,78 +4501,77 @@ struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_write(uint8_t pin,
     return v;
 }
 
-struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_read(uint8_t pin) {
-    struct mip_3dm_gpio_configuration v;
+struct mip_3dm_gpio_config mip_3dm_gpio_config_read(uint8_t pin) {
+    struct mip_3dm_gpio_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     v.pin = pin;
     return v;
 }
 
-struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_save(uint8_t pin) {
-    struct mip_3dm_gpio_configuration v;
+struct mip_3dm_gpio_config mip_3dm_gpio_config_save(uint8_t pin) {
+    struct mip_3dm_gpio_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     v.pin = pin;
     return v;
 }
 
-struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_load(uint8_t pin) {
-    struct mip_3dm_gpio_configuration v;
+struct mip_3dm_gpio_config mip_3dm_gpio_config_load(uint8_t pin) {
+    struct mip_3dm_gpio_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     v.pin = pin;
     return v;
 }
 
-struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_default(uint8_t pin) {
-    struct mip_3dm_gpio_configuration v;
+struct mip_3dm_gpio_config mip_3dm_gpio_config_default(uint8_t pin) {
+    struct mip_3dm_gpio_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     v.pin = pin;
     return v;
 }
 
-static void read_gpio_configuration_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_gpio_configuration_response *v =
-        (struct mip_3dm_gpio_configuration_response *)value;
+static void read_gpio_config_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_gpio_config_response *v = (struct mip_3dm_gpio_config_response *)value;
     mip_read_u8(r, &v->pin, 1);
     mip_read_u8(r, &v->feature, 1);
     mip_read_u8(r, &v->behavior, 1);
     mip_read_u8(r, &v->pin_mode, 1);
 }
 
-static void write_gpio_configuration_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gpio_configuration_response *v =
-        (const struct mip_3dm_gpio_configuration_response *)value;
+static void write_gpio_config_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gpio_config_response *v =
+        (const struct mip_3dm_gpio_config_response *)value;
     mip_write_u8(w, &v->pin, 1);
     mip_write_u8(w, &v->feature, 1);
     mip_write_u8(w, &v->behavior, 1);
     mip_write_u8(w, &v->pin_mode, 1);
 }
 
-const struct mip_codec mip_3dm_gpio_configuration_response_codec = {
+const struct mip_codec mip_3dm_gpio_config_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_GPIO_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_3DM_GPIO_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_gpio_configuration_response),
+    sizeof(struct mip_3dm_gpio_config_response),
     0, /* time-out */
-    read_gpio_configuration_response,
-    write_gpio_configuration_response,
+    read_gpio_config_response,
+    write_gpio_config_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_gpio_configuration_response_decode(
-    struct mip_3dm_gpio_configuration_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gpio_configuration_response, value, sizeof(*value), NULL);
+mip_error mip_3dm_gpio_config_response_decode(struct mip_3dm_gpio_config_response *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_gpio_config_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_gpio_configuration_response_encode(
-    const struct mip_3dm_gpio_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GPIO_CONFIGURATION_RESPONSE_DESCRIPTOR,
-                            write_gpio_configuration_response, value);
+mip_error mip_3dm_gpio_config_response_encode(const struct mip_3dm_gpio_config_response *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GPIO_CONFIG_RESPONSE_DESCRIPTOR,
+                            write_gpio_config_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -4819,13 +4687,12 @@ mip_error mip_3dm_gpio_state_response_encode(const struct mip_3dm_gpio_state_res
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_odometer_configuration[] = {0, 3, 0, 0, 0, 0};
+static const uint8_t required_odometer_config[] = {0, 3, 0, 0, 0, 0};
 
-static void read_odometer_configuration(struct mip_reader *r, void *value) {
-    struct mip_3dm_odometer_configuration *v = (struct mip_3dm_odometer_configuration *)value;
+static void read_odometer_config(struct mip_reader *r, void *value) {
+    struct mip_3dm_odometer_config *v = (struct mip_3dm_odometer_config *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_odometer_configuration,
-                      sizeof(required_odometer_configuration));
+    mip_read_required(r, v->function, required_odometer_config, sizeof(required_odometer_config));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->mode, 1);
     mip_read_group(r, 2, 2);
@@ -4835,12 +4702,11 @@ static void read_odometer_configuration(struct mip_reader *r, void *value) {
     v->present = mip_read_present(r);
 }
 
-static void write_odometer_configuration(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_odometer_configuration *v =
-        (const struct mip_3dm_odometer_configuration *)value;
+static void write_odometer_config(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_odometer_config *v = (const struct mip_3dm_odometer_config *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_odometer_configuration,
-                       sizeof(required_odometer_configuration), v->present);
+    mip_write_required(w, v->function, required_odometer_config, sizeof(required_odometer_config),
+                       v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->mode, 1);
     mip_write_group(w, 2, 2);
@@ -4849,45 +4715,44 @@ static void write_odometer_configuration(struct mip_writer *w, const void *value
     mip_write_float(w, &v->uncertainty, 1);
 }
 
-static bool asked_odometer_configuration_1(const void *value) {
-    const struct mip_3dm_odometer_configuration *v =
-        (const struct mip_3dm_odometer_configuration *)value;
+static bool asked_odometer_config_1(const void *value) {
+    const struct mip_3dm_odometer_config *v = (const struct mip_3dm_odometer_config *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_odometer_configuration[] = {
-    {&mip_3dm_odometer_configuration_response_codec, asked_odometer_configuration_1},
+static const struct mip_response responses_odometer_config[] = {
+    {&mip_3dm_odometer_config_response_codec, asked_odometer_config_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_odometer_configuration_codec = {
+const struct mip_codec mip_3dm_odometer_config_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_ODOMETER_CONFIGURATION_DESCRIPTOR,
+    MIP_3DM_ODOMETER_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_odometer_configuration),
+    sizeof(struct mip_3dm_odometer_config),
     0, /* time-out */
-    read_odometer_configuration,
-    write_odometer_configuration,
+    read_odometer_config,
+    write_odometer_config,
     NULL,
-    responses_odometer_configuration,
+    responses_odometer_config,
     NULL,
 };
 
-mip_error mip_3dm_odometer_configuration_decode(struct mip_3dm_odometer_configuration *value,
-                                                const struct mip_field *field) {
-    return mip_decode_field(field, read_odometer_configuration, value, sizeof(*value), NULL);
+mip_error mip_3dm_odometer_config_decode(struct mip_3dm_odometer_config *value,
+                                         const struct mip_field *field) {
+    return mip_decode_field(field, read_odometer_config, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_odometer_configuration_encode(const struct mip_3dm_odometer_configuration *value,
-                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_ODOMETER_CONFIGURATION_DESCRIPTOR,
-                            write_odometer_configuration, value);
+mip_error mip_3dm_odometer_config_encode(const struct mip_3dm_odometer_config *value,
+                                         struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_ODOMETER_CONFIG_DESCRIPTOR,
+                            write_odometer_config, value);
 }
 
-struct mip_3dm_odometer_configuration
-mip_3dm_odometer_configuration_write(mip_3dm_odometer_mode mode, float scaling, float uncertainty) {
-    struct mip_3dm_odometer_configuration v;
+struct mip_3dm_odometer_config mip_3dm_odometer_config_write(mip_3dm_odometer_mode mode,
+                                                             float scaling, float uncertainty) {
+    struct mip_3dm_odometer_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.mode = mode;
@@ -4896,84 +4761,81 @@ mip_3dm_odometer_configuration_write(mip_3dm_odometer_mode mode, float scaling, 
     return v;
 }
 
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_read(void) {
-    struct mip_3dm_odometer_configuration v;
+struct mip_3dm_odometer_config mip_3dm_odometer_config_read(void) {
+    struct mip_3dm_odometer_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_save(void) {
-    struct mip_3dm_odometer_configuration v;
+struct mip_3dm_odometer_config mip_3dm_odometer_config_save(void) {
+    struct mip_3dm_odometer_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_load(void) {
-    struct mip_3dm_odometer_configuration v;
+struct mip_3dm_odometer_config mip_3dm_odometer_config_load(void) {
+    struct mip_3dm_odometer_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_default(void) {
-    struct mip_3dm_odometer_configuration v;
+struct mip_3dm_odometer_config mip_3dm_odometer_config_default(void) {
+    struct mip_3dm_odometer_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_odometer_configuration_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_odometer_configuration_response *v =
-        (struct mip_3dm_odometer_configuration_response *)value;
+static void read_odometer_config_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_odometer_config_response *v = (struct mip_3dm_odometer_config_response *)value;
     mip_read_u8(r, &v->mode, 1);
     mip_read_float(r, &v->scaling, 1);
     mip_read_float(r, &v->uncertainty, 1);
 }
 
-static void write_odometer_configuration_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_odometer_configuration_response *v =
-        (const struct mip_3dm_odometer_configuration_response *)value;
+static void write_odometer_config_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_odometer_config_response *v =
+        (const struct mip_3dm_odometer_config_response *)value;
     mip_write_u8(w, &v->mode, 1);
     mip_write_float(w, &v->scaling, 1);
     mip_write_float(w, &v->uncertainty, 1);
 }
 
-const struct mip_codec mip_3dm_odometer_configuration_response_codec = {
+const struct mip_codec mip_3dm_odometer_config_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_ODOMETER_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_3DM_ODOMETER_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_odometer_configuration_response),
+    sizeof(struct mip_3dm_odometer_config_response),
     0, /* time-out */
-    read_odometer_configuration_response,
-    write_odometer_configuration_response,
+    read_odometer_config_response,
+    write_odometer_config_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_odometer_configuration_response_decode(
-    struct mip_3dm_odometer_configuration_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_odometer_configuration_response, value, sizeof(*value),
-                            NULL);
+mip_error mip_3dm_odometer_config_response_decode(struct mip_3dm_odometer_config_response *value,
+                                                  const struct mip_field *field) {
+    return mip_decode_field(field, read_odometer_config_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_odometer_configuration_response_encode(
-    const struct mip_3dm_odometer_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_ODOMETER_CONFIGURATION_RESPONSE_DESCRIPTOR,
-                            write_odometer_configuration_response, value);
+mip_error mip_3dm_odometer_config_response_encode(
+    const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_ODOMETER_CONFIG_RESPONSE_DESCRIPTOR,
+                            write_odometer_config_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_advanced_low_pass_filter_settings[] = {0, 5, 1, 1, 1, 1};
+static const uint8_t required_imu_low_pass_filter[] = {0, 5, 1, 1, 1, 1};
 
-static void read_advanced_low_pass_filter_settings(struct mip_reader *r, void *value) {
-    struct mip_3dm_advanced_low_pass_filter_settings *v =
-        (struct mip_3dm_advanced_low_pass_filter_settings *)value;
+static void read_imu_low_pass_filter(struct mip_reader *r, void *value) {
+    struct mip_3dm_imu_low_pass_filter *v = (struct mip_3dm_imu_low_pass_filter *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_advanced_low_pass_filter_settings,
-                      sizeof(required_advanced_low_pass_filter_settings));
+    mip_read_required(r, v->function, required_imu_low_pass_filter,
+                      sizeof(required_imu_low_pass_filter));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->target_descriptor, 1);
     mip_read_group(r, 2, 2);
@@ -4987,12 +4849,11 @@ static void read_advanced_low_pass_filter_settings(struct mip_reader *r, void *v
     v->present = mip_read_present(r);
 }
 
-static void write_advanced_low_pass_filter_settings(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_advanced_low_pass_filter_settings *v =
-        (const struct mip_3dm_advanced_low_pass_filter_settings *)value;
+static void write_imu_low_pass_filter(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_imu_low_pass_filter *v = (const struct mip_3dm_imu_low_pass_filter *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_advanced_low_pass_filter_settings,
-                       sizeof(required_advanced_low_pass_filter_settings), v->present);
+    mip_write_required(w, v->function, required_imu_low_pass_filter,
+                       sizeof(required_imu_low_pass_filter), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->target_descriptor, 1);
     mip_write_group(w, 2, 2);
@@ -5005,47 +4866,46 @@ static void write_advanced_low_pass_filter_settings(struct mip_writer *w, const 
     mip_write_u8(w, &v->reserved, 1);
 }
 
-static bool asked_advanced_low_pass_filter_settings_1(const void *value) {
-    const struct mip_3dm_advanced_low_pass_filter_settings *v =
-        (const struct mip_3dm_advanced_low_pass_filter_settings *)value;
+static bool asked_imu_low_pass_filter_1(const void *value) {
+    const struct mip_3dm_imu_low_pass_filter *v = (const struct mip_3dm_imu_low_pass_filter *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_advanced_low_pass_filter_settings[] = {
-    {&mip_3dm_advanced_low_pass_filter_settings_response_codec,
-     asked_advanced_low_pass_filter_settings_1},
+static const struct mip_response responses_imu_low_pass_filter[] = {
+    {&mip_3dm_imu_low_pass_filter_response_codec, asked_imu_low_pass_filter_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_codec = {
+const struct mip_codec mip_3dm_imu_low_pass_filter_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_DESCRIPTOR,
+    MIP_3DM_IMU_LOW_PASS_FILTER_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_advanced_low_pass_filter_settings),
+    sizeof(struct mip_3dm_imu_low_pass_filter),
     0, /* time-out */
-    read_advanced_low_pass_filter_settings,
-    write_advanced_low_pass_filter_settings,
+    read_imu_low_pass_filter,
+    write_imu_low_pass_filter,
     NULL,
-    responses_advanced_low_pass_filter_settings,
+    responses_imu_low_pass_filter,
     NULL,
 };
 
-mip_error mip_3dm_advanced_low_pass_filter_settings_decode(
-    struct mip_3dm_advanced_low_pass_filter_settings *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_advanced_low_pass_filter_settings, value, sizeof(*value),
-                            NULL);
+mip_error mip_3dm_imu_low_pass_filter_decode(struct mip_3dm_imu_low_pass_filter *value,
+                                             const struct mip_field *field) {
+    return mip_decode_field(field, read_imu_low_pass_filter, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_advanced_low_pass_filter_settings_encode(
-    const struct mip_3dm_advanced_low_pass_filter_settings *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_DESCRIPTOR,
-                            write_advanced_low_pass_filter_settings, value);
+mip_error mip_3dm_imu_low_pass_filter_encode(const struct mip_3dm_imu_low_pass_filter *value,
+                                             struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_IMU_LOW_PASS_FILTER_DESCRIPTOR,
+                            write_imu_low_pass_filter, value);
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_write(
-    uint8_t target_descriptor, mip_bool enable, mip_bool manual, uint16_t frequency) {
-    struct mip_3dm_advanced_low_pass_filter_settings v;
+struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_write(uint8_t target_descriptor,
+                                                                     mip_bool enable,
+                                                                     mip_bool manual,
+                                                                     uint16_t frequency) {
+    struct mip_3dm_imu_low_pass_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.target_descriptor = target_descriptor;
@@ -5055,45 +4915,41 @@ struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filte
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings
-mip_3dm_advanced_low_pass_filter_settings_read(uint8_t target_descriptor) {
-    struct mip_3dm_advanced_low_pass_filter_settings v;
+struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_read(uint8_t target_descriptor) {
+    struct mip_3dm_imu_low_pass_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     v.target_descriptor = target_descriptor;
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings
-mip_3dm_advanced_low_pass_filter_settings_save(uint8_t target_descriptor) {
-    struct mip_3dm_advanced_low_pass_filter_settings v;
+struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_save(uint8_t target_descriptor) {
+    struct mip_3dm_imu_low_pass_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     v.target_descriptor = target_descriptor;
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings
-mip_3dm_advanced_low_pass_filter_settings_load(uint8_t target_descriptor) {
-    struct mip_3dm_advanced_low_pass_filter_settings v;
+struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_load(uint8_t target_descriptor) {
+    struct mip_3dm_imu_low_pass_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     v.target_descriptor = target_descriptor;
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings
-mip_3dm_advanced_low_pass_filter_settings_default(uint8_t target_descriptor) {
-    struct mip_3dm_advanced_low_pass_filter_settings v;
+struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_default(uint8_t target_descriptor) {
+    struct mip_3dm_imu_low_pass_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     v.target_descriptor = target_descriptor;
     return v;
 }
 
-static void read_advanced_low_pass_filter_settings_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_advanced_low_pass_filter_settings_response *v =
-        (struct mip_3dm_advanced_low_pass_filter_settings_response *)value;
+static void read_imu_low_pass_filter_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_imu_low_pass_filter_response *v =
+        (struct mip_3dm_imu_low_pass_filter_response *)value;
     mip_read_u8(r, &v->target_descriptor, 1);
     mip_read_bool(r, &v->enable, 1);
     mip_read_bool(r, &v->manual, 1);
@@ -5101,10 +4957,9 @@ static void read_advanced_low_pass_filter_settings_response(struct mip_reader *r
     mip_read_u8(r, &v->reserved, 1);
 }
 
-static void write_advanced_low_pass_filter_settings_response(struct mip_writer *w,
-                                                             const void *value) {
-    const struct mip_3dm_advanced_low_pass_filter_settings_response *v =
-        (const struct mip_3dm_advanced_low_pass_filter_settings_response *)value;
+static void write_imu_low_pass_filter_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_imu_low_pass_filter_response *v =
+        (const struct mip_3dm_imu_low_pass_filter_response *)value;
     mip_write_u8(w, &v->target_descriptor, 1);
     mip_write_bool(w, &v->enable, 1);
     mip_write_bool(w, &v->manual, 1);
@@ -5112,43 +4967,38 @@ static void write_advanced_low_pass_filter_settings_response(struct mip_writer *
     mip_write_u8(w, &v->reserved, 1);
 }
 
-const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_response_codec = {
+const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_DESCRIPTOR,
+    MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_advanced_low_pass_filter_settings_response),
+    sizeof(struct mip_3dm_imu_low_pass_filter_response),
     0, /* time-out */
-    read_advanced_low_pass_filter_settings_response,
-    write_advanced_low_pass_filter_settings_response,
+    read_imu_low_pass_filter_response,
+    write_imu_low_pass_filter_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_advanced_low_pass_filter_settings_response_decode(
-    struct mip_3dm_advanced_low_pass_filter_settings_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_advanced_low_pass_filter_settings_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_3dm_imu_low_pass_filter_response_decode(
+    struct mip_3dm_imu_low_pass_filter_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_imu_low_pass_filter_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_advanced_low_pass_filter_settings_response_encode(
-    const struct mip_3dm_advanced_low_pass_filter_settings_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_DESCRIPTOR,
-                            write_advanced_low_pass_filter_settings_response, value);
+mip_error mip_3dm_imu_low_pass_filter_response_encode(
+    const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR,
+                            write_imu_low_pass_filter_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_complementary_filter_configuration[] = {0, 4, 0, 0, 0, 0};
+static const uint8_t required_complementary_filter[] = {0, 4, 0, 0, 0, 0};
 
-static void read_complementary_filter_configuration(struct mip_reader *r, void *value) {
-    struct mip_3dm_complementary_filter_configuration *v =
-        (struct mip_3dm_complementary_filter_configuration *)value;
+static void read_complementary_filter(struct mip_reader *r, void *value) {
+    struct mip_3dm_complementary_filter *v = (struct mip_3dm_complementary_filter *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_complementary_filter_configuration,
-                      sizeof(required_complementary_filter_configuration));
+    mip_read_required(r, v->function, required_complementary_filter,
+                      sizeof(required_complementary_filter));
     mip_read_group(r, 1, 1);
     mip_read_bool(r, &v->pitch_roll_enable, 1);
     mip_read_group(r, 2, 2);
@@ -5160,12 +5010,12 @@ static void read_complementary_filter_configuration(struct mip_reader *r, void *
     v->present = mip_read_present(r);
 }
 
-static void write_complementary_filter_configuration(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_complementary_filter_configuration *v =
-        (const struct mip_3dm_complementary_filter_configuration *)value;
+static void write_complementary_filter(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_complementary_filter *v =
+        (const struct mip_3dm_complementary_filter *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_complementary_filter_configuration,
-                       sizeof(required_complementary_filter_configuration), v->present);
+    mip_write_required(w, v->function, required_complementary_filter,
+                       sizeof(required_complementary_filter), v->present);
     mip_write_group(w, 1, 1);
     mip_write_bool(w, &v->pitch_roll_enable, 1);
     mip_write_group(w, 2, 2);
@@ -5176,48 +5026,46 @@ static void write_complementary_filter_configuration(struct mip_writer *w, const
     mip_write_float(w, &v->heading_time_constant, 1);
 }
 
-static bool asked_complementary_filter_configuration_1(const void *value) {
-    const struct mip_3dm_complementary_filter_configuration *v =
-        (const struct mip_3dm_complementary_filter_configuration *)value;
+static bool asked_complementary_filter_1(const void *value) {
+    const struct mip_3dm_complementary_filter *v =
+        (const struct mip_3dm_complementary_filter *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_complementary_filter_configuration[] = {
-    {&mip_3dm_complementary_filter_configuration_response_codec,
-     asked_complementary_filter_configuration_1},
+static const struct mip_response responses_complementary_filter[] = {
+    {&mip_3dm_complementary_filter_response_codec, asked_complementary_filter_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_complementary_filter_configuration_codec = {
+const struct mip_codec mip_3dm_complementary_filter_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_DESCRIPTOR,
+    MIP_3DM_COMPLEMENTARY_FILTER_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_complementary_filter_configuration),
+    sizeof(struct mip_3dm_complementary_filter),
     0, /* time-out */
-    read_complementary_filter_configuration,
-    write_complementary_filter_configuration,
+    read_complementary_filter,
+    write_complementary_filter,
     NULL,
-    responses_complementary_filter_configuration,
+    responses_complementary_filter,
     NULL,
 };
 
-mip_error mip_3dm_complementary_filter_configuration_decode(
-    struct mip_3dm_complementary_filter_configuration *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_complementary_filter_configuration, value, sizeof(*value),
-                            NULL);
+mip_error mip_3dm_complementary_filter_decode(struct mip_3dm_complementary_filter *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_complementary_filter, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_complementary_filter_configuration_encode(
-    const struct mip_3dm_complementary_filter_configuration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_DESCRIPTOR,
-                            write_complementary_filter_configuration, value);
+mip_error mip_3dm_complementary_filter_encode(const struct mip_3dm_complementary_filter *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_COMPLEMENTARY_FILTER_DESCRIPTOR,
+                            write_complementary_filter, value);
 }
 
-struct mip_3dm_complementary_filter_configuration mip_3dm_complementary_filter_configuration_write(
-    mip_bool pitch_roll_enable, mip_bool heading_enable, float pitch_roll_time_constant,
-    float heading_time_constant) {
-    struct mip_3dm_complementary_filter_configuration v;
+struct mip_3dm_complementary_filter
+mip_3dm_complementary_filter_write(mip_bool pitch_roll_enable, mip_bool heading_enable,
+                                   float pitch_roll_time_constant, float heading_time_constant) {
+    struct mip_3dm_complementary_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.pitch_roll_enable = pitch_roll_enable;
@@ -5227,83 +5075,74 @@ struct mip_3dm_complementary_filter_configuration mip_3dm_complementary_filter_c
     return v;
 }
 
-struct mip_3dm_complementary_filter_configuration
-mip_3dm_complementary_filter_configuration_read(void) {
-    struct mip_3dm_complementary_filter_configuration v;
+struct mip_3dm_complementary_filter mip_3dm_complementary_filter_read(void) {
+    struct mip_3dm_complementary_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_3dm_complementary_filter_configuration
-mip_3dm_complementary_filter_configuration_save(void) {
-    struct mip_3dm_complementary_filter_configuration v;
+struct mip_3dm_complementary_filter mip_3dm_complementary_filter_save(void) {
+    struct mip_3dm_complementary_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_3dm_complementary_filter_configuration
-mip_3dm_complementary_filter_configuration_load(void) {
-    struct mip_3dm_complementary_filter_configuration v;
+struct mip_3dm_complementary_filter mip_3dm_complementary_filter_load(void) {
+    struct mip_3dm_complementary_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_3dm_complementary_filter_configuration
-mip_3dm_complementary_filter_configuration_default(void) {
-    struct mip_3dm_complementary_filter_configuration v;
+struct mip_3dm_complementary_filter mip_3dm_complementary_filter_default(void) {
+    struct mip_3dm_complementary_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_complementary_filter_configuration_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_complementary_filter_configuration_response *v =
-        (struct mip_3dm_complementary_filter_configuration_response *)value;
+static void read_complementary_filter_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_complementary_filter_response *v =
+        (struct mip_3dm_complementary_filter_response *)value;
     mip_read_bool(r, &v->pitch_roll_enable, 1);
     mip_read_bool(r, &v->heading_enable, 1);
     mip_read_float(r, &v->pitch_roll_time_constant, 1);
     mip_read_float(r, &v->heading_time_constant, 1);
 }
 
-static void write_complementary_filter_configuration_response(struct mip_writer *w,
-                                                              const void *value) {
-    const struct mip_3dm_complementary_filter_configuration_response *v =
-        (const struct mip_3dm_complementary_filter_configuration_response *)value;
+static void write_complementary_filter_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_complementary_filter_response *v =
+        (const struct mip_3dm_complementary_filter_response *)value;
     mip_write_bool(w, &v->pitch_roll_enable, 1);
     mip_write_bool(w, &v->heading_enable, 1);
     mip_write_float(w, &v->pitch_roll_time_constant, 1);
     mip_write_float(w, &v->heading_time_constant, 1);
 }
 
-const struct mip_codec mip_3dm_complementary_filter_configuration_response_codec = {
+const struct mip_codec mip_3dm_complementary_filter_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_complementary_filter_configuration_response),
+    sizeof(struct mip_3dm_complementary_filter_response),
     0, /* time-out */
-    read_complementary_filter_configuration_response,
-    write_complementary_filter_configuration_response,
+    read_complementary_filter_response,
+    write_complementary_filter_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_complementary_filter_configuration_response_decode(
-    struct mip_3dm_complementary_filter_configuration_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_complementary_filter_configuration_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_3dm_complementary_filter_response_decode(
+    struct mip_3dm_complementary_filter_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_complementary_filter_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_complementary_filter_configuration_response_encode(
-    const struct mip_3dm_complementary_filter_configuration_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_DESCRIPTOR,
-                            write_complementary_filter_configuration_response, value);
+mip_error mip_3dm_complementary_filter_response_encode(
+    const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_DESCRIPTOR,
+                            write_complementary_filter_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -5541,18 +5380,16 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_low_pass_anti_aliasing_filter[] = {0, 5, 2, 2, 2, 2};
+static const uint8_t required_low_pass_filter[] = {0, 5, 2, 2, 2, 2};
 
-static void read_low_pass_anti_aliasing_filter(struct mip_reader *r, void *value) {
-    struct mip_3dm_low_pass_anti_aliasing_filter *v =
-        (struct mip_3dm_low_pass_anti_aliasing_filter *)value;
+static void read_low_pass_filter(struct mip_reader *r, void *value) {
+    struct mip_3dm_low_pass_filter *v = (struct mip_3dm_low_pass_filter *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_low_pass_anti_aliasing_filter,
-                      sizeof(required_low_pass_anti_aliasing_filter));
+    mip_read_required(r, v->function, required_low_pass_filter, sizeof(required_low_pass_filter));
     mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->desc_set, 1);
+    mip_read_u8(r, &v->descriptor_set, 1);
     mip_read_group(r, 2, 2);
-    mip_read_u8(r, &v->field_desc, 1);
+    mip_read_u8(r, &v->field_descriptor, 1);
     mip_read_group(r, 3, 3);
     mip_read_bool(r, &v->enable, 1);
     mip_read_group(r, 4, 4);
@@ -5562,16 +5399,15 @@ static void read_low_pass_anti_aliasing_filter(struct mip_reader *r, void *value
     v->present = mip_read_present(r);
 }
 
-static void write_low_pass_anti_aliasing_filter(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_low_pass_anti_aliasing_filter *v =
-        (const struct mip_3dm_low_pass_anti_aliasing_filter *)value;
+static void write_low_pass_filter(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_low_pass_filter *v = (const struct mip_3dm_low_pass_filter *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_low_pass_anti_aliasing_filter,
-                       sizeof(required_low_pass_anti_aliasing_filter), v->present);
+    mip_write_required(w, v->function, required_low_pass_filter, sizeof(required_low_pass_filter),
+                       v->present);
     mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->desc_set, 1);
+    mip_write_u8(w, &v->descriptor_set, 1);
     mip_write_group(w, 2, 2);
-    mip_write_u8(w, &v->field_desc, 1);
+    mip_write_u8(w, &v->field_descriptor, 1);
     mip_write_group(w, 3, 3);
     mip_write_bool(w, &v->enable, 1);
     mip_write_group(w, 4, 4);
@@ -5580,140 +5416,137 @@ static void write_low_pass_anti_aliasing_filter(struct mip_writer *w, const void
     mip_write_float(w, &v->frequency, 1);
 }
 
-static bool asked_low_pass_anti_aliasing_filter_1(const void *value) {
-    const struct mip_3dm_low_pass_anti_aliasing_filter *v =
-        (const struct mip_3dm_low_pass_anti_aliasing_filter *)value;
+static bool asked_low_pass_filter_1(const void *value) {
+    const struct mip_3dm_low_pass_filter *v = (const struct mip_3dm_low_pass_filter *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_low_pass_anti_aliasing_filter[] = {
-    {&mip_3dm_low_pass_anti_aliasing_filter_response_codec, asked_low_pass_anti_aliasing_filter_1},
+static const struct mip_response responses_low_pass_filter[] = {
+    {&mip_3dm_low_pass_filter_response_codec, asked_low_pass_filter_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_codec = {
+const struct mip_codec mip_3dm_low_pass_filter_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_DESCRIPTOR,
+    MIP_3DM_LOW_PASS_FILTER_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_low_pass_anti_aliasing_filter),
+    sizeof(struct mip_3dm_low_pass_filter),
     0, /* time-out */
-    read_low_pass_anti_aliasing_filter,
-    write_low_pass_anti_aliasing_filter,
+    read_low_pass_filter,
+    write_low_pass_filter,
     NULL,
-    responses_low_pass_anti_aliasing_filter,
+    responses_low_pass_filter,
     NULL,
 };
 
-mip_error mip_3dm_low_pass_anti_aliasing_filter_decode(
-    struct mip_3dm_low_pass_anti_aliasing_filter *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_low_pass_anti_aliasing_filter, value, sizeof(*value), NULL);
+mip_error mip_3dm_low_pass_filter_decode(struct mip_3dm_low_pass_filter *value,
+                                         const struct mip_field *field) {
+    return mip_decode_field(field, read_low_pass_filter, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_low_pass_anti_aliasing_filter_encode(
-    const struct mip_3dm_low_pass_anti_aliasing_filter *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_DESCRIPTOR,
-                            write_low_pass_anti_aliasing_filter, value);
+mip_error mip_3dm_low_pass_filter_encode(const struct mip_3dm_low_pass_filter *value,
+                                         struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_LOW_PASS_FILTER_DESCRIPTOR,
+                            write_low_pass_filter, value);
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_write(
-    uint8_t desc_set, uint8_t field_desc, mip_bool enable, mip_bool manual, float frequency) {
-    struct mip_3dm_low_pass_anti_aliasing_filter v;
+struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_write(uint8_t descriptor_set,
+                                                             uint8_t field_descriptor,
+                                                             mip_bool enable, mip_bool manual,
+                                                             float frequency) {
+    struct mip_3dm_low_pass_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.desc_set = desc_set;
-    v.field_desc = field_desc;
+    v.descriptor_set = descriptor_set;
+    v.field_descriptor = field_descriptor;
     v.enable = enable;
     v.manual = manual;
     v.frequency = frequency;
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter
-mip_3dm_low_pass_anti_aliasing_filter_read(uint8_t desc_set, uint8_t field_desc) {
-    struct mip_3dm_low_pass_anti_aliasing_filter v;
+struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_read(uint8_t descriptor_set,
+                                                            uint8_t field_descriptor) {
+    struct mip_3dm_low_pass_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
-    v.desc_set = desc_set;
-    v.field_desc = field_desc;
+    v.descriptor_set = descriptor_set;
+    v.field_descriptor = field_descriptor;
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter
-mip_3dm_low_pass_anti_aliasing_filter_save(uint8_t desc_set, uint8_t field_desc) {
-    struct mip_3dm_low_pass_anti_aliasing_filter v;
+struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_save(uint8_t descriptor_set,
+                                                            uint8_t field_descriptor) {
+    struct mip_3dm_low_pass_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    v.desc_set = desc_set;
-    v.field_desc = field_desc;
+    v.descriptor_set = descriptor_set;
+    v.field_descriptor = field_descriptor;
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter
-mip_3dm_low_pass_anti_aliasing_filter_load(uint8_t desc_set, uint8_t field_desc) {
-    struct mip_3dm_low_pass_anti_aliasing_filter v;
+struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_load(uint8_t descriptor_set,
+                                                            uint8_t field_descriptor) {
+    struct mip_3dm_low_pass_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    v.desc_set = desc_set;
-    v.field_desc = field_desc;
+    v.descriptor_set = descriptor_set;
+    v.field_descriptor = field_descriptor;
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter
-mip_3dm_low_pass_anti_aliasing_filter_default(uint8_t desc_set, uint8_t field_desc) {
-    struct mip_3dm_low_pass_anti_aliasing_filter v;
+struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_default(uint8_t descriptor_set,
+                                                               uint8_t field_descriptor) {
+    struct mip_3dm_low_pass_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    v.desc_set = desc_set;
-    v.field_desc = field_desc;
+    v.descriptor_set = descriptor_set;
+    v.field_descriptor = field_descriptor;
     return v;
 }
 
-static void read_low_pass_anti_aliasing_filter_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_low_pass_anti_aliasing_filter_response *v =
-        (struct mip_3dm_low_pass_anti_aliasing_filter_response *)value;
-    mip_read_u8(r, &v->desc_set, 1);
-    mip_read_u8(r, &v->field_desc, 1);
+static void read_low_pass_filter_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_low_pass_filter_response *v = (struct mip_3dm_low_pass_filter_response *)value;
+    mip_read_u8(r, &v->descriptor_set, 1);
+    mip_read_u8(r, &v->field_descriptor, 1);
     mip_read_bool(r, &v->enable, 1);
     mip_read_bool(r, &v->manual, 1);
     mip_read_float(r, &v->frequency, 1);
 }
 
-static void write_low_pass_anti_aliasing_filter_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_low_pass_anti_aliasing_filter_response *v =
-        (const struct mip_3dm_low_pass_anti_aliasing_filter_response *)value;
-    mip_write_u8(w, &v->desc_set, 1);
-    mip_write_u8(w, &v->field_desc, 1);
+static void write_low_pass_filter_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_low_pass_filter_response *v =
+        (const struct mip_3dm_low_pass_filter_response *)value;
+    mip_write_u8(w, &v->descriptor_set, 1);
+    mip_write_u8(w, &v->field_descriptor, 1);
     mip_write_bool(w, &v->enable, 1);
     mip_write_bool(w, &v->manual, 1);
     mip_write_float(w, &v->frequency, 1);
 }
 
-const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_response_codec = {
+const struct mip_codec mip_3dm_low_pass_filter_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_DESCRIPTOR,
+    MIP_3DM_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_low_pass_anti_aliasing_filter_response),
+    sizeof(struct mip_3dm_low_pass_filter_response),
     0, /* time-out */
-    read_low_pass_anti_aliasing_filter_response,
-    write_low_pass_anti_aliasing_filter_response,
+    read_low_pass_filter_response,
+    write_low_pass_filter_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_3dm_low_pass_anti_aliasing_filter_response_decode(
-    struct mip_3dm_low_pass_anti_aliasing_filter_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_low_pass_anti_aliasing_filter_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_3dm_low_pass_filter_response_decode(struct mip_3dm_low_pass_filter_response *value,
+                                                  const struct mip_field *field) {
+    return mip_decode_field(field, read_low_pass_filter_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_low_pass_anti_aliasing_filter_response_encode(
-    const struct mip_3dm_low_pass_anti_aliasing_filter_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_DESCRIPTOR,
-                            write_low_pass_anti_aliasing_filter_response, value);
+mip_error mip_3dm_low_pass_filter_response_encode(
+    const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR,
+                            write_low_pass_filter_response, value);
 }
 
 static void read_device_status(struct mip_reader *r, void *value) {
@@ -5908,10 +5741,10 @@ static void read_device_status_diagnostic_response(struct mip_reader *r, void *v
     mip_read_bool(r, &v->filter_stream_enabled, 1);
     mip_read_u32(r, &v->imu_dropped_packets, 1);
     mip_read_u32(r, &v->filter_dropped_packets, 1);
-    mip_read_u32(r, &v->com_port_bytes_written, 1);
-    mip_read_u32(r, &v->com_port_bytes_read, 1);
-    mip_read_u32(r, &v->com_port_write_overruns, 1);
-    mip_read_u32(r, &v->com_port_read_overruns, 1);
+    mip_read_u32(r, &v->comm_port_bytes_written, 1);
+    mip_read_u32(r, &v->comm_port_bytes_read, 1);
+    mip_read_u32(r, &v->comm_port_write_overruns, 1);
+    mip_read_u32(r, &v->comm_port_read_overruns, 1);
     mip_read_u32(r, &v->imu_parser_errors, 1);
     mip_read_u32(r, &v->imu_message_count, 1);
     mip_read_u32(r, &v->imu_last_message_time, 1);
@@ -5929,10 +5762,10 @@ static void write_device_status_diagnostic_response(struct mip_writer *w, const 
     mip_write_bool(w, &v->filter_stream_enabled, 1);
     mip_write_u32(w, &v->imu_dropped_packets, 1);
     mip_write_u32(w, &v->filter_dropped_packets, 1);
-    mip_write_u32(w, &v->com_port_bytes_written, 1);
-    mip_write_u32(w, &v->com_port_bytes_read, 1);
-    mip_write_u32(w, &v->com_port_write_overruns, 1);
-    mip_write_u32(w, &v->com_port_read_overruns, 1);
+    mip_write_u32(w, &v->comm_port_bytes_written, 1);
+    mip_write_u32(w, &v->comm_port_bytes_read, 1);
+    mip_write_u32(w, &v->comm_port_write_overruns, 1);
+    mip_write_u32(w, &v->comm_port_read_overruns, 1);
     mip_write_u32(w, &v->imu_parser_errors, 1);
     mip_write_u32(w, &v->imu_message_count, 1);
     mip_write_u32(w, &v->imu_last_message_time, 1);
@@ -5990,10 +5823,10 @@ static void read_device_status_diagnostic_gnss_response(struct mip_reader *r, vo
     mip_read_u32(r, &v->imu_dropped_packets, 1);
     mip_read_u32(r, &v->gnss_dropped_packets, 1);
     mip_read_u32(r, &v->filter_dropped_packets, 1);
-    mip_read_u32(r, &v->com_port_bytes_written, 1);
-    mip_read_u32(r, &v->com_port_bytes_read, 1);
-    mip_read_u32(r, &v->com_port_write_overruns, 1);
-    mip_read_u32(r, &v->com_port_read_overruns, 1);
+    mip_read_u32(r, &v->comm_port_bytes_written, 1);
+    mip_read_u32(r, &v->comm_port_bytes_read, 1);
+    mip_read_u32(r, &v->comm_port_write_overruns, 1);
+    mip_read_u32(r, &v->comm_port_read_overruns, 1);
     mip_read_u32(r, &v->imu_parser_errors, 1);
     mip_read_u32(r, &v->imu_message_count, 1);
     mip_read_u32(r, &v->imu_last_message_time, 1);
@@ -6019,10 +5852,10 @@ static void write_device_status_diagnostic_gnss_response(struct mip_writer *w, c
     mip_write_u32(w, &v->imu_dropped_packets, 1);
     mip_write_u32(w, &v->gnss_dropped_packets, 1);
     mip_write_u32(w, &v->filter_dropped_packets, 1);
-    mip_write_u32(w, &v->com_port_bytes_written, 1);
-    mip_write_u32(w, &v->com_port_bytes_read, 1);
-    mip_write_u32(w, &v->com_port_write_overruns, 1);
-    mip_write_u32(w, &v->com_port_read_overruns, 1);
+    mip_write_u32(w, &v->comm_port_bytes_written, 1);
+    mip_write_u32(w, &v->comm_port_bytes_read, 1);
+    mip_write_u32(w, &v->comm_port_write_overruns, 1);
+    mip_write_u32(w, &v->comm_port_read_overruns, 1);
     mip_write_u32(w, &v->imu_parser_errors, 1);
     mip_write_u32(w, &v->imu_message_count, 1);
     mip_write_u32(w, &v->imu_last_message_time, 1);
@@ -6085,17 +5918,17 @@ static void read_device_status_diagnostic_gq4_45_response(struct mip_reader *r, 
     mip_read_u32(r, &v->imu_dropped_packets, 1);
     mip_read_u32(r, &v->gnss_dropped_packets, 1);
     mip_read_u32(r, &v->filter_dropped_packets, 1);
-    mip_read_u32(r, &v->com_port_bytes_written, 1);
-    mip_read_u32(r, &v->com_port_bytes_read, 1);
-    mip_read_u32(r, &v->com_port_write_overruns, 1);
-    mip_read_u32(r, &v->com_port_read_overruns, 1);
+    mip_read_u32(r, &v->comm_port_bytes_written, 1);
+    mip_read_u32(r, &v->comm_port_bytes_read, 1);
+    mip_read_u32(r, &v->comm_port_write_overruns, 1);
+    mip_read_u32(r, &v->comm_port_read_overruns, 1);
     mip_read_u32(r, &v->imu_parser_errors, 1);
     mip_read_u32(r, &v->imu_message_count, 1);
     mip_read_u32(r, &v->imu_last_message_time, 1);
     mip_read_u32(r, &v->gnss_parser_errors, 1);
     mip_read_u32(r, &v->gnss_message_count, 1);
     mip_read_u32(r, &v->gnss_last_message_time, 1);
-    mip_read_bool(r, &v->magnetometer_init_failed, 1);
+    mip_read_bool(r, &v->mag_init_failed, 1);
     mip_read_bool(r, &v->pressure_init_failed, 1);
     mip_read_bool(r, &v->receiver_init_failed, 1);
 }
@@ -6118,17 +5951,17 @@ static void write_device_status_diagnostic_gq4_45_response(struct mip_writer *w,
     mip_write_u32(w, &v->imu_dropped_packets, 1);
     mip_write_u32(w, &v->gnss_dropped_packets, 1);
     mip_write_u32(w, &v->filter_dropped_packets, 1);
-    mip_write_u32(w, &v->com_port_bytes_written, 1);
-    mip_write_u32(w, &v->com_port_bytes_read, 1);
-    mip_write_u32(w, &v->com_port_write_overruns, 1);
-    mip_write_u32(w, &v->com_port_read_overruns, 1);
+    mip_write_u32(w, &v->comm_port_bytes_written, 1);
+    mip_write_u32(w, &v->comm_port_bytes_read, 1);
+    mip_write_u32(w, &v->comm_port_write_overruns, 1);
+    mip_write_u32(w, &v->comm_port_read_overruns, 1);
     mip_write_u32(w, &v->imu_parser_errors, 1);
     mip_write_u32(w, &v->imu_message_count, 1);
     mip_write_u32(w, &v->imu_last_message_time, 1);
     mip_write_u32(w, &v->gnss_parser_errors, 1);
     mip_write_u32(w, &v->gnss_message_count, 1);
     mip_write_u32(w, &v->gnss_last_message_time, 1);
-    mip_write_bool(w, &v->magnetometer_init_failed, 1);
+    mip_write_bool(w, &v->mag_init_failed, 1);
     mip_write_bool(w, &v->pressure_init_failed, 1);
     mip_write_bool(w, &v->receiver_init_failed, 1);
 }
@@ -6190,10 +6023,10 @@ static void read_device_status_diagnostic_rq1_45_response(struct mip_reader *r, 
     mip_read_u32(r, &v->imu_dropped_packets, 1);
     mip_read_u32(r, &v->gnss_dropped_packets, 1);
     mip_read_u32(r, &v->filter_dropped_packets, 1);
-    mip_read_u32(r, &v->com_port_bytes_written, 1);
-    mip_read_u32(r, &v->com_port_bytes_read, 1);
-    mip_read_u32(r, &v->com_port_write_overruns, 1);
-    mip_read_u32(r, &v->com_port_read_overruns, 1);
+    mip_read_u32(r, &v->comm_port_bytes_written, 1);
+    mip_read_u32(r, &v->comm_port_bytes_read, 1);
+    mip_read_u32(r, &v->comm_port_write_overruns, 1);
+    mip_read_u32(r, &v->comm_port_read_overruns, 1);
     mip_read_u32(r, &v->imu_parser_errors, 1);
     mip_read_u32(r, &v->imu_message_count, 1);
     mip_read_u32(r, &v->imu_last_message_time, 1);
@@ -6223,10 +6056,10 @@ static void write_device_status_diagnostic_rq1_45_response(struct mip_writer *w,
     mip_write_u32(w, &v->imu_dropped_packets, 1);
     mip_write_u32(w, &v->gnss_dropped_packets, 1);
     mip_write_u32(w, &v->filter_dropped_packets, 1);
-    mip_write_u32(w, &v->com_port_bytes_written, 1);
-    mip_write_u32(w, &v->com_port_bytes_read, 1);
-    mip_write_u32(w, &v->com_port_write_overruns, 1);
-    mip_write_u32(w, &v->com_port_read_overruns, 1);
+    mip_write_u32(w, &v->comm_port_bytes_written, 1);
+    mip_write_u32(w, &v->comm_port_bytes_read, 1);
+    mip_write_u32(w, &v->comm_port_write_overruns, 1);
+    mip_write_u32(w, &v->comm_port_read_overruns, 1);
     mip_write_u32(w, &v->imu_parser_errors, 1);
     mip_write_u32(w, &v->imu_message_count, 1);
     mip_write_u32(w, &v->imu_last_message_time, 1);
@@ -6285,10 +6118,10 @@ static void read_device_status_diagnostic_gx4_response(struct mip_reader *r, voi
     mip_read_bool(r, &v->filter_stream_enabled, 1);
     mip_read_u32(r, &v->imu_dropped_packets, 1);
     mip_read_u32(r, &v->filter_dropped_packets, 1);
-    mip_read_u32(r, &v->com_port_bytes_written, 1);
-    mip_read_u32(r, &v->com_port_bytes_read, 1);
-    mip_read_u32(r, &v->com_port_write_overruns, 1);
-    mip_read_u32(r, &v->com_port_read_overruns, 1);
+    mip_read_u32(r, &v->comm_port_bytes_written, 1);
+    mip_read_u32(r, &v->comm_port_bytes_read, 1);
+    mip_read_u32(r, &v->comm_port_write_overruns, 1);
+    mip_read_u32(r, &v->comm_port_read_overruns, 1);
     mip_read_u32(r, &v->usb_bytes_written, 1);
     mip_read_u32(r, &v->usb_bytes_read, 1);
     mip_read_u32(r, &v->usb_write_overruns, 1);
@@ -6311,10 +6144,10 @@ static void write_device_status_diagnostic_gx4_response(struct mip_writer *w, co
     mip_write_bool(w, &v->filter_stream_enabled, 1);
     mip_write_u32(w, &v->imu_dropped_packets, 1);
     mip_write_u32(w, &v->filter_dropped_packets, 1);
-    mip_write_u32(w, &v->com_port_bytes_written, 1);
-    mip_write_u32(w, &v->com_port_bytes_read, 1);
-    mip_write_u32(w, &v->com_port_write_overruns, 1);
-    mip_write_u32(w, &v->com_port_read_overruns, 1);
+    mip_write_u32(w, &v->comm_port_bytes_written, 1);
+    mip_write_u32(w, &v->comm_port_bytes_read, 1);
+    mip_write_u32(w, &v->comm_port_write_overruns, 1);
+    mip_write_u32(w, &v->comm_port_read_overruns, 1);
     mip_write_u32(w, &v->usb_bytes_written, 1);
     mip_write_u32(w, &v->usb_bytes_read, 1);
     mip_write_u32(w, &v->usb_write_overruns, 1);
@@ -6367,7 +6200,7 @@ static void read_device_status_diagnostic_imu_response(struct mip_reader *r, voi
     mip_read_constant(r, 2, 1);
     mip_read_u32(r, &v->status_flags, 1);
     mip_read_u32(r, &v->system_timer, 1);
-    mip_read_bool(r, &v->has_magnetometer, 1);
+    mip_read_bool(r, &v->has_mag, 1);
     mip_read_bool(r, &v->has_pressure, 1);
     mip_read_u8(r, &v->power_state, 1);
     mip_read_u16(r, &v->gyro_range, 1);
@@ -6380,10 +6213,10 @@ static void read_device_status_diagnostic_imu_response(struct mip_reader *r, voi
     mip_read_u32(r, &v->pps_last_time, 1);
     mip_read_bool(r, &v->imu_stream_enabled, 1);
     mip_read_u32(r, &v->imu_dropped_packets, 1);
-    mip_read_u32(r, &v->com_port_bytes_written, 1);
-    mip_read_u32(r, &v->com_port_bytes_read, 1);
-    mip_read_u32(r, &v->com_port_write_overruns, 1);
-    mip_read_u32(r, &v->com_port_read_overruns, 1);
+    mip_read_u32(r, &v->comm_port_bytes_written, 1);
+    mip_read_u32(r, &v->comm_port_bytes_read, 1);
+    mip_read_u32(r, &v->comm_port_write_overruns, 1);
+    mip_read_u32(r, &v->comm_port_read_overruns, 1);
 }
 
 static void write_device_status_diagnostic_imu_response(struct mip_writer *w, const void *value) {
@@ -6393,7 +6226,7 @@ static void write_device_status_diagnostic_imu_response(struct mip_writer *w, co
     mip_write_constant(w, 2, 1);
     mip_write_u32(w, &v->status_flags, 1);
     mip_write_u32(w, &v->system_timer, 1);
-    mip_write_bool(w, &v->has_magnetometer, 1);
+    mip_write_bool(w, &v->has_mag, 1);
     mip_write_bool(w, &v->has_pressure, 1);
     mip_write_u8(w, &v->power_state, 1);
     mip_write_u16(w, &v->gyro_range, 1);
@@ -6406,10 +6239,10 @@ static void write_device_status_diagnostic_imu_response(struct mip_writer *w, co
     mip_write_u32(w, &v->pps_last_time, 1);
     mip_write_bool(w, &v->imu_stream_enabled, 1);
     mip_write_u32(w, &v->imu_dropped_packets, 1);
-    mip_write_u32(w, &v->com_port_bytes_written, 1);
-    mip_write_u32(w, &v->com_port_bytes_read, 1);
-    mip_write_u32(w, &v->com_port_write_overruns, 1);
-    mip_write_u32(w, &v->com_port_read_overruns, 1);
+    mip_write_u32(w, &v->comm_port_bytes_written, 1);
+    mip_write_u32(w, &v->comm_port_bytes_read, 1);
+    mip_write_u32(w, &v->comm_port_write_overruns, 1);
+    mip_write_u32(w, &v->comm_port_read_overruns, 1);
 }
 
 static const struct mip_constant constants_device_status_diagnostic_imu_response[] = {

@@ -17,13 +17,12 @@ void mip_aiding_measurement_time_write(struct mip_writer *w,
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_frame_configuration[] = {0, 5, 2, 1, 1, 1};
+static const uint8_t required_frame_config[] = {0, 5, 2, 1, 1, 1};
 
-static void read_frame_configuration(struct mip_reader *r, void *value) {
-    struct mip_aiding_frame_configuration *v = (struct mip_aiding_frame_configuration *)value;
+static void read_frame_config(struct mip_reader *r, void *value) {
+    struct mip_aiding_frame_config *v = (struct mip_aiding_frame_config *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_frame_configuration,
-                      sizeof(required_frame_configuration));
+    mip_read_required(r, v->function, required_frame_config, sizeof(required_frame_config));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->frame_id, 1);
     mip_read_group(r, 2, 2);
@@ -46,12 +45,11 @@ static void read_frame_configuration(struct mip_reader *r, void *value) {
     v->present = mip_read_present(r);
 }
 
-static void write_frame_configuration(struct mip_writer *w, const void *value) {
-    const struct mip_aiding_frame_configuration *v =
-        (const struct mip_aiding_frame_configuration *)value;
+static void write_frame_config(struct mip_writer *w, const void *value) {
+    const struct mip_aiding_frame_config *v = (const struct mip_aiding_frame_config *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_frame_configuration,
-                       sizeof(required_frame_configuration), v->present);
+    mip_write_required(w, v->function, required_frame_config, sizeof(required_frame_config),
+                       v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->frame_id, 1);
     mip_write_group(w, 2, 2);
@@ -73,46 +71,45 @@ static void write_frame_configuration(struct mip_writer *w, const void *value) {
     }
 }
 
-static bool asked_frame_configuration_1(const void *value) {
-    const struct mip_aiding_frame_configuration *v =
-        (const struct mip_aiding_frame_configuration *)value;
+static bool asked_frame_config_1(const void *value) {
+    const struct mip_aiding_frame_config *v = (const struct mip_aiding_frame_config *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_frame_configuration[] = {
-    {&mip_aiding_frame_configuration_response_codec, asked_frame_configuration_1},
+static const struct mip_response responses_frame_config[] = {
+    {&mip_aiding_frame_config_response_codec, asked_frame_config_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_aiding_frame_configuration_codec = {
+const struct mip_codec mip_aiding_frame_config_codec = {
     0x13, /* descriptor set */
-    MIP_AIDING_FRAME_CONFIGURATION_DESCRIPTOR,
+    MIP_AIDING_FRAME_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_aiding_frame_configuration),
+    sizeof(struct mip_aiding_frame_config),
     0, /* time-out */
-    read_frame_configuration,
-    write_frame_configuration,
+    read_frame_config,
+    write_frame_config,
     NULL,
-    responses_frame_configuration,
+    responses_frame_config,
     NULL,
 };
 
-mip_error mip_aiding_frame_configuration_decode(struct mip_aiding_frame_configuration *value,
-                                                const struct mip_field *field) {
-    return mip_decode_field(field, read_frame_configuration, value, sizeof(*value), NULL);
+mip_error mip_aiding_frame_config_decode(struct mip_aiding_frame_config *value,
+                                         const struct mip_field *field) {
+    return mip_decode_field(field, read_frame_config, value, sizeof(*value), NULL);
 }
 
-mip_error mip_aiding_frame_configuration_encode(const struct mip_aiding_frame_configuration *value,
-                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x13, MIP_AIDING_FRAME_CONFIGURATION_DESCRIPTOR,
-                            write_frame_configuration, value);
+mip_error mip_aiding_frame_config_encode(const struct mip_aiding_frame_config *value,
+                                         struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x13, MIP_AIDING_FRAME_CONFIG_DESCRIPTOR, write_frame_config,
+                            value);
 }
 
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_write(
+struct mip_aiding_frame_config mip_aiding_frame_config_write(
     uint8_t frame_id, mip_aiding_frame_format format, mip_bool tracking_enabled,
-    const float translation[3], const union mip_aiding_frame_configuration_rotation *rotation) {
-    struct mip_aiding_frame_configuration v;
+    const float translation[3], const union mip_aiding_frame_config_rotation *rotation) {
+    struct mip_aiding_frame_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.frame_id = frame_id;
@@ -125,9 +122,9 @@ struct mip_aiding_frame_configuration mip_aiding_frame_configuration_write(
     return v;
 }
 
-struct mip_aiding_frame_configuration
-mip_aiding_frame_configuration_read(uint8_t frame_id, mip_aiding_frame_format format) {
-    struct mip_aiding_frame_configuration v;
+struct mip_aiding_frame_config mip_aiding_frame_config_read(uint8_t frame_id,
+                                                            mip_aiding_frame_format format) {
+    struct mip_aiding_frame_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     v.frame_id = frame_id;
@@ -135,33 +132,32 @@ mip_aiding_frame_configuration_read(uint8_t frame_id, mip_aiding_frame_format fo
     return v;
 }
 
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_save(uint8_t frame_id) {
-    struct mip_aiding_frame_configuration v;
+struct mip_aiding_frame_config mip_aiding_frame_config_save(uint8_t frame_id) {
+    struct mip_aiding_frame_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     v.frame_id = frame_id;
     return v;
 }
 
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_load(uint8_t frame_id) {
-    struct mip_aiding_frame_configuration v;
+struct mip_aiding_frame_config mip_aiding_frame_config_load(uint8_t frame_id) {
+    struct mip_aiding_frame_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     v.frame_id = frame_id;
     return v;
 }
 
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_default(uint8_t frame_id) {
-    struct mip_aiding_frame_configuration v;
+struct mip_aiding_frame_config mip_aiding_frame_config_default(uint8_t frame_id) {
+    struct mip_aiding_frame_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     v.frame_id = frame_id;
     return v;
 }
 
-static void read_frame_configuration_response(struct mip_reader *r, void *value) {
-    struct mip_aiding_frame_configuration_response *v =
-        (struct mip_aiding_frame_configuration_response *)value;
+static void read_frame_config_response(struct mip_reader *r, void *value) {
+    struct mip_aiding_frame_config_response *v = (struct mip_aiding_frame_config_response *)value;
     mip_read_u8(r, &v->frame_id, 1);
     mip_read_u8(r, &v->format, 1);
     mip_read_bool(r, &v->tracking_enabled, 1);
@@ -178,9 +174,9 @@ static void read_frame_configuration_response(struct mip_reader *r, void *value)
     }
 }
 
-static void write_frame_configuration_response(struct mip_writer *w, const void *value) {
-    const struct mip_aiding_frame_configuration_response *v =
-        (const struct mip_aiding_frame_configuration_response *)value;
+static void write_frame_config_response(struct mip_writer *w, const void *value) {
+    const struct mip_aiding_frame_config_response *v =
+        (const struct mip_aiding_frame_config_response *)value;
     mip_write_u8(w, &v->frame_id, 1);
     mip_write_u8(w, &v->format, 1);
     mip_write_bool(w, &v->tracking_enabled, 1);
@@ -197,28 +193,28 @@ static void write_frame_configuration_response(struct mip_writer *w, const void 
     }
 }
 
-const struct mip_codec mip_aiding_frame_configuration_response_codec = {
+const struct mip_codec mip_aiding_frame_config_response_codec = {
     0x13, /* descriptor set */
-    MIP_AIDING_FRAME_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_AIDING_FRAME_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_aiding_frame_configuration_response),
+    sizeof(struct mip_aiding_frame_config_response),
     0, /* time-out */
-    read_frame_configuration_response,
-    write_frame_configuration_response,
+    read_frame_config_response,
+    write_frame_config_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_aiding_frame_configuration_response_decode(
-    struct mip_aiding_frame_configuration_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_frame_configuration_response, value, sizeof(*value), NULL);
+mip_error mip_aiding_frame_config_response_decode(struct mip_aiding_frame_config_response *value,
+                                                  const struct mip_field *field) {
+    return mip_decode_field(field, read_frame_config_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_aiding_frame_configuration_response_encode(
-    const struct mip_aiding_frame_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x13, MIP_AIDING_FRAME_CONFIGURATION_RESPONSE_DESCRIPTOR,
-                            write_frame_configuration_response, value);
+mip_error mip_aiding_frame_config_response_encode(
+    const struct mip_aiding_frame_config_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x13, MIP_AIDING_FRAME_CONFIG_RESPONSE_DESCRIPTOR,
+                            write_frame_config_response, value);
 }
 
 /** Parameters that each function requires, by its value. */

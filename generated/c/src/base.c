@@ -42,11 +42,11 @@ mip_error mip_base_ping_encode(const struct mip_base_ping *value, struct mip_bui
     return mip_encode_field(builder, 0x01, MIP_BASE_PING_DESCRIPTOR, mip_write_nothing, value);
 }
 
-const struct mip_codec mip_base_set_to_idle_codec = {
+const struct mip_codec mip_base_set_idle_codec = {
     0x01, /* descriptor set */
-    MIP_BASE_SET_TO_IDLE_DESCRIPTOR,
+    MIP_BASE_SET_IDLE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_base_set_to_idle),
+    sizeof(struct mip_base_set_idle),
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
@@ -55,81 +55,77 @@ const struct mip_codec mip_base_set_to_idle_codec = {
     NULL,
 };
 
-mip_error mip_base_set_to_idle_decode(struct mip_base_set_to_idle *value,
-                                      const struct mip_field *field) {
+mip_error mip_base_set_idle_decode(struct mip_base_set_idle *value, const struct mip_field *field) {
     return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
 }
 
-mip_error mip_base_set_to_idle_encode(const struct mip_base_set_to_idle *value,
-                                      struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x01, MIP_BASE_SET_TO_IDLE_DESCRIPTOR, mip_write_nothing,
-                            value);
+mip_error mip_base_set_idle_encode(const struct mip_base_set_idle *value,
+                                   struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_BASE_SET_IDLE_DESCRIPTOR, mip_write_nothing, value);
 }
 
-static const struct mip_response responses_get_device_information[] = {
-    {&mip_base_get_device_information_response_codec, NULL},
+static const struct mip_response responses_get_device_info[] = {
+    {&mip_base_get_device_info_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_base_get_device_information_codec = {
+const struct mip_codec mip_base_get_device_info_codec = {
     0x01, /* descriptor set */
-    MIP_BASE_GET_DEVICE_INFORMATION_DESCRIPTOR,
+    MIP_BASE_GET_DEVICE_INFO_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_base_get_device_information),
+    sizeof(struct mip_base_get_device_info),
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
-    responses_get_device_information,
+    responses_get_device_info,
     NULL,
 };
 
-mip_error mip_base_get_device_information_decode(struct mip_base_get_device_information *value,
-                                                 const struct mip_field *field) {
+mip_error mip_base_get_device_info_decode(struct mip_base_get_device_info *value,
+                                          const struct mip_field *field) {
     return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
 }
 
-mip_error mip_base_get_device_information_encode(
-    const struct mip_base_get_device_information *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x01, MIP_BASE_GET_DEVICE_INFORMATION_DESCRIPTOR,
-                            mip_write_nothing, value);
+mip_error mip_base_get_device_info_encode(const struct mip_base_get_device_info *value,
+                                          struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_BASE_GET_DEVICE_INFO_DESCRIPTOR, mip_write_nothing,
+                            value);
 }
 
-static void read_get_device_information_response(struct mip_reader *r, void *value) {
-    struct mip_base_get_device_information_response *v =
-        (struct mip_base_get_device_information_response *)value;
+static void read_get_device_info_response(struct mip_reader *r, void *value) {
+    struct mip_base_get_device_info_response *v = (struct mip_base_get_device_info_response *)value;
     mip_base_device_info_read(r, &v->device_info);
 }
 
-static void write_get_device_information_response(struct mip_writer *w, const void *value) {
-    const struct mip_base_get_device_information_response *v =
-        (const struct mip_base_get_device_information_response *)value;
+static void write_get_device_info_response(struct mip_writer *w, const void *value) {
+    const struct mip_base_get_device_info_response *v =
+        (const struct mip_base_get_device_info_response *)value;
     mip_base_device_info_write(w, &v->device_info);
 }
 
-const struct mip_codec mip_base_get_device_information_response_codec = {
+const struct mip_codec mip_base_get_device_info_response_codec = {
     0x01, /* descriptor set */
-    MIP_BASE_GET_DEVICE_INFORMATION_RESPONSE_DESCRIPTOR,
+    MIP_BASE_GET_DEVICE_INFO_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_base_get_device_information_response),
+    sizeof(struct mip_base_get_device_info_response),
     0, /* time-out */
-    read_get_device_information_response,
-    write_get_device_information_response,
+    read_get_device_info_response,
+    write_get_device_info_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_base_get_device_information_response_decode(
-    struct mip_base_get_device_information_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_get_device_information_response, value, sizeof(*value),
-                            NULL);
+mip_error mip_base_get_device_info_response_decode(struct mip_base_get_device_info_response *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_get_device_info_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_base_get_device_information_response_encode(
-    const struct mip_base_get_device_information_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x01, MIP_BASE_GET_DEVICE_INFORMATION_RESPONSE_DESCRIPTOR,
-                            write_get_device_information_response, value);
+mip_error mip_base_get_device_info_response_encode(
+    const struct mip_base_get_device_info_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_BASE_GET_DEVICE_INFO_RESPONSE_DESCRIPTOR,
+                            write_get_device_info_response, value);
 }
 
 static const struct mip_response responses_get_device_descriptors[] = {
@@ -284,75 +280,71 @@ mip_error mip_base_resume_encode(const struct mip_base_resume *value, struct mip
     return mip_encode_field(builder, 0x01, MIP_BASE_RESUME_DESCRIPTOR, mip_write_nothing, value);
 }
 
-static const struct mip_response responses_get_device_descriptors_extended[] = {
-    {&mip_base_get_device_descriptors_extended_response_codec, NULL},
+static const struct mip_response responses_get_extended_descriptors[] = {
+    {&mip_base_get_extended_descriptors_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_base_get_device_descriptors_extended_codec = {
+const struct mip_codec mip_base_get_extended_descriptors_codec = {
     0x01, /* descriptor set */
-    MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_DESCRIPTOR,
+    MIP_BASE_GET_EXTENDED_DESCRIPTORS_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_base_get_device_descriptors_extended),
+    sizeof(struct mip_base_get_extended_descriptors),
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
-    responses_get_device_descriptors_extended,
+    responses_get_extended_descriptors,
     NULL,
 };
 
-mip_error mip_base_get_device_descriptors_extended_decode(
-    struct mip_base_get_device_descriptors_extended *value, const struct mip_field *field) {
+mip_error mip_base_get_extended_descriptors_decode(struct mip_base_get_extended_descriptors *value,
+                                                   const struct mip_field *field) {
     return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
 }
 
-mip_error mip_base_get_device_descriptors_extended_encode(
-    const struct mip_base_get_device_descriptors_extended *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x01, MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_DESCRIPTOR,
+mip_error mip_base_get_extended_descriptors_encode(
+    const struct mip_base_get_extended_descriptors *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_BASE_GET_EXTENDED_DESCRIPTORS_DESCRIPTOR,
                             mip_write_nothing, value);
 }
 
-static void read_get_device_descriptors_extended_response(struct mip_reader *r, void *value) {
-    struct mip_base_get_device_descriptors_extended_response *v =
-        (struct mip_base_get_device_descriptors_extended_response *)value;
+static void read_get_extended_descriptors_response(struct mip_reader *r, void *value) {
+    struct mip_base_get_extended_descriptors_response *v =
+        (struct mip_base_get_extended_descriptors_response *)value;
     v->descriptors_count = (uint8_t)mip_read_rest(r, 126, 2);
     mip_read_u16(r, v->descriptors, v->descriptors_count);
 }
 
-static void write_get_device_descriptors_extended_response(struct mip_writer *w,
-                                                           const void *value) {
-    const struct mip_base_get_device_descriptors_extended_response *v =
-        (const struct mip_base_get_device_descriptors_extended_response *)value;
+static void write_get_extended_descriptors_response(struct mip_writer *w, const void *value) {
+    const struct mip_base_get_extended_descriptors_response *v =
+        (const struct mip_base_get_extended_descriptors_response *)value;
     mip_write_u16(w, v->descriptors, mip_write_count(w, v->descriptors_count, 126));
 }
 
-const struct mip_codec mip_base_get_device_descriptors_extended_response_codec = {
+const struct mip_codec mip_base_get_extended_descriptors_response_codec = {
     0x01, /* descriptor set */
-    MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_RESPONSE_DESCRIPTOR,
+    MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_base_get_device_descriptors_extended_response),
+    sizeof(struct mip_base_get_extended_descriptors_response),
     0, /* time-out */
-    read_get_device_descriptors_extended_response,
-    write_get_device_descriptors_extended_response,
+    read_get_extended_descriptors_response,
+    write_get_extended_descriptors_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_base_get_device_descriptors_extended_response_decode(
-    struct mip_base_get_device_descriptors_extended_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_get_device_descriptors_extended_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_base_get_extended_descriptors_response_decode(
+    struct mip_base_get_extended_descriptors_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_get_extended_descriptors_response, value, sizeof(*value),
+                            NULL);
 }
 
-mip_error mip_base_get_device_descriptors_extended_response_encode(
-    const struct mip_base_get_device_descriptors_extended_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x01,
-                            MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_RESPONSE_DESCRIPTOR,
-                            write_get_device_descriptors_extended_response, value);
+mip_error mip_base_get_extended_descriptors_response_encode(
+    const struct mip_base_get_extended_descriptors_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE_DESCRIPTOR,
+                            write_get_extended_descriptors_response, value);
 }
 
 static const struct mip_response responses_continuous_built_in_test[] = {
@@ -422,12 +414,12 @@ mip_error mip_base_continuous_built_in_test_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_comm_port_speed[] = {0, 2, 1, 1, 1, 1};
+static const uint8_t required_comm_speed[] = {0, 2, 1, 1, 1, 1};
 
-static void read_comm_port_speed(struct mip_reader *r, void *value) {
-    struct mip_base_comm_port_speed *v = (struct mip_base_comm_port_speed *)value;
+static void read_comm_speed(struct mip_reader *r, void *value) {
+    struct mip_base_comm_speed *v = (struct mip_base_comm_speed *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_comm_port_speed, sizeof(required_comm_port_speed));
+    mip_read_required(r, v->function, required_comm_speed, sizeof(required_comm_speed));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->port, 1);
     mip_read_group(r, 2, 2);
@@ -435,10 +427,10 @@ static void read_comm_port_speed(struct mip_reader *r, void *value) {
     v->present = mip_read_present(r);
 }
 
-static void write_comm_port_speed(struct mip_writer *w, const void *value) {
-    const struct mip_base_comm_port_speed *v = (const struct mip_base_comm_port_speed *)value;
+static void write_comm_speed(struct mip_writer *w, const void *value) {
+    const struct mip_base_comm_speed *v = (const struct mip_base_comm_speed *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_comm_port_speed, sizeof(required_comm_port_speed),
+    mip_write_required(w, v->function, required_comm_speed, sizeof(required_comm_speed),
                        v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->port, 1);
@@ -446,43 +438,42 @@ static void write_comm_port_speed(struct mip_writer *w, const void *value) {
     mip_write_u32(w, &v->baud, 1);
 }
 
-static bool asked_comm_port_speed_1(const void *value) {
-    const struct mip_base_comm_port_speed *v = (const struct mip_base_comm_port_speed *)value;
+static bool asked_comm_speed_1(const void *value) {
+    const struct mip_base_comm_speed *v = (const struct mip_base_comm_speed *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_comm_port_speed[] = {
-    {&mip_base_comm_port_speed_response_codec, asked_comm_port_speed_1},
+static const struct mip_response responses_comm_speed[] = {
+    {&mip_base_comm_speed_response_codec, asked_comm_speed_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_base_comm_port_speed_codec = {
+const struct mip_codec mip_base_comm_speed_codec = {
     0x01, /* descriptor set */
-    MIP_BASE_COMM_PORT_SPEED_DESCRIPTOR,
+    MIP_BASE_COMM_SPEED_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_base_comm_port_speed),
+    sizeof(struct mip_base_comm_speed),
     0, /* time-out */
-    read_comm_port_speed,
-    write_comm_port_speed,
+    read_comm_speed,
+    write_comm_speed,
     NULL,
-    responses_comm_port_speed,
+    responses_comm_speed,
     NULL,
 };
 
-mip_error mip_base_comm_port_speed_decode(struct mip_base_comm_port_speed *value,
-                                          const struct mip_field *field) {
-    return mip_decode_field(field, read_comm_port_speed, value, sizeof(*value), NULL);
+mip_error mip_base_comm_speed_decode(struct mip_base_comm_speed *value,
+                                     const struct mip_field *field) {
+    return mip_decode_field(field, read_comm_speed, value, sizeof(*value), NULL);
 }
 
-mip_error mip_base_comm_port_speed_encode(const struct mip_base_comm_port_speed *value,
-                                          struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x01, MIP_BASE_COMM_PORT_SPEED_DESCRIPTOR,
-                            write_comm_port_speed, value);
+mip_error mip_base_comm_speed_encode(const struct mip_base_comm_speed *value,
+                                     struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_BASE_COMM_SPEED_DESCRIPTOR, write_comm_speed, value);
 }
 
-struct mip_base_comm_port_speed mip_base_comm_port_speed_write(uint8_t port, uint32_t baud) {
-    struct mip_base_comm_port_speed v;
+struct mip_base_comm_speed mip_base_comm_speed_write(uint8_t port, uint32_t baud) {
+    struct mip_base_comm_speed v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.port = port;
@@ -490,73 +481,73 @@ struct mip_base_comm_port_speed mip_base_comm_port_speed_write(uint8_t port, uin
     return v;
 }
 
-struct mip_base_comm_port_speed mip_base_comm_port_speed_read(uint8_t port) {
-    struct mip_base_comm_port_speed v;
+struct mip_base_comm_speed mip_base_comm_speed_read(uint8_t port) {
+    struct mip_base_comm_speed v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     v.port = port;
     return v;
 }
 
-struct mip_base_comm_port_speed mip_base_comm_port_speed_save(uint8_t port) {
-    struct mip_base_comm_port_speed v;
+struct mip_base_comm_speed mip_base_comm_speed_save(uint8_t port) {
+    struct mip_base_comm_speed v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     v.port = port;
     return v;
 }
 
-struct mip_base_comm_port_speed mip_base_comm_port_speed_load(uint8_t port) {
-    struct mip_base_comm_port_speed v;
+struct mip_base_comm_speed mip_base_comm_speed_load(uint8_t port) {
+    struct mip_base_comm_speed v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     v.port = port;
     return v;
 }
 
-struct mip_base_comm_port_speed mip_base_comm_port_speed_default(uint8_t port) {
-    struct mip_base_comm_port_speed v;
+struct mip_base_comm_speed mip_base_comm_speed_default(uint8_t port) {
+    struct mip_base_comm_speed v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     v.port = port;
     return v;
 }
 
-static void read_comm_port_speed_response(struct mip_reader *r, void *value) {
-    struct mip_base_comm_port_speed_response *v = (struct mip_base_comm_port_speed_response *)value;
+static void read_comm_speed_response(struct mip_reader *r, void *value) {
+    struct mip_base_comm_speed_response *v = (struct mip_base_comm_speed_response *)value;
     mip_read_u8(r, &v->port, 1);
     mip_read_u32(r, &v->baud, 1);
 }
 
-static void write_comm_port_speed_response(struct mip_writer *w, const void *value) {
-    const struct mip_base_comm_port_speed_response *v =
-        (const struct mip_base_comm_port_speed_response *)value;
+static void write_comm_speed_response(struct mip_writer *w, const void *value) {
+    const struct mip_base_comm_speed_response *v =
+        (const struct mip_base_comm_speed_response *)value;
     mip_write_u8(w, &v->port, 1);
     mip_write_u32(w, &v->baud, 1);
 }
 
-const struct mip_codec mip_base_comm_port_speed_response_codec = {
+const struct mip_codec mip_base_comm_speed_response_codec = {
     0x01, /* descriptor set */
-    MIP_BASE_COMM_PORT_SPEED_RESPONSE_DESCRIPTOR,
+    MIP_BASE_COMM_SPEED_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_base_comm_port_speed_response),
+    sizeof(struct mip_base_comm_speed_response),
     0, /* time-out */
-    read_comm_port_speed_response,
-    write_comm_port_speed_response,
+    read_comm_speed_response,
+    write_comm_speed_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_base_comm_port_speed_response_decode(struct mip_base_comm_port_speed_response *value,
-                                                   const struct mip_field *field) {
-    return mip_decode_field(field, read_comm_port_speed_response, value, sizeof(*value), NULL);
+mip_error mip_base_comm_speed_response_decode(struct mip_base_comm_speed_response *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_comm_speed_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_base_comm_port_speed_response_encode(
-    const struct mip_base_comm_port_speed_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x01, MIP_BASE_COMM_PORT_SPEED_RESPONSE_DESCRIPTOR,
-                            write_comm_port_speed_response, value);
+mip_error mip_base_comm_speed_response_encode(const struct mip_base_comm_speed_response *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_BASE_COMM_SPEED_RESPONSE_DESCRIPTOR,
+                            write_comm_speed_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -603,7 +594,7 @@ static bool asked_gps_time_update_2(const void *value) {
 
 static const struct mip_response responses_gps_time_update[] = {
     {&mip_base_gps_time_update_week_number_response_codec, asked_gps_time_update_1},
-    {&mip_base_gps_time_update_time_of_week_response_codec, asked_gps_time_update_2},
+    {&mip_base_gps_time_update_tow_response_codec, asked_gps_time_update_2},
     {NULL, NULL},
 };
 
@@ -697,50 +688,47 @@ mip_error mip_base_gps_time_update_week_number_response_encode(
                             write_gps_time_update_week_number_response, value);
 }
 
-static void read_gps_time_update_time_of_week_response(struct mip_reader *r, void *value) {
-    struct mip_base_gps_time_update_time_of_week_response *v =
-        (struct mip_base_gps_time_update_time_of_week_response *)value;
-    mip_read_u32(r, &v->time_of_week, 1);
+static void read_gps_time_update_tow_response(struct mip_reader *r, void *value) {
+    struct mip_base_gps_time_update_tow_response *v =
+        (struct mip_base_gps_time_update_tow_response *)value;
+    mip_read_u32(r, &v->tow, 1);
 }
 
-static void write_gps_time_update_time_of_week_response(struct mip_writer *w, const void *value) {
-    const struct mip_base_gps_time_update_time_of_week_response *v =
-        (const struct mip_base_gps_time_update_time_of_week_response *)value;
-    mip_write_u32(w, &v->time_of_week, 1);
+static void write_gps_time_update_tow_response(struct mip_writer *w, const void *value) {
+    const struct mip_base_gps_time_update_tow_response *v =
+        (const struct mip_base_gps_time_update_tow_response *)value;
+    mip_write_u32(w, &v->tow, 1);
 }
 
-const struct mip_codec mip_base_gps_time_update_time_of_week_response_codec = {
+const struct mip_codec mip_base_gps_time_update_tow_response_codec = {
     0x01, /* descriptor set */
-    MIP_BASE_GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_DESCRIPTOR,
+    MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_base_gps_time_update_time_of_week_response),
+    sizeof(struct mip_base_gps_time_update_tow_response),
     0, /* time-out */
-    read_gps_time_update_time_of_week_response,
-    write_gps_time_update_time_of_week_response,
+    read_gps_time_update_tow_response,
+    write_gps_time_update_tow_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_base_gps_time_update_time_of_week_response_decode(
-    struct mip_base_gps_time_update_time_of_week_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gps_time_update_time_of_week_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_base_gps_time_update_tow_response_decode(
+    struct mip_base_gps_time_update_tow_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gps_time_update_tow_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_base_gps_time_update_time_of_week_response_encode(
-    const struct mip_base_gps_time_update_time_of_week_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x01,
-                            MIP_BASE_GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_DESCRIPTOR,
-                            write_gps_time_update_time_of_week_response, value);
+mip_error mip_base_gps_time_update_tow_response_encode(
+    const struct mip_base_gps_time_update_tow_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE_DESCRIPTOR,
+                            write_gps_time_update_tow_response, value);
 }
 
-const struct mip_codec mip_base_reset_device_codec = {
+const struct mip_codec mip_base_soft_reset_codec = {
     0x01, /* descriptor set */
-    MIP_BASE_RESET_DEVICE_DESCRIPTOR,
+    MIP_BASE_SOFT_RESET_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_base_reset_device),
+    sizeof(struct mip_base_soft_reset),
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
@@ -749,13 +737,13 @@ const struct mip_codec mip_base_reset_device_codec = {
     NULL,
 };
 
-mip_error mip_base_reset_device_decode(struct mip_base_reset_device *value,
-                                       const struct mip_field *field) {
+mip_error mip_base_soft_reset_decode(struct mip_base_soft_reset *value,
+                                     const struct mip_field *field) {
     return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
 }
 
-mip_error mip_base_reset_device_encode(const struct mip_base_reset_device *value,
-                                       struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x01, MIP_BASE_RESET_DEVICE_DESCRIPTOR, mip_write_nothing,
+mip_error mip_base_soft_reset_encode(const struct mip_base_soft_reset *value,
+                                     struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_BASE_SOFT_RESET_DESCRIPTOR, mip_write_nothing,
                             value);
 }

@@ -3,11 +3,11 @@
 
 #include <string.h>
 
-const struct mip_codec mip_filter_reset_navigation_filter_codec = {
+const struct mip_codec mip_filter_reset_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_RESET_NAVIGATION_FILTER_DESCRIPTOR,
+    MIP_FILTER_RESET_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_reset_navigation_filter),
+    sizeof(struct mip_filter_reset),
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
@@ -16,15 +16,13 @@ const struct mip_codec mip_filter_reset_navigation_filter_codec = {
     NULL,
 };
 
-mip_error mip_filter_reset_navigation_filter_decode(
-    struct mip_filter_reset_navigation_filter *value, const struct mip_field *field) {
+mip_error mip_filter_reset_decode(struct mip_filter_reset *value, const struct mip_field *field) {
     return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_reset_navigation_filter_encode(
-    const struct mip_filter_reset_navigation_filter *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_RESET_NAVIGATION_FILTER_DESCRIPTOR,
-                            mip_write_nothing, value);
+mip_error mip_filter_reset_encode(const struct mip_filter_reset *value,
+                                  struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_RESET_DESCRIPTOR, mip_write_nothing, value);
 }
 
 static void read_set_initial_attitude(struct mip_reader *r, void *value) {
@@ -76,55 +74,53 @@ struct mip_filter_set_initial_attitude mip_filter_set_initial_attitude_make(floa
     return v;
 }
 
-static void read_set_initial_heading_control(struct mip_reader *r, void *value) {
-    struct mip_filter_set_initial_heading_control *v =
-        (struct mip_filter_set_initial_heading_control *)value;
+static void read_set_initial_heading(struct mip_reader *r, void *value) {
+    struct mip_filter_set_initial_heading *v = (struct mip_filter_set_initial_heading *)value;
     mip_read_float(r, &v->heading, 1);
 }
 
-static void write_set_initial_heading_control(struct mip_writer *w, const void *value) {
-    const struct mip_filter_set_initial_heading_control *v =
-        (const struct mip_filter_set_initial_heading_control *)value;
+static void write_set_initial_heading(struct mip_writer *w, const void *value) {
+    const struct mip_filter_set_initial_heading *v =
+        (const struct mip_filter_set_initial_heading *)value;
     mip_write_float(w, &v->heading, 1);
 }
 
-const struct mip_codec mip_filter_set_initial_heading_control_codec = {
+const struct mip_codec mip_filter_set_initial_heading_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_SET_INITIAL_HEADING_CONTROL_DESCRIPTOR,
+    MIP_FILTER_SET_INITIAL_HEADING_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_set_initial_heading_control),
+    sizeof(struct mip_filter_set_initial_heading),
     0, /* time-out */
-    read_set_initial_heading_control,
-    write_set_initial_heading_control,
+    read_set_initial_heading,
+    write_set_initial_heading,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_set_initial_heading_control_decode(
-    struct mip_filter_set_initial_heading_control *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_set_initial_heading_control, value, sizeof(*value), NULL);
+mip_error mip_filter_set_initial_heading_decode(struct mip_filter_set_initial_heading *value,
+                                                const struct mip_field *field) {
+    return mip_decode_field(field, read_set_initial_heading, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_set_initial_heading_control_encode(
-    const struct mip_filter_set_initial_heading_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_SET_INITIAL_HEADING_CONTROL_DESCRIPTOR,
-                            write_set_initial_heading_control, value);
+mip_error mip_filter_set_initial_heading_encode(const struct mip_filter_set_initial_heading *value,
+                                                struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SET_INITIAL_HEADING_DESCRIPTOR,
+                            write_set_initial_heading, value);
 }
 
-struct mip_filter_set_initial_heading_control
-mip_filter_set_initial_heading_control_make(float heading) {
-    struct mip_filter_set_initial_heading_control v;
+struct mip_filter_set_initial_heading mip_filter_set_initial_heading_make(float heading) {
+    struct mip_filter_set_initial_heading v;
     memset(&v, 0, sizeof(v));
     v.heading = heading;
     return v;
 }
 
-const struct mip_codec mip_filter_run_navigation_filter_codec = {
+const struct mip_codec mip_filter_run_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_RUN_NAVIGATION_FILTER_DESCRIPTOR,
+    MIP_FILTER_RUN_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_run_navigation_filter),
+    sizeof(struct mip_filter_run),
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
@@ -133,15 +129,12 @@ const struct mip_codec mip_filter_run_navigation_filter_codec = {
     NULL,
 };
 
-mip_error mip_filter_run_navigation_filter_decode(struct mip_filter_run_navigation_filter *value,
-                                                  const struct mip_field *field) {
+mip_error mip_filter_run_decode(struct mip_filter_run *value, const struct mip_field *field) {
     return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_run_navigation_filter_encode(
-    const struct mip_filter_run_navigation_filter *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_RUN_NAVIGATION_FILTER_DESCRIPTOR,
-                            mip_write_nothing, value);
+mip_error mip_filter_run_encode(const struct mip_filter_run *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_RUN_DESCRIPTOR, mip_write_nothing, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -278,14 +271,14 @@ mip_error mip_filter_vehicle_dynamics_mode_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_sensor_to_vehicle_frame_transformation[] = {0, 3, 0, 0, 0, 0};
+static const uint8_t required_sensor_to_vehicle_rotation_euler[] = {0, 3, 0, 0, 0, 0};
 
-static void read_sensor_to_vehicle_frame_transformation(struct mip_reader *r, void *value) {
-    struct mip_filter_sensor_to_vehicle_frame_transformation *v =
-        (struct mip_filter_sensor_to_vehicle_frame_transformation *)value;
+static void read_sensor_to_vehicle_rotation_euler(struct mip_reader *r, void *value) {
+    struct mip_filter_sensor_to_vehicle_rotation_euler *v =
+        (struct mip_filter_sensor_to_vehicle_rotation_euler *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_sensor_to_vehicle_frame_transformation,
-                      sizeof(required_sensor_to_vehicle_frame_transformation));
+    mip_read_required(r, v->function, required_sensor_to_vehicle_rotation_euler,
+                      sizeof(required_sensor_to_vehicle_rotation_euler));
     mip_read_group(r, 1, 1);
     mip_read_float(r, &v->roll, 1);
     mip_read_group(r, 2, 2);
@@ -295,12 +288,12 @@ static void read_sensor_to_vehicle_frame_transformation(struct mip_reader *r, vo
     v->present = mip_read_present(r);
 }
 
-static void write_sensor_to_vehicle_frame_transformation(struct mip_writer *w, const void *value) {
-    const struct mip_filter_sensor_to_vehicle_frame_transformation *v =
-        (const struct mip_filter_sensor_to_vehicle_frame_transformation *)value;
+static void write_sensor_to_vehicle_rotation_euler(struct mip_writer *w, const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_euler *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_euler *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_sensor_to_vehicle_frame_transformation,
-                       sizeof(required_sensor_to_vehicle_frame_transformation), v->present);
+    mip_write_required(w, v->function, required_sensor_to_vehicle_rotation_euler,
+                       sizeof(required_sensor_to_vehicle_rotation_euler), v->present);
     mip_write_group(w, 1, 1);
     mip_write_float(w, &v->roll, 1);
     mip_write_group(w, 2, 2);
@@ -309,50 +302,47 @@ static void write_sensor_to_vehicle_frame_transformation(struct mip_writer *w, c
     mip_write_float(w, &v->yaw, 1);
 }
 
-static bool asked_sensor_to_vehicle_frame_transformation_1(const void *value) {
-    const struct mip_filter_sensor_to_vehicle_frame_transformation *v =
-        (const struct mip_filter_sensor_to_vehicle_frame_transformation *)value;
+static bool asked_sensor_to_vehicle_rotation_euler_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_euler *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_euler *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_sensor_to_vehicle_frame_transformation[] = {
-    {&mip_filter_sensor_to_vehicle_frame_transformation_response_codec,
-     asked_sensor_to_vehicle_frame_transformation_1},
+static const struct mip_response responses_sensor_to_vehicle_rotation_euler[] = {
+    {&mip_filter_sensor_to_vehicle_rotation_euler_response_codec,
+     asked_sensor_to_vehicle_rotation_euler_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_codec = {
+const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DESCRIPTOR,
+    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation),
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler),
     0, /* time-out */
-    read_sensor_to_vehicle_frame_transformation,
-    write_sensor_to_vehicle_frame_transformation,
+    read_sensor_to_vehicle_rotation_euler,
+    write_sensor_to_vehicle_rotation_euler,
     NULL,
-    responses_sensor_to_vehicle_frame_transformation,
+    responses_sensor_to_vehicle_rotation_euler,
     NULL,
 };
 
-mip_error mip_filter_sensor_to_vehicle_frame_transformation_decode(
-    struct mip_filter_sensor_to_vehicle_frame_transformation *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_sensor_to_vehicle_frame_transformation, value,
-                            sizeof(*value), NULL);
+mip_error mip_filter_sensor_to_vehicle_rotation_euler_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_euler *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_rotation_euler, value, sizeof(*value),
+                            NULL);
 }
 
-mip_error mip_filter_sensor_to_vehicle_frame_transformation_encode(
-    const struct mip_filter_sensor_to_vehicle_frame_transformation *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DESCRIPTOR,
-                            write_sensor_to_vehicle_frame_transformation, value);
+mip_error mip_filter_sensor_to_vehicle_rotation_euler_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_euler *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_DESCRIPTOR,
+                            write_sensor_to_vehicle_rotation_euler, value);
 }
 
-struct mip_filter_sensor_to_vehicle_frame_transformation
-mip_filter_sensor_to_vehicle_frame_transformation_write(float roll, float pitch, float yaw) {
-    struct mip_filter_sensor_to_vehicle_frame_transformation v;
+struct mip_filter_sensor_to_vehicle_rotation_euler
+mip_filter_sensor_to_vehicle_rotation_euler_write(float roll, float pitch, float yaw) {
+    struct mip_filter_sensor_to_vehicle_rotation_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.roll = roll;
@@ -361,82 +351,81 @@ mip_filter_sensor_to_vehicle_frame_transformation_write(float roll, float pitch,
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_frame_transformation
-mip_filter_sensor_to_vehicle_frame_transformation_read(void) {
-    struct mip_filter_sensor_to_vehicle_frame_transformation v;
+struct mip_filter_sensor_to_vehicle_rotation_euler
+mip_filter_sensor_to_vehicle_rotation_euler_read(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_frame_transformation
-mip_filter_sensor_to_vehicle_frame_transformation_save(void) {
-    struct mip_filter_sensor_to_vehicle_frame_transformation v;
+struct mip_filter_sensor_to_vehicle_rotation_euler
+mip_filter_sensor_to_vehicle_rotation_euler_save(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_frame_transformation
-mip_filter_sensor_to_vehicle_frame_transformation_load(void) {
-    struct mip_filter_sensor_to_vehicle_frame_transformation v;
+struct mip_filter_sensor_to_vehicle_rotation_euler
+mip_filter_sensor_to_vehicle_rotation_euler_load(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_frame_transformation
-mip_filter_sensor_to_vehicle_frame_transformation_default(void) {
-    struct mip_filter_sensor_to_vehicle_frame_transformation v;
+struct mip_filter_sensor_to_vehicle_rotation_euler
+mip_filter_sensor_to_vehicle_rotation_euler_default(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_sensor_to_vehicle_frame_transformation_response(struct mip_reader *r,
-                                                                 void *value) {
-    struct mip_filter_sensor_to_vehicle_frame_transformation_response *v =
-        (struct mip_filter_sensor_to_vehicle_frame_transformation_response *)value;
+static void read_sensor_to_vehicle_rotation_euler_response(struct mip_reader *r, void *value) {
+    struct mip_filter_sensor_to_vehicle_rotation_euler_response *v =
+        (struct mip_filter_sensor_to_vehicle_rotation_euler_response *)value;
     mip_read_float(r, &v->roll, 1);
     mip_read_float(r, &v->pitch, 1);
     mip_read_float(r, &v->yaw, 1);
 }
 
-static void write_sensor_to_vehicle_frame_transformation_response(struct mip_writer *w,
-                                                                  const void *value) {
-    const struct mip_filter_sensor_to_vehicle_frame_transformation_response *v =
-        (const struct mip_filter_sensor_to_vehicle_frame_transformation_response *)value;
+static void write_sensor_to_vehicle_rotation_euler_response(struct mip_writer *w,
+                                                            const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_euler_response *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_euler_response *)value;
     mip_write_float(w, &v->roll, 1);
     mip_write_float(w, &v->pitch, 1);
     mip_write_float(w, &v->yaw, 1);
 }
 
-const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_response_codec = {
+const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation_response),
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler_response),
     0, /* time-out */
-    read_sensor_to_vehicle_frame_transformation_response,
-    write_sensor_to_vehicle_frame_transformation_response,
+    read_sensor_to_vehicle_rotation_euler_response,
+    write_sensor_to_vehicle_rotation_euler_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_decode(
-    struct mip_filter_sensor_to_vehicle_frame_transformation_response *value,
+mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
     const struct mip_field *field) {
-    return mip_decode_field(field, read_sensor_to_vehicle_frame_transformation_response, value,
+    return mip_decode_field(field, read_sensor_to_vehicle_rotation_euler_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_encode(
-    const struct mip_filter_sensor_to_vehicle_frame_transformation_response *value,
+mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_DESCRIPTOR,
-                            write_sensor_to_vehicle_frame_transformation_response, value);
+                            MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_DESCRIPTOR,
+                            write_sensor_to_vehicle_rotation_euler_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -574,409 +563,390 @@ mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_gnss_antenna_offset_control[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_antenna_offset[] = {0, 1, 0, 0, 0, 0};
 
-static void read_gnss_antenna_offset_control(struct mip_reader *r, void *value) {
-    struct mip_filter_gnss_antenna_offset_control *v =
-        (struct mip_filter_gnss_antenna_offset_control *)value;
+static void read_antenna_offset(struct mip_reader *r, void *value) {
+    struct mip_filter_antenna_offset *v = (struct mip_filter_antenna_offset *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gnss_antenna_offset_control,
-                      sizeof(required_gnss_antenna_offset_control));
+    mip_read_required(r, v->function, required_antenna_offset, sizeof(required_antenna_offset));
     mip_read_group(r, 1, 1);
     mip_read_float(r, v->offset, 3);
     v->present = mip_read_present(r);
 }
 
-static void write_gnss_antenna_offset_control(struct mip_writer *w, const void *value) {
-    const struct mip_filter_gnss_antenna_offset_control *v =
-        (const struct mip_filter_gnss_antenna_offset_control *)value;
+static void write_antenna_offset(struct mip_writer *w, const void *value) {
+    const struct mip_filter_antenna_offset *v = (const struct mip_filter_antenna_offset *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gnss_antenna_offset_control,
-                       sizeof(required_gnss_antenna_offset_control), v->present);
+    mip_write_required(w, v->function, required_antenna_offset, sizeof(required_antenna_offset),
+                       v->present);
     mip_write_group(w, 1, 1);
     mip_write_float(w, v->offset, 3);
 }
 
-static bool asked_gnss_antenna_offset_control_1(const void *value) {
-    const struct mip_filter_gnss_antenna_offset_control *v =
-        (const struct mip_filter_gnss_antenna_offset_control *)value;
+static bool asked_antenna_offset_1(const void *value) {
+    const struct mip_filter_antenna_offset *v = (const struct mip_filter_antenna_offset *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_gnss_antenna_offset_control[] = {
-    {&mip_filter_gnss_antenna_offset_control_response_codec, asked_gnss_antenna_offset_control_1},
+static const struct mip_response responses_antenna_offset[] = {
+    {&mip_filter_antenna_offset_response_codec, asked_antenna_offset_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_gnss_antenna_offset_control_codec = {
+const struct mip_codec mip_filter_antenna_offset_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
+    MIP_FILTER_ANTENNA_OFFSET_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_gnss_antenna_offset_control),
+    sizeof(struct mip_filter_antenna_offset),
     0, /* time-out */
-    read_gnss_antenna_offset_control,
-    write_gnss_antenna_offset_control,
+    read_antenna_offset,
+    write_antenna_offset,
     NULL,
-    responses_gnss_antenna_offset_control,
+    responses_antenna_offset,
     NULL,
 };
 
-mip_error mip_filter_gnss_antenna_offset_control_decode(
-    struct mip_filter_gnss_antenna_offset_control *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_antenna_offset_control, value, sizeof(*value), NULL);
+mip_error mip_filter_antenna_offset_decode(struct mip_filter_antenna_offset *value,
+                                           const struct mip_field *field) {
+    return mip_decode_field(field, read_antenna_offset, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gnss_antenna_offset_control_encode(
-    const struct mip_filter_gnss_antenna_offset_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
-                            write_gnss_antenna_offset_control, value);
+mip_error mip_filter_antenna_offset_encode(const struct mip_filter_antenna_offset *value,
+                                           struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ANTENNA_OFFSET_DESCRIPTOR,
+                            write_antenna_offset, value);
 }
 
-struct mip_filter_gnss_antenna_offset_control
-mip_filter_gnss_antenna_offset_control_write(const float offset[3]) {
-    struct mip_filter_gnss_antenna_offset_control v;
+struct mip_filter_antenna_offset mip_filter_antenna_offset_write(const float offset[3]) {
+    struct mip_filter_antenna_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(v.offset, offset, sizeof(v.offset));
     return v;
 }
 
-struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_read(void) {
-    struct mip_filter_gnss_antenna_offset_control v;
+struct mip_filter_antenna_offset mip_filter_antenna_offset_read(void) {
+    struct mip_filter_antenna_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_save(void) {
-    struct mip_filter_gnss_antenna_offset_control v;
+struct mip_filter_antenna_offset mip_filter_antenna_offset_save(void) {
+    struct mip_filter_antenna_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_load(void) {
-    struct mip_filter_gnss_antenna_offset_control v;
+struct mip_filter_antenna_offset mip_filter_antenna_offset_load(void) {
+    struct mip_filter_antenna_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_default(void) {
-    struct mip_filter_gnss_antenna_offset_control v;
+struct mip_filter_antenna_offset mip_filter_antenna_offset_default(void) {
+    struct mip_filter_antenna_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_gnss_antenna_offset_control_response(struct mip_reader *r, void *value) {
-    struct mip_filter_gnss_antenna_offset_control_response *v =
-        (struct mip_filter_gnss_antenna_offset_control_response *)value;
+static void read_antenna_offset_response(struct mip_reader *r, void *value) {
+    struct mip_filter_antenna_offset_response *v =
+        (struct mip_filter_antenna_offset_response *)value;
     mip_read_float(r, v->offset, 3);
 }
 
-static void write_gnss_antenna_offset_control_response(struct mip_writer *w, const void *value) {
-    const struct mip_filter_gnss_antenna_offset_control_response *v =
-        (const struct mip_filter_gnss_antenna_offset_control_response *)value;
+static void write_antenna_offset_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_antenna_offset_response *v =
+        (const struct mip_filter_antenna_offset_response *)value;
     mip_write_float(w, v->offset, 3);
 }
 
-const struct mip_codec mip_filter_gnss_antenna_offset_control_response_codec = {
+const struct mip_codec mip_filter_antenna_offset_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_gnss_antenna_offset_control_response),
+    sizeof(struct mip_filter_antenna_offset_response),
     0, /* time-out */
-    read_gnss_antenna_offset_control_response,
-    write_gnss_antenna_offset_control_response,
+    read_antenna_offset_response,
+    write_antenna_offset_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_gnss_antenna_offset_control_response_decode(
-    struct mip_filter_gnss_antenna_offset_control_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_antenna_offset_control_response, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_antenna_offset_response_decode(
+    struct mip_filter_antenna_offset_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_antenna_offset_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gnss_antenna_offset_control_response_encode(
-    const struct mip_filter_gnss_antenna_offset_control_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
-                            write_gnss_antenna_offset_control_response, value);
+mip_error mip_filter_antenna_offset_response_encode(
+    const struct mip_filter_antenna_offset_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR,
+                            write_antenna_offset_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_estimation_control_flags[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_estimation_control[] = {0, 1, 0, 0, 0, 0};
 
-static void read_estimation_control_flags(struct mip_reader *r, void *value) {
-    struct mip_filter_estimation_control_flags *v =
-        (struct mip_filter_estimation_control_flags *)value;
+static void read_estimation_control(struct mip_reader *r, void *value) {
+    struct mip_filter_estimation_control *v = (struct mip_filter_estimation_control *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_estimation_control_flags,
-                      sizeof(required_estimation_control_flags));
+    mip_read_required(r, v->function, required_estimation_control,
+                      sizeof(required_estimation_control));
     mip_read_group(r, 1, 1);
     mip_read_u16(r, &v->flags, 1);
     v->present = mip_read_present(r);
 }
 
-static void write_estimation_control_flags(struct mip_writer *w, const void *value) {
-    const struct mip_filter_estimation_control_flags *v =
-        (const struct mip_filter_estimation_control_flags *)value;
+static void write_estimation_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_estimation_control *v =
+        (const struct mip_filter_estimation_control *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_estimation_control_flags,
-                       sizeof(required_estimation_control_flags), v->present);
+    mip_write_required(w, v->function, required_estimation_control,
+                       sizeof(required_estimation_control), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u16(w, &v->flags, 1);
 }
 
-static bool asked_estimation_control_flags_1(const void *value) {
-    const struct mip_filter_estimation_control_flags *v =
-        (const struct mip_filter_estimation_control_flags *)value;
+static bool asked_estimation_control_1(const void *value) {
+    const struct mip_filter_estimation_control *v =
+        (const struct mip_filter_estimation_control *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_estimation_control_flags[] = {
-    {&mip_filter_estimation_control_flags_response_codec, asked_estimation_control_flags_1},
+static const struct mip_response responses_estimation_control[] = {
+    {&mip_filter_estimation_control_response_codec, asked_estimation_control_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_estimation_control_flags_codec = {
+const struct mip_codec mip_filter_estimation_control_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_ESTIMATION_CONTROL_FLAGS_DESCRIPTOR,
+    MIP_FILTER_ESTIMATION_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_estimation_control_flags),
+    sizeof(struct mip_filter_estimation_control),
     0, /* time-out */
-    read_estimation_control_flags,
-    write_estimation_control_flags,
+    read_estimation_control,
+    write_estimation_control,
     NULL,
-    responses_estimation_control_flags,
+    responses_estimation_control,
     NULL,
 };
 
-mip_error mip_filter_estimation_control_flags_decode(
-    struct mip_filter_estimation_control_flags *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_estimation_control_flags, value, sizeof(*value), NULL);
+mip_error mip_filter_estimation_control_decode(struct mip_filter_estimation_control *value,
+                                               const struct mip_field *field) {
+    return mip_decode_field(field, read_estimation_control, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_estimation_control_flags_encode(
-    const struct mip_filter_estimation_control_flags *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_ESTIMATION_CONTROL_FLAGS_DESCRIPTOR,
-                            write_estimation_control_flags, value);
+mip_error mip_filter_estimation_control_encode(const struct mip_filter_estimation_control *value,
+                                               struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ESTIMATION_CONTROL_DESCRIPTOR,
+                            write_estimation_control, value);
 }
 
-struct mip_filter_estimation_control_flags
-mip_filter_estimation_control_flags_write(mip_filter_estimated_states flags) {
-    struct mip_filter_estimation_control_flags v;
+struct mip_filter_estimation_control
+mip_filter_estimation_control_write(mip_filter_estimated_states flags) {
+    struct mip_filter_estimation_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.flags = flags;
     return v;
 }
 
-struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_read(void) {
-    struct mip_filter_estimation_control_flags v;
+struct mip_filter_estimation_control mip_filter_estimation_control_read(void) {
+    struct mip_filter_estimation_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_save(void) {
-    struct mip_filter_estimation_control_flags v;
+struct mip_filter_estimation_control mip_filter_estimation_control_save(void) {
+    struct mip_filter_estimation_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_load(void) {
-    struct mip_filter_estimation_control_flags v;
+struct mip_filter_estimation_control mip_filter_estimation_control_load(void) {
+    struct mip_filter_estimation_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_default(void) {
-    struct mip_filter_estimation_control_flags v;
+struct mip_filter_estimation_control mip_filter_estimation_control_default(void) {
+    struct mip_filter_estimation_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_estimation_control_flags_response(struct mip_reader *r, void *value) {
-    struct mip_filter_estimation_control_flags_response *v =
-        (struct mip_filter_estimation_control_flags_response *)value;
+static void read_estimation_control_response(struct mip_reader *r, void *value) {
+    struct mip_filter_estimation_control_response *v =
+        (struct mip_filter_estimation_control_response *)value;
     mip_read_u16(r, &v->flags, 1);
 }
 
-static void write_estimation_control_flags_response(struct mip_writer *w, const void *value) {
-    const struct mip_filter_estimation_control_flags_response *v =
-        (const struct mip_filter_estimation_control_flags_response *)value;
+static void write_estimation_control_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_estimation_control_response *v =
+        (const struct mip_filter_estimation_control_response *)value;
     mip_write_u16(w, &v->flags, 1);
 }
 
-const struct mip_codec mip_filter_estimation_control_flags_response_codec = {
+const struct mip_codec mip_filter_estimation_control_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_ESTIMATION_CONTROL_FLAGS_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_ESTIMATION_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_estimation_control_flags_response),
+    sizeof(struct mip_filter_estimation_control_response),
     0, /* time-out */
-    read_estimation_control_flags_response,
-    write_estimation_control_flags_response,
+    read_estimation_control_response,
+    write_estimation_control_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_estimation_control_flags_response_decode(
-    struct mip_filter_estimation_control_flags_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_estimation_control_flags_response, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_estimation_control_response_decode(
+    struct mip_filter_estimation_control_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_estimation_control_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_estimation_control_flags_response_encode(
-    const struct mip_filter_estimation_control_flags_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_ESTIMATION_CONTROL_FLAGS_RESPONSE_DESCRIPTOR,
-                            write_estimation_control_flags_response, value);
+mip_error mip_filter_estimation_control_response_encode(
+    const struct mip_filter_estimation_control_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ESTIMATION_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_estimation_control_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_gnss_aiding_source_control[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_gnss_source[] = {0, 1, 0, 0, 0, 0};
 
-static void read_gnss_aiding_source_control(struct mip_reader *r, void *value) {
-    struct mip_filter_gnss_aiding_source_control *v =
-        (struct mip_filter_gnss_aiding_source_control *)value;
+static void read_gnss_source(struct mip_reader *r, void *value) {
+    struct mip_filter_gnss_source *v = (struct mip_filter_gnss_source *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gnss_aiding_source_control,
-                      sizeof(required_gnss_aiding_source_control));
+    mip_read_required(r, v->function, required_gnss_source, sizeof(required_gnss_source));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->source, 1);
     v->present = mip_read_present(r);
 }
 
-static void write_gnss_aiding_source_control(struct mip_writer *w, const void *value) {
-    const struct mip_filter_gnss_aiding_source_control *v =
-        (const struct mip_filter_gnss_aiding_source_control *)value;
+static void write_gnss_source(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gnss_source *v = (const struct mip_filter_gnss_source *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gnss_aiding_source_control,
-                       sizeof(required_gnss_aiding_source_control), v->present);
+    mip_write_required(w, v->function, required_gnss_source, sizeof(required_gnss_source),
+                       v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->source, 1);
 }
 
-static bool asked_gnss_aiding_source_control_1(const void *value) {
-    const struct mip_filter_gnss_aiding_source_control *v =
-        (const struct mip_filter_gnss_aiding_source_control *)value;
+static bool asked_gnss_source_1(const void *value) {
+    const struct mip_filter_gnss_source *v = (const struct mip_filter_gnss_source *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_gnss_aiding_source_control[] = {
-    {&mip_filter_gnss_aiding_source_control_response_codec, asked_gnss_aiding_source_control_1},
+static const struct mip_response responses_gnss_source[] = {
+    {&mip_filter_gnss_source_response_codec, asked_gnss_source_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_gnss_aiding_source_control_codec = {
+const struct mip_codec mip_filter_gnss_source_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_DESCRIPTOR,
+    MIP_FILTER_GNSS_SOURCE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_gnss_aiding_source_control),
+    sizeof(struct mip_filter_gnss_source),
     0, /* time-out */
-    read_gnss_aiding_source_control,
-    write_gnss_aiding_source_control,
+    read_gnss_source,
+    write_gnss_source,
     NULL,
-    responses_gnss_aiding_source_control,
+    responses_gnss_source,
     NULL,
 };
 
-mip_error mip_filter_gnss_aiding_source_control_decode(
-    struct mip_filter_gnss_aiding_source_control *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_aiding_source_control, value, sizeof(*value), NULL);
+mip_error mip_filter_gnss_source_decode(struct mip_filter_gnss_source *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_source, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gnss_aiding_source_control_encode(
-    const struct mip_filter_gnss_aiding_source_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_DESCRIPTOR,
-                            write_gnss_aiding_source_control, value);
+mip_error mip_filter_gnss_source_encode(const struct mip_filter_gnss_source *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GNSS_SOURCE_DESCRIPTOR, write_gnss_source,
+                            value);
 }
 
-struct mip_filter_gnss_aiding_source_control
-mip_filter_gnss_aiding_source_control_write(mip_filter_gnss_aiding_source source) {
-    struct mip_filter_gnss_aiding_source_control v;
+struct mip_filter_gnss_source mip_filter_gnss_source_write(mip_filter_gnss_aiding_source source) {
+    struct mip_filter_gnss_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.source = source;
     return v;
 }
 
-struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_read(void) {
-    struct mip_filter_gnss_aiding_source_control v;
+struct mip_filter_gnss_source mip_filter_gnss_source_read(void) {
+    struct mip_filter_gnss_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_save(void) {
-    struct mip_filter_gnss_aiding_source_control v;
+struct mip_filter_gnss_source mip_filter_gnss_source_save(void) {
+    struct mip_filter_gnss_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_load(void) {
-    struct mip_filter_gnss_aiding_source_control v;
+struct mip_filter_gnss_source mip_filter_gnss_source_load(void) {
+    struct mip_filter_gnss_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_default(void) {
-    struct mip_filter_gnss_aiding_source_control v;
+struct mip_filter_gnss_source mip_filter_gnss_source_default(void) {
+    struct mip_filter_gnss_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_gnss_aiding_source_control_response(struct mip_reader *r, void *value) {
-    struct mip_filter_gnss_aiding_source_control_response *v =
-        (struct mip_filter_gnss_aiding_source_control_response *)value;
+static void read_gnss_source_response(struct mip_reader *r, void *value) {
+    struct mip_filter_gnss_source_response *v = (struct mip_filter_gnss_source_response *)value;
     mip_read_u8(r, &v->source, 1);
 }
 
-static void write_gnss_aiding_source_control_response(struct mip_writer *w, const void *value) {
-    const struct mip_filter_gnss_aiding_source_control_response *v =
-        (const struct mip_filter_gnss_aiding_source_control_response *)value;
+static void write_gnss_source_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gnss_source_response *v =
+        (const struct mip_filter_gnss_source_response *)value;
     mip_write_u8(w, &v->source, 1);
 }
 
-const struct mip_codec mip_filter_gnss_aiding_source_control_response_codec = {
+const struct mip_codec mip_filter_gnss_source_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_GNSS_SOURCE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_gnss_aiding_source_control_response),
+    sizeof(struct mip_filter_gnss_source_response),
     0, /* time-out */
-    read_gnss_aiding_source_control_response,
-    write_gnss_aiding_source_control_response,
+    read_gnss_source_response,
+    write_gnss_source_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_gnss_aiding_source_control_response_decode(
-    struct mip_filter_gnss_aiding_source_control_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_aiding_source_control_response, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_gnss_source_response_decode(struct mip_filter_gnss_source_response *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_source_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gnss_aiding_source_control_response_encode(
-    const struct mip_filter_gnss_aiding_source_control_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
-                            write_gnss_aiding_source_control_response, value);
+mip_error mip_filter_gnss_source_response_encode(
+    const struct mip_filter_gnss_source_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GNSS_SOURCE_RESPONSE_DESCRIPTOR,
+                            write_gnss_source_response, value);
 }
 
 static void read_external_gnss_update(struct mip_reader *r, void *value) {
@@ -1096,136 +1066,132 @@ struct mip_filter_external_heading_update mip_filter_external_heading_update_mak
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_heading_update_control[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_heading_source[] = {0, 1, 0, 0, 0, 0};
 
-static void read_heading_update_control(struct mip_reader *r, void *value) {
-    struct mip_filter_heading_update_control *v = (struct mip_filter_heading_update_control *)value;
+static void read_heading_source(struct mip_reader *r, void *value) {
+    struct mip_filter_heading_source *v = (struct mip_filter_heading_source *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_heading_update_control,
-                      sizeof(required_heading_update_control));
+    mip_read_required(r, v->function, required_heading_source, sizeof(required_heading_source));
     mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->enable, 1);
+    mip_read_u8(r, &v->source, 1);
     v->present = mip_read_present(r);
 }
 
-static void write_heading_update_control(struct mip_writer *w, const void *value) {
-    const struct mip_filter_heading_update_control *v =
-        (const struct mip_filter_heading_update_control *)value;
+static void write_heading_source(struct mip_writer *w, const void *value) {
+    const struct mip_filter_heading_source *v = (const struct mip_filter_heading_source *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_heading_update_control,
-                       sizeof(required_heading_update_control), v->present);
+    mip_write_required(w, v->function, required_heading_source, sizeof(required_heading_source),
+                       v->present);
     mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->enable, 1);
+    mip_write_u8(w, &v->source, 1);
 }
 
-static bool asked_heading_update_control_1(const void *value) {
-    const struct mip_filter_heading_update_control *v =
-        (const struct mip_filter_heading_update_control *)value;
+static bool asked_heading_source_1(const void *value) {
+    const struct mip_filter_heading_source *v = (const struct mip_filter_heading_source *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_heading_update_control[] = {
-    {&mip_filter_heading_update_control_response_codec, asked_heading_update_control_1},
+static const struct mip_response responses_heading_source[] = {
+    {&mip_filter_heading_source_response_codec, asked_heading_source_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_heading_update_control_codec = {
+const struct mip_codec mip_filter_heading_source_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_HEADING_UPDATE_CONTROL_DESCRIPTOR,
+    MIP_FILTER_HEADING_SOURCE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_heading_update_control),
+    sizeof(struct mip_filter_heading_source),
     0, /* time-out */
-    read_heading_update_control,
-    write_heading_update_control,
+    read_heading_source,
+    write_heading_source,
     NULL,
-    responses_heading_update_control,
+    responses_heading_source,
     NULL,
 };
 
-mip_error mip_filter_heading_update_control_decode(struct mip_filter_heading_update_control *value,
-                                                   const struct mip_field *field) {
-    return mip_decode_field(field, read_heading_update_control, value, sizeof(*value), NULL);
+mip_error mip_filter_heading_source_decode(struct mip_filter_heading_source *value,
+                                           const struct mip_field *field) {
+    return mip_decode_field(field, read_heading_source, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_heading_update_control_encode(
-    const struct mip_filter_heading_update_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_HEADING_UPDATE_CONTROL_DESCRIPTOR,
-                            write_heading_update_control, value);
+mip_error mip_filter_heading_source_encode(const struct mip_filter_heading_source *value,
+                                           struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_HEADING_SOURCE_DESCRIPTOR,
+                            write_heading_source, value);
 }
 
-struct mip_filter_heading_update_control
-mip_filter_heading_update_control_write(mip_filter_heading_update_source enable) {
-    struct mip_filter_heading_update_control v;
+struct mip_filter_heading_source
+mip_filter_heading_source_write(mip_filter_heading_update_source source) {
+    struct mip_filter_heading_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.enable = enable;
+    v.source = source;
     return v;
 }
 
-struct mip_filter_heading_update_control mip_filter_heading_update_control_read(void) {
-    struct mip_filter_heading_update_control v;
+struct mip_filter_heading_source mip_filter_heading_source_read(void) {
+    struct mip_filter_heading_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_heading_update_control mip_filter_heading_update_control_save(void) {
-    struct mip_filter_heading_update_control v;
+struct mip_filter_heading_source mip_filter_heading_source_save(void) {
+    struct mip_filter_heading_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_heading_update_control mip_filter_heading_update_control_load(void) {
-    struct mip_filter_heading_update_control v;
+struct mip_filter_heading_source mip_filter_heading_source_load(void) {
+    struct mip_filter_heading_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_heading_update_control mip_filter_heading_update_control_default(void) {
-    struct mip_filter_heading_update_control v;
+struct mip_filter_heading_source mip_filter_heading_source_default(void) {
+    struct mip_filter_heading_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_heading_update_control_response(struct mip_reader *r, void *value) {
-    struct mip_filter_heading_update_control_response *v =
-        (struct mip_filter_heading_update_control_response *)value;
-    mip_read_u8(r, &v->enable, 1);
+static void read_heading_source_response(struct mip_reader *r, void *value) {
+    struct mip_filter_heading_source_response *v =
+        (struct mip_filter_heading_source_response *)value;
+    mip_read_u8(r, &v->source, 1);
 }
 
-static void write_heading_update_control_response(struct mip_writer *w, const void *value) {
-    const struct mip_filter_heading_update_control_response *v =
-        (const struct mip_filter_heading_update_control_response *)value;
-    mip_write_u8(w, &v->enable, 1);
+static void write_heading_source_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_heading_source_response *v =
+        (const struct mip_filter_heading_source_response *)value;
+    mip_write_u8(w, &v->source, 1);
 }
 
-const struct mip_codec mip_filter_heading_update_control_response_codec = {
+const struct mip_codec mip_filter_heading_source_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_HEADING_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_HEADING_SOURCE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_heading_update_control_response),
+    sizeof(struct mip_filter_heading_source_response),
     0, /* time-out */
-    read_heading_update_control_response,
-    write_heading_update_control_response,
+    read_heading_source_response,
+    write_heading_source_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_heading_update_control_response_decode(
-    struct mip_filter_heading_update_control_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_heading_update_control_response, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_heading_source_response_decode(
+    struct mip_filter_heading_source_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_heading_source_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_heading_update_control_response_encode(
-    const struct mip_filter_heading_update_control_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_HEADING_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
-                            write_heading_update_control_response, value);
+mip_error mip_filter_heading_source_response_encode(
+    const struct mip_filter_heading_source_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_HEADING_SOURCE_RESPONSE_DESCRIPTOR,
+                            write_heading_source_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -1365,307 +1331,266 @@ mip_error mip_filter_auto_initialization_control_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_accelerometer_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_accel_noise[] = {0, 1, 0, 0, 0, 0};
 
-static void read_accelerometer_noise_standard_deviation(struct mip_reader *r, void *value) {
-    struct mip_filter_accelerometer_noise_standard_deviation *v =
-        (struct mip_filter_accelerometer_noise_standard_deviation *)value;
+static void read_accel_noise(struct mip_reader *r, void *value) {
+    struct mip_filter_accel_noise *v = (struct mip_filter_accel_noise *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_accelerometer_noise_standard_deviation,
-                      sizeof(required_accelerometer_noise_standard_deviation));
+    mip_read_required(r, v->function, required_accel_noise, sizeof(required_accel_noise));
     mip_read_group(r, 1, 1);
     mip_read_float(r, v->noise, 3);
     v->present = mip_read_present(r);
 }
 
-static void write_accelerometer_noise_standard_deviation(struct mip_writer *w, const void *value) {
-    const struct mip_filter_accelerometer_noise_standard_deviation *v =
-        (const struct mip_filter_accelerometer_noise_standard_deviation *)value;
+static void write_accel_noise(struct mip_writer *w, const void *value) {
+    const struct mip_filter_accel_noise *v = (const struct mip_filter_accel_noise *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_accelerometer_noise_standard_deviation,
-                       sizeof(required_accelerometer_noise_standard_deviation), v->present);
+    mip_write_required(w, v->function, required_accel_noise, sizeof(required_accel_noise),
+                       v->present);
     mip_write_group(w, 1, 1);
     mip_write_float(w, v->noise, 3);
 }
 
-static bool asked_accelerometer_noise_standard_deviation_1(const void *value) {
-    const struct mip_filter_accelerometer_noise_standard_deviation *v =
-        (const struct mip_filter_accelerometer_noise_standard_deviation *)value;
+static bool asked_accel_noise_1(const void *value) {
+    const struct mip_filter_accel_noise *v = (const struct mip_filter_accel_noise *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_accelerometer_noise_standard_deviation[] = {
-    {&mip_filter_accelerometer_noise_standard_deviation_response_codec,
-     asked_accelerometer_noise_standard_deviation_1},
+static const struct mip_response responses_accel_noise[] = {
+    {&mip_filter_accel_noise_response_codec, asked_accel_noise_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_codec = {
+const struct mip_codec mip_filter_accel_noise_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
+    MIP_FILTER_ACCEL_NOISE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_accelerometer_noise_standard_deviation),
+    sizeof(struct mip_filter_accel_noise),
     0, /* time-out */
-    read_accelerometer_noise_standard_deviation,
-    write_accelerometer_noise_standard_deviation,
+    read_accel_noise,
+    write_accel_noise,
     NULL,
-    responses_accelerometer_noise_standard_deviation,
+    responses_accel_noise,
     NULL,
 };
 
-mip_error mip_filter_accelerometer_noise_standard_deviation_decode(
-    struct mip_filter_accelerometer_noise_standard_deviation *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_accelerometer_noise_standard_deviation, value,
-                            sizeof(*value), NULL);
+mip_error mip_filter_accel_noise_decode(struct mip_filter_accel_noise *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_accel_noise, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_accelerometer_noise_standard_deviation_encode(
-    const struct mip_filter_accelerometer_noise_standard_deviation *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
-                            write_accelerometer_noise_standard_deviation, value);
+mip_error mip_filter_accel_noise_encode(const struct mip_filter_accel_noise *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ACCEL_NOISE_DESCRIPTOR, write_accel_noise,
+                            value);
 }
 
-struct mip_filter_accelerometer_noise_standard_deviation
-mip_filter_accelerometer_noise_standard_deviation_write(const float noise[3]) {
-    struct mip_filter_accelerometer_noise_standard_deviation v;
+struct mip_filter_accel_noise mip_filter_accel_noise_write(const float noise[3]) {
+    struct mip_filter_accel_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(v.noise, noise, sizeof(v.noise));
     return v;
 }
 
-struct mip_filter_accelerometer_noise_standard_deviation
-mip_filter_accelerometer_noise_standard_deviation_read(void) {
-    struct mip_filter_accelerometer_noise_standard_deviation v;
+struct mip_filter_accel_noise mip_filter_accel_noise_read(void) {
+    struct mip_filter_accel_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_accelerometer_noise_standard_deviation
-mip_filter_accelerometer_noise_standard_deviation_save(void) {
-    struct mip_filter_accelerometer_noise_standard_deviation v;
+struct mip_filter_accel_noise mip_filter_accel_noise_save(void) {
+    struct mip_filter_accel_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_accelerometer_noise_standard_deviation
-mip_filter_accelerometer_noise_standard_deviation_load(void) {
-    struct mip_filter_accelerometer_noise_standard_deviation v;
+struct mip_filter_accel_noise mip_filter_accel_noise_load(void) {
+    struct mip_filter_accel_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_accelerometer_noise_standard_deviation
-mip_filter_accelerometer_noise_standard_deviation_default(void) {
-    struct mip_filter_accelerometer_noise_standard_deviation v;
+struct mip_filter_accel_noise mip_filter_accel_noise_default(void) {
+    struct mip_filter_accel_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_accelerometer_noise_standard_deviation_response(struct mip_reader *r,
-                                                                 void *value) {
-    struct mip_filter_accelerometer_noise_standard_deviation_response *v =
-        (struct mip_filter_accelerometer_noise_standard_deviation_response *)value;
+static void read_accel_noise_response(struct mip_reader *r, void *value) {
+    struct mip_filter_accel_noise_response *v = (struct mip_filter_accel_noise_response *)value;
     mip_read_float(r, v->noise, 3);
 }
 
-static void write_accelerometer_noise_standard_deviation_response(struct mip_writer *w,
-                                                                  const void *value) {
-    const struct mip_filter_accelerometer_noise_standard_deviation_response *v =
-        (const struct mip_filter_accelerometer_noise_standard_deviation_response *)value;
+static void write_accel_noise_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_accel_noise_response *v =
+        (const struct mip_filter_accel_noise_response *)value;
     mip_write_float(w, v->noise, 3);
 }
 
-const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_response_codec = {
+const struct mip_codec mip_filter_accel_noise_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_ACCEL_NOISE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_accelerometer_noise_standard_deviation_response),
+    sizeof(struct mip_filter_accel_noise_response),
     0, /* time-out */
-    read_accelerometer_noise_standard_deviation_response,
-    write_accelerometer_noise_standard_deviation_response,
+    read_accel_noise_response,
+    write_accel_noise_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_accelerometer_noise_standard_deviation_response_decode(
-    struct mip_filter_accelerometer_noise_standard_deviation_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_accelerometer_noise_standard_deviation_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_filter_accel_noise_response_decode(struct mip_filter_accel_noise_response *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_accel_noise_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_accelerometer_noise_standard_deviation_response_encode(
-    const struct mip_filter_accelerometer_noise_standard_deviation_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
-                            write_accelerometer_noise_standard_deviation_response, value);
+mip_error mip_filter_accel_noise_response_encode(
+    const struct mip_filter_accel_noise_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ACCEL_NOISE_RESPONSE_DESCRIPTOR,
+                            write_accel_noise_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_gyroscope_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_gyro_noise[] = {0, 1, 0, 0, 0, 0};
 
-static void read_gyroscope_noise_standard_deviation(struct mip_reader *r, void *value) {
-    struct mip_filter_gyroscope_noise_standard_deviation *v =
-        (struct mip_filter_gyroscope_noise_standard_deviation *)value;
+static void read_gyro_noise(struct mip_reader *r, void *value) {
+    struct mip_filter_gyro_noise *v = (struct mip_filter_gyro_noise *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gyroscope_noise_standard_deviation,
-                      sizeof(required_gyroscope_noise_standard_deviation));
+    mip_read_required(r, v->function, required_gyro_noise, sizeof(required_gyro_noise));
     mip_read_group(r, 1, 1);
     mip_read_float(r, v->noise, 3);
     v->present = mip_read_present(r);
 }
 
-static void write_gyroscope_noise_standard_deviation(struct mip_writer *w, const void *value) {
-    const struct mip_filter_gyroscope_noise_standard_deviation *v =
-        (const struct mip_filter_gyroscope_noise_standard_deviation *)value;
+static void write_gyro_noise(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gyro_noise *v = (const struct mip_filter_gyro_noise *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gyroscope_noise_standard_deviation,
-                       sizeof(required_gyroscope_noise_standard_deviation), v->present);
+    mip_write_required(w, v->function, required_gyro_noise, sizeof(required_gyro_noise),
+                       v->present);
     mip_write_group(w, 1, 1);
     mip_write_float(w, v->noise, 3);
 }
 
-static bool asked_gyroscope_noise_standard_deviation_1(const void *value) {
-    const struct mip_filter_gyroscope_noise_standard_deviation *v =
-        (const struct mip_filter_gyroscope_noise_standard_deviation *)value;
+static bool asked_gyro_noise_1(const void *value) {
+    const struct mip_filter_gyro_noise *v = (const struct mip_filter_gyro_noise *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_gyroscope_noise_standard_deviation[] = {
-    {&mip_filter_gyroscope_noise_standard_deviation_response_codec,
-     asked_gyroscope_noise_standard_deviation_1},
+static const struct mip_response responses_gyro_noise[] = {
+    {&mip_filter_gyro_noise_response_codec, asked_gyro_noise_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_codec = {
+const struct mip_codec mip_filter_gyro_noise_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
+    MIP_FILTER_GYRO_NOISE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_gyroscope_noise_standard_deviation),
+    sizeof(struct mip_filter_gyro_noise),
     0, /* time-out */
-    read_gyroscope_noise_standard_deviation,
-    write_gyroscope_noise_standard_deviation,
+    read_gyro_noise,
+    write_gyro_noise,
     NULL,
-    responses_gyroscope_noise_standard_deviation,
+    responses_gyro_noise,
     NULL,
 };
 
-mip_error mip_filter_gyroscope_noise_standard_deviation_decode(
-    struct mip_filter_gyroscope_noise_standard_deviation *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gyroscope_noise_standard_deviation, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_gyro_noise_decode(struct mip_filter_gyro_noise *value,
+                                       const struct mip_field *field) {
+    return mip_decode_field(field, read_gyro_noise, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gyroscope_noise_standard_deviation_encode(
-    const struct mip_filter_gyroscope_noise_standard_deviation *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
-                            write_gyroscope_noise_standard_deviation, value);
+mip_error mip_filter_gyro_noise_encode(const struct mip_filter_gyro_noise *value,
+                                       struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GYRO_NOISE_DESCRIPTOR, write_gyro_noise,
+                            value);
 }
 
-struct mip_filter_gyroscope_noise_standard_deviation
-mip_filter_gyroscope_noise_standard_deviation_write(const float noise[3]) {
-    struct mip_filter_gyroscope_noise_standard_deviation v;
+struct mip_filter_gyro_noise mip_filter_gyro_noise_write(const float noise[3]) {
+    struct mip_filter_gyro_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(v.noise, noise, sizeof(v.noise));
     return v;
 }
 
-struct mip_filter_gyroscope_noise_standard_deviation
-mip_filter_gyroscope_noise_standard_deviation_read(void) {
-    struct mip_filter_gyroscope_noise_standard_deviation v;
+struct mip_filter_gyro_noise mip_filter_gyro_noise_read(void) {
+    struct mip_filter_gyro_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_gyroscope_noise_standard_deviation
-mip_filter_gyroscope_noise_standard_deviation_save(void) {
-    struct mip_filter_gyroscope_noise_standard_deviation v;
+struct mip_filter_gyro_noise mip_filter_gyro_noise_save(void) {
+    struct mip_filter_gyro_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_gyroscope_noise_standard_deviation
-mip_filter_gyroscope_noise_standard_deviation_load(void) {
-    struct mip_filter_gyroscope_noise_standard_deviation v;
+struct mip_filter_gyro_noise mip_filter_gyro_noise_load(void) {
+    struct mip_filter_gyro_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_gyroscope_noise_standard_deviation
-mip_filter_gyroscope_noise_standard_deviation_default(void) {
-    struct mip_filter_gyroscope_noise_standard_deviation v;
+struct mip_filter_gyro_noise mip_filter_gyro_noise_default(void) {
+    struct mip_filter_gyro_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_gyroscope_noise_standard_deviation_response(struct mip_reader *r, void *value) {
-    struct mip_filter_gyroscope_noise_standard_deviation_response *v =
-        (struct mip_filter_gyroscope_noise_standard_deviation_response *)value;
+static void read_gyro_noise_response(struct mip_reader *r, void *value) {
+    struct mip_filter_gyro_noise_response *v = (struct mip_filter_gyro_noise_response *)value;
     mip_read_float(r, v->noise, 3);
 }
 
-static void write_gyroscope_noise_standard_deviation_response(struct mip_writer *w,
-                                                              const void *value) {
-    const struct mip_filter_gyroscope_noise_standard_deviation_response *v =
-        (const struct mip_filter_gyroscope_noise_standard_deviation_response *)value;
+static void write_gyro_noise_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gyro_noise_response *v =
+        (const struct mip_filter_gyro_noise_response *)value;
     mip_write_float(w, v->noise, 3);
 }
 
-const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_response_codec = {
+const struct mip_codec mip_filter_gyro_noise_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_GYRO_NOISE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_gyroscope_noise_standard_deviation_response),
+    sizeof(struct mip_filter_gyro_noise_response),
     0, /* time-out */
-    read_gyroscope_noise_standard_deviation_response,
-    write_gyroscope_noise_standard_deviation_response,
+    read_gyro_noise_response,
+    write_gyro_noise_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_gyroscope_noise_standard_deviation_response_decode(
-    struct mip_filter_gyroscope_noise_standard_deviation_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_gyroscope_noise_standard_deviation_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_filter_gyro_noise_response_decode(struct mip_filter_gyro_noise_response *value,
+                                                const struct mip_field *field) {
+    return mip_decode_field(field, read_gyro_noise_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gyroscope_noise_standard_deviation_response_encode(
-    const struct mip_filter_gyroscope_noise_standard_deviation_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
-                            write_gyroscope_noise_standard_deviation_response, value);
+mip_error mip_filter_gyro_noise_response_encode(const struct mip_filter_gyro_noise_response *value,
+                                                struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GYRO_NOISE_RESPONSE_DESCRIPTOR,
+                            write_gyro_noise_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_accelerometer_bias_model_parameters[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_accel_bias_model[] = {0, 2, 0, 0, 0, 0};
 
-static void read_accelerometer_bias_model_parameters(struct mip_reader *r, void *value) {
-    struct mip_filter_accelerometer_bias_model_parameters *v =
-        (struct mip_filter_accelerometer_bias_model_parameters *)value;
+static void read_accel_bias_model(struct mip_reader *r, void *value) {
+    struct mip_filter_accel_bias_model *v = (struct mip_filter_accel_bias_model *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_accelerometer_bias_model_parameters,
-                      sizeof(required_accelerometer_bias_model_parameters));
+    mip_read_required(r, v->function, required_accel_bias_model, sizeof(required_accel_bias_model));
     mip_read_group(r, 1, 1);
     mip_read_float(r, v->beta, 3);
     mip_read_group(r, 2, 2);
@@ -1673,61 +1598,55 @@ static void read_accelerometer_bias_model_parameters(struct mip_reader *r, void 
     v->present = mip_read_present(r);
 }
 
-static void write_accelerometer_bias_model_parameters(struct mip_writer *w, const void *value) {
-    const struct mip_filter_accelerometer_bias_model_parameters *v =
-        (const struct mip_filter_accelerometer_bias_model_parameters *)value;
+static void write_accel_bias_model(struct mip_writer *w, const void *value) {
+    const struct mip_filter_accel_bias_model *v = (const struct mip_filter_accel_bias_model *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_accelerometer_bias_model_parameters,
-                       sizeof(required_accelerometer_bias_model_parameters), v->present);
+    mip_write_required(w, v->function, required_accel_bias_model, sizeof(required_accel_bias_model),
+                       v->present);
     mip_write_group(w, 1, 1);
     mip_write_float(w, v->beta, 3);
     mip_write_group(w, 2, 2);
     mip_write_float(w, v->noise, 3);
 }
 
-static bool asked_accelerometer_bias_model_parameters_1(const void *value) {
-    const struct mip_filter_accelerometer_bias_model_parameters *v =
-        (const struct mip_filter_accelerometer_bias_model_parameters *)value;
+static bool asked_accel_bias_model_1(const void *value) {
+    const struct mip_filter_accel_bias_model *v = (const struct mip_filter_accel_bias_model *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_accelerometer_bias_model_parameters[] = {
-    {&mip_filter_accelerometer_bias_model_parameters_response_codec,
-     asked_accelerometer_bias_model_parameters_1},
+static const struct mip_response responses_accel_bias_model[] = {
+    {&mip_filter_accel_bias_model_response_codec, asked_accel_bias_model_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_accelerometer_bias_model_parameters_codec = {
+const struct mip_codec mip_filter_accel_bias_model_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
+    MIP_FILTER_ACCEL_BIAS_MODEL_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_accelerometer_bias_model_parameters),
+    sizeof(struct mip_filter_accel_bias_model),
     0, /* time-out */
-    read_accelerometer_bias_model_parameters,
-    write_accelerometer_bias_model_parameters,
+    read_accel_bias_model,
+    write_accel_bias_model,
     NULL,
-    responses_accelerometer_bias_model_parameters,
+    responses_accel_bias_model,
     NULL,
 };
 
-mip_error mip_filter_accelerometer_bias_model_parameters_decode(
-    struct mip_filter_accelerometer_bias_model_parameters *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_accelerometer_bias_model_parameters, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_accel_bias_model_decode(struct mip_filter_accel_bias_model *value,
+                                             const struct mip_field *field) {
+    return mip_decode_field(field, read_accel_bias_model, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_accelerometer_bias_model_parameters_encode(
-    const struct mip_filter_accelerometer_bias_model_parameters *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
-                            write_accelerometer_bias_model_parameters, value);
+mip_error mip_filter_accel_bias_model_encode(const struct mip_filter_accel_bias_model *value,
+                                             struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ACCEL_BIAS_MODEL_DESCRIPTOR,
+                            write_accel_bias_model, value);
 }
 
-struct mip_filter_accelerometer_bias_model_parameters
-mip_filter_accelerometer_bias_model_parameters_write(const float beta[3], const float noise[3]) {
-    struct mip_filter_accelerometer_bias_model_parameters v;
+struct mip_filter_accel_bias_model mip_filter_accel_bias_model_write(const float beta[3],
+                                                                     const float noise[3]) {
+    struct mip_filter_accel_bias_model v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(v.beta, beta, sizeof(v.beta));
@@ -1735,90 +1654,79 @@ mip_filter_accelerometer_bias_model_parameters_write(const float beta[3], const 
     return v;
 }
 
-struct mip_filter_accelerometer_bias_model_parameters
-mip_filter_accelerometer_bias_model_parameters_read(void) {
-    struct mip_filter_accelerometer_bias_model_parameters v;
+struct mip_filter_accel_bias_model mip_filter_accel_bias_model_read(void) {
+    struct mip_filter_accel_bias_model v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_accelerometer_bias_model_parameters
-mip_filter_accelerometer_bias_model_parameters_save(void) {
-    struct mip_filter_accelerometer_bias_model_parameters v;
+struct mip_filter_accel_bias_model mip_filter_accel_bias_model_save(void) {
+    struct mip_filter_accel_bias_model v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_accelerometer_bias_model_parameters
-mip_filter_accelerometer_bias_model_parameters_load(void) {
-    struct mip_filter_accelerometer_bias_model_parameters v;
+struct mip_filter_accel_bias_model mip_filter_accel_bias_model_load(void) {
+    struct mip_filter_accel_bias_model v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_accelerometer_bias_model_parameters
-mip_filter_accelerometer_bias_model_parameters_default(void) {
-    struct mip_filter_accelerometer_bias_model_parameters v;
+struct mip_filter_accel_bias_model mip_filter_accel_bias_model_default(void) {
+    struct mip_filter_accel_bias_model v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_accelerometer_bias_model_parameters_response(struct mip_reader *r, void *value) {
-    struct mip_filter_accelerometer_bias_model_parameters_response *v =
-        (struct mip_filter_accelerometer_bias_model_parameters_response *)value;
+static void read_accel_bias_model_response(struct mip_reader *r, void *value) {
+    struct mip_filter_accel_bias_model_response *v =
+        (struct mip_filter_accel_bias_model_response *)value;
     mip_read_float(r, v->beta, 3);
     mip_read_float(r, v->noise, 3);
 }
 
-static void write_accelerometer_bias_model_parameters_response(struct mip_writer *w,
-                                                               const void *value) {
-    const struct mip_filter_accelerometer_bias_model_parameters_response *v =
-        (const struct mip_filter_accelerometer_bias_model_parameters_response *)value;
+static void write_accel_bias_model_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_accel_bias_model_response *v =
+        (const struct mip_filter_accel_bias_model_response *)value;
     mip_write_float(w, v->beta, 3);
     mip_write_float(w, v->noise, 3);
 }
 
-const struct mip_codec mip_filter_accelerometer_bias_model_parameters_response_codec = {
+const struct mip_codec mip_filter_accel_bias_model_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_accelerometer_bias_model_parameters_response),
+    sizeof(struct mip_filter_accel_bias_model_response),
     0, /* time-out */
-    read_accelerometer_bias_model_parameters_response,
-    write_accelerometer_bias_model_parameters_response,
+    read_accel_bias_model_response,
+    write_accel_bias_model_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_accelerometer_bias_model_parameters_response_decode(
-    struct mip_filter_accelerometer_bias_model_parameters_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_accelerometer_bias_model_parameters_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_filter_accel_bias_model_response_decode(
+    struct mip_filter_accel_bias_model_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_accel_bias_model_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_accelerometer_bias_model_parameters_response_encode(
-    const struct mip_filter_accelerometer_bias_model_parameters_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
-                            write_accelerometer_bias_model_parameters_response, value);
+mip_error mip_filter_accel_bias_model_response_encode(
+    const struct mip_filter_accel_bias_model_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE_DESCRIPTOR,
+                            write_accel_bias_model_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_gyroscope_bias_model_parameters[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_gyro_bias_model[] = {0, 2, 0, 0, 0, 0};
 
-static void read_gyroscope_bias_model_parameters(struct mip_reader *r, void *value) {
-    struct mip_filter_gyroscope_bias_model_parameters *v =
-        (struct mip_filter_gyroscope_bias_model_parameters *)value;
+static void read_gyro_bias_model(struct mip_reader *r, void *value) {
+    struct mip_filter_gyro_bias_model *v = (struct mip_filter_gyro_bias_model *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gyroscope_bias_model_parameters,
-                      sizeof(required_gyroscope_bias_model_parameters));
+    mip_read_required(r, v->function, required_gyro_bias_model, sizeof(required_gyro_bias_model));
     mip_read_group(r, 1, 1);
     mip_read_float(r, v->beta, 3);
     mip_read_group(r, 2, 2);
@@ -1826,59 +1734,55 @@ static void read_gyroscope_bias_model_parameters(struct mip_reader *r, void *val
     v->present = mip_read_present(r);
 }
 
-static void write_gyroscope_bias_model_parameters(struct mip_writer *w, const void *value) {
-    const struct mip_filter_gyroscope_bias_model_parameters *v =
-        (const struct mip_filter_gyroscope_bias_model_parameters *)value;
+static void write_gyro_bias_model(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gyro_bias_model *v = (const struct mip_filter_gyro_bias_model *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gyroscope_bias_model_parameters,
-                       sizeof(required_gyroscope_bias_model_parameters), v->present);
+    mip_write_required(w, v->function, required_gyro_bias_model, sizeof(required_gyro_bias_model),
+                       v->present);
     mip_write_group(w, 1, 1);
     mip_write_float(w, v->beta, 3);
     mip_write_group(w, 2, 2);
     mip_write_float(w, v->noise, 3);
 }
 
-static bool asked_gyroscope_bias_model_parameters_1(const void *value) {
-    const struct mip_filter_gyroscope_bias_model_parameters *v =
-        (const struct mip_filter_gyroscope_bias_model_parameters *)value;
+static bool asked_gyro_bias_model_1(const void *value) {
+    const struct mip_filter_gyro_bias_model *v = (const struct mip_filter_gyro_bias_model *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_gyroscope_bias_model_parameters[] = {
-    {&mip_filter_gyroscope_bias_model_parameters_response_codec,
-     asked_gyroscope_bias_model_parameters_1},
+static const struct mip_response responses_gyro_bias_model[] = {
+    {&mip_filter_gyro_bias_model_response_codec, asked_gyro_bias_model_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_gyroscope_bias_model_parameters_codec = {
+const struct mip_codec mip_filter_gyro_bias_model_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
+    MIP_FILTER_GYRO_BIAS_MODEL_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_gyroscope_bias_model_parameters),
+    sizeof(struct mip_filter_gyro_bias_model),
     0, /* time-out */
-    read_gyroscope_bias_model_parameters,
-    write_gyroscope_bias_model_parameters,
+    read_gyro_bias_model,
+    write_gyro_bias_model,
     NULL,
-    responses_gyroscope_bias_model_parameters,
+    responses_gyro_bias_model,
     NULL,
 };
 
-mip_error mip_filter_gyroscope_bias_model_parameters_decode(
-    struct mip_filter_gyroscope_bias_model_parameters *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gyroscope_bias_model_parameters, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_gyro_bias_model_decode(struct mip_filter_gyro_bias_model *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_gyro_bias_model, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gyroscope_bias_model_parameters_encode(
-    const struct mip_filter_gyroscope_bias_model_parameters *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
-                            write_gyroscope_bias_model_parameters, value);
+mip_error mip_filter_gyro_bias_model_encode(const struct mip_filter_gyro_bias_model *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GYRO_BIAS_MODEL_DESCRIPTOR,
+                            write_gyro_bias_model, value);
 }
 
-struct mip_filter_gyroscope_bias_model_parameters
-mip_filter_gyroscope_bias_model_parameters_write(const float beta[3], const float noise[3]) {
-    struct mip_filter_gyroscope_bias_model_parameters v;
+struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_write(const float beta[3],
+                                                                   const float noise[3]) {
+    struct mip_filter_gyro_bias_model v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(v.beta, beta, sizeof(v.beta));
@@ -1886,79 +1790,70 @@ mip_filter_gyroscope_bias_model_parameters_write(const float beta[3], const floa
     return v;
 }
 
-struct mip_filter_gyroscope_bias_model_parameters
-mip_filter_gyroscope_bias_model_parameters_read(void) {
-    struct mip_filter_gyroscope_bias_model_parameters v;
+struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_read(void) {
+    struct mip_filter_gyro_bias_model v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_gyroscope_bias_model_parameters
-mip_filter_gyroscope_bias_model_parameters_save(void) {
-    struct mip_filter_gyroscope_bias_model_parameters v;
+struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_save(void) {
+    struct mip_filter_gyro_bias_model v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_gyroscope_bias_model_parameters
-mip_filter_gyroscope_bias_model_parameters_load(void) {
-    struct mip_filter_gyroscope_bias_model_parameters v;
+struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_load(void) {
+    struct mip_filter_gyro_bias_model v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_gyroscope_bias_model_parameters
-mip_filter_gyroscope_bias_model_parameters_default(void) {
-    struct mip_filter_gyroscope_bias_model_parameters v;
+struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_default(void) {
+    struct mip_filter_gyro_bias_model v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_gyroscope_bias_model_parameters_response(struct mip_reader *r, void *value) {
-    struct mip_filter_gyroscope_bias_model_parameters_response *v =
-        (struct mip_filter_gyroscope_bias_model_parameters_response *)value;
+static void read_gyro_bias_model_response(struct mip_reader *r, void *value) {
+    struct mip_filter_gyro_bias_model_response *v =
+        (struct mip_filter_gyro_bias_model_response *)value;
     mip_read_float(r, v->beta, 3);
     mip_read_float(r, v->noise, 3);
 }
 
-static void write_gyroscope_bias_model_parameters_response(struct mip_writer *w,
-                                                           const void *value) {
-    const struct mip_filter_gyroscope_bias_model_parameters_response *v =
-        (const struct mip_filter_gyroscope_bias_model_parameters_response *)value;
+static void write_gyro_bias_model_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gyro_bias_model_response *v =
+        (const struct mip_filter_gyro_bias_model_response *)value;
     mip_write_float(w, v->beta, 3);
     mip_write_float(w, v->noise, 3);
 }
 
-const struct mip_codec mip_filter_gyroscope_bias_model_parameters_response_codec = {
+const struct mip_codec mip_filter_gyro_bias_model_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_gyroscope_bias_model_parameters_response),
+    sizeof(struct mip_filter_gyro_bias_model_response),
     0, /* time-out */
-    read_gyroscope_bias_model_parameters_response,
-    write_gyroscope_bias_model_parameters_response,
+    read_gyro_bias_model_response,
+    write_gyro_bias_model_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_gyroscope_bias_model_parameters_response_decode(
-    struct mip_filter_gyroscope_bias_model_parameters_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_gyroscope_bias_model_parameters_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_filter_gyro_bias_model_response_decode(
+    struct mip_filter_gyro_bias_model_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gyro_bias_model_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gyroscope_bias_model_parameters_response_encode(
-    const struct mip_filter_gyroscope_bias_model_parameters_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
-                            write_gyroscope_bias_model_parameters_response, value);
+mip_error mip_filter_gyro_bias_model_response_encode(
+    const struct mip_filter_gyro_bias_model_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE_DESCRIPTOR,
+                            write_gyro_bias_model_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -2096,8 +1991,8 @@ mip_error mip_filter_auto_zupt_response_encode(const struct mip_filter_auto_zupt
 static void read_external_heading_update_with_time(struct mip_reader *r, void *value) {
     struct mip_filter_external_heading_update_with_time *v =
         (struct mip_filter_external_heading_update_with_time *)value;
-    mip_read_double(r, &v->gps_time, 1);
-    mip_read_u16(r, &v->gps_week, 1);
+    mip_read_double(r, &v->tow, 1);
+    mip_read_u16(r, &v->week_number, 1);
     mip_read_float(r, &v->heading, 1);
     mip_read_float(r, &v->heading_uncertainty, 1);
     mip_read_u8(r, &v->type, 1);
@@ -2106,8 +2001,8 @@ static void read_external_heading_update_with_time(struct mip_reader *r, void *v
 static void write_external_heading_update_with_time(struct mip_writer *w, const void *value) {
     const struct mip_filter_external_heading_update_with_time *v =
         (const struct mip_filter_external_heading_update_with_time *)value;
-    mip_write_double(w, &v->gps_time, 1);
-    mip_write_u16(w, &v->gps_week, 1);
+    mip_write_double(w, &v->tow, 1);
+    mip_write_u16(w, &v->week_number, 1);
     mip_write_float(w, &v->heading, 1);
     mip_write_float(w, &v->heading_uncertainty, 1);
     mip_write_u8(w, &v->type, 1);
@@ -2139,13 +2034,13 @@ mip_error mip_filter_external_heading_update_with_time_encode(
 }
 
 struct mip_filter_external_heading_update_with_time
-mip_filter_external_heading_update_with_time_make(double gps_time, uint16_t gps_week, float heading,
+mip_filter_external_heading_update_with_time_make(double tow, uint16_t week_number, float heading,
                                                   float heading_uncertainty,
                                                   mip_filter_heading_type type) {
     struct mip_filter_external_heading_update_with_time v;
     memset(&v, 0, sizeof(v));
-    v.gps_time = gps_time;
-    v.gps_week = gps_week;
+    v.tow = tow;
+    v.week_number = week_number;
     v.heading = heading;
     v.heading_uncertainty = heading_uncertainty;
     v.type = type;
@@ -2153,14 +2048,13 @@ mip_filter_external_heading_update_with_time_make(double gps_time, uint16_t gps_
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_zero_angular_rate_update_control[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_auto_angular_zupt[] = {0, 2, 0, 0, 0, 0};
 
-static void read_zero_angular_rate_update_control(struct mip_reader *r, void *value) {
-    struct mip_filter_zero_angular_rate_update_control *v =
-        (struct mip_filter_zero_angular_rate_update_control *)value;
+static void read_auto_angular_zupt(struct mip_reader *r, void *value) {
+    struct mip_filter_auto_angular_zupt *v = (struct mip_filter_auto_angular_zupt *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_zero_angular_rate_update_control,
-                      sizeof(required_zero_angular_rate_update_control));
+    mip_read_required(r, v->function, required_auto_angular_zupt,
+                      sizeof(required_auto_angular_zupt));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->enable, 1);
     mip_read_group(r, 2, 2);
@@ -2168,59 +2062,57 @@ static void read_zero_angular_rate_update_control(struct mip_reader *r, void *va
     v->present = mip_read_present(r);
 }
 
-static void write_zero_angular_rate_update_control(struct mip_writer *w, const void *value) {
-    const struct mip_filter_zero_angular_rate_update_control *v =
-        (const struct mip_filter_zero_angular_rate_update_control *)value;
+static void write_auto_angular_zupt(struct mip_writer *w, const void *value) {
+    const struct mip_filter_auto_angular_zupt *v =
+        (const struct mip_filter_auto_angular_zupt *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_zero_angular_rate_update_control,
-                       sizeof(required_zero_angular_rate_update_control), v->present);
+    mip_write_required(w, v->function, required_auto_angular_zupt,
+                       sizeof(required_auto_angular_zupt), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->enable, 1);
     mip_write_group(w, 2, 2);
     mip_write_float(w, &v->threshold, 1);
 }
 
-static bool asked_zero_angular_rate_update_control_1(const void *value) {
-    const struct mip_filter_zero_angular_rate_update_control *v =
-        (const struct mip_filter_zero_angular_rate_update_control *)value;
+static bool asked_auto_angular_zupt_1(const void *value) {
+    const struct mip_filter_auto_angular_zupt *v =
+        (const struct mip_filter_auto_angular_zupt *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_zero_angular_rate_update_control[] = {
-    {&mip_filter_zero_angular_rate_update_control_response_codec,
-     asked_zero_angular_rate_update_control_1},
+static const struct mip_response responses_auto_angular_zupt[] = {
+    {&mip_filter_auto_angular_zupt_response_codec, asked_auto_angular_zupt_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_zero_angular_rate_update_control_codec = {
+const struct mip_codec mip_filter_auto_angular_zupt_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_DESCRIPTOR,
+    MIP_FILTER_AUTO_ANGULAR_ZUPT_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_zero_angular_rate_update_control),
+    sizeof(struct mip_filter_auto_angular_zupt),
     0, /* time-out */
-    read_zero_angular_rate_update_control,
-    write_zero_angular_rate_update_control,
+    read_auto_angular_zupt,
+    write_auto_angular_zupt,
     NULL,
-    responses_zero_angular_rate_update_control,
+    responses_auto_angular_zupt,
     NULL,
 };
 
-mip_error mip_filter_zero_angular_rate_update_control_decode(
-    struct mip_filter_zero_angular_rate_update_control *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_zero_angular_rate_update_control, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_auto_angular_zupt_decode(struct mip_filter_auto_angular_zupt *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_auto_angular_zupt, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_zero_angular_rate_update_control_encode(
-    const struct mip_filter_zero_angular_rate_update_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_DESCRIPTOR,
-                            write_zero_angular_rate_update_control, value);
+mip_error mip_filter_auto_angular_zupt_encode(const struct mip_filter_auto_angular_zupt *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_AUTO_ANGULAR_ZUPT_DESCRIPTOR,
+                            write_auto_angular_zupt, value);
 }
 
-struct mip_filter_zero_angular_rate_update_control
-mip_filter_zero_angular_rate_update_control_write(uint8_t enable, float threshold) {
-    struct mip_filter_zero_angular_rate_update_control v;
+struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_write(uint8_t enable,
+                                                                       float threshold) {
+    struct mip_filter_auto_angular_zupt v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.enable = enable;
@@ -2228,79 +2120,70 @@ mip_filter_zero_angular_rate_update_control_write(uint8_t enable, float threshol
     return v;
 }
 
-struct mip_filter_zero_angular_rate_update_control
-mip_filter_zero_angular_rate_update_control_read(void) {
-    struct mip_filter_zero_angular_rate_update_control v;
+struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_read(void) {
+    struct mip_filter_auto_angular_zupt v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_zero_angular_rate_update_control
-mip_filter_zero_angular_rate_update_control_save(void) {
-    struct mip_filter_zero_angular_rate_update_control v;
+struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_save(void) {
+    struct mip_filter_auto_angular_zupt v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_zero_angular_rate_update_control
-mip_filter_zero_angular_rate_update_control_load(void) {
-    struct mip_filter_zero_angular_rate_update_control v;
+struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_load(void) {
+    struct mip_filter_auto_angular_zupt v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_zero_angular_rate_update_control
-mip_filter_zero_angular_rate_update_control_default(void) {
-    struct mip_filter_zero_angular_rate_update_control v;
+struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_default(void) {
+    struct mip_filter_auto_angular_zupt v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_zero_angular_rate_update_control_response(struct mip_reader *r, void *value) {
-    struct mip_filter_zero_angular_rate_update_control_response *v =
-        (struct mip_filter_zero_angular_rate_update_control_response *)value;
+static void read_auto_angular_zupt_response(struct mip_reader *r, void *value) {
+    struct mip_filter_auto_angular_zupt_response *v =
+        (struct mip_filter_auto_angular_zupt_response *)value;
     mip_read_u8(r, &v->enable, 1);
     mip_read_float(r, &v->threshold, 1);
 }
 
-static void write_zero_angular_rate_update_control_response(struct mip_writer *w,
-                                                            const void *value) {
-    const struct mip_filter_zero_angular_rate_update_control_response *v =
-        (const struct mip_filter_zero_angular_rate_update_control_response *)value;
+static void write_auto_angular_zupt_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_auto_angular_zupt_response *v =
+        (const struct mip_filter_auto_angular_zupt_response *)value;
     mip_write_u8(w, &v->enable, 1);
     mip_write_float(w, &v->threshold, 1);
 }
 
-const struct mip_codec mip_filter_zero_angular_rate_update_control_response_codec = {
+const struct mip_codec mip_filter_auto_angular_zupt_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_zero_angular_rate_update_control_response),
+    sizeof(struct mip_filter_auto_angular_zupt_response),
     0, /* time-out */
-    read_zero_angular_rate_update_control_response,
-    write_zero_angular_rate_update_control_response,
+    read_auto_angular_zupt_response,
+    write_auto_angular_zupt_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_zero_angular_rate_update_control_response_decode(
-    struct mip_filter_zero_angular_rate_update_control_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_zero_angular_rate_update_control_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_filter_auto_angular_zupt_response_decode(
+    struct mip_filter_auto_angular_zupt_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_auto_angular_zupt_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_zero_angular_rate_update_control_response_encode(
-    const struct mip_filter_zero_angular_rate_update_control_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
-                            write_zero_angular_rate_update_control_response, value);
+mip_error mip_filter_auto_angular_zupt_response_encode(
+    const struct mip_filter_auto_angular_zupt_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE_DESCRIPTOR,
+                            write_auto_angular_zupt_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -2455,11 +2338,11 @@ mip_error mip_filter_commanded_zupt_encode(const struct mip_filter_commanded_zup
                             value);
 }
 
-const struct mip_codec mip_filter_commanded_zero_angular_rate_update_codec = {
+const struct mip_codec mip_filter_commanded_angular_zupt_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_COMMANDED_ZERO_ANGULAR_RATE_UPDATE_DESCRIPTOR,
+    MIP_FILTER_COMMANDED_ANGULAR_ZUPT_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_commanded_zero_angular_rate_update),
+    sizeof(struct mip_filter_commanded_angular_zupt),
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
@@ -2468,26 +2351,25 @@ const struct mip_codec mip_filter_commanded_zero_angular_rate_update_codec = {
     NULL,
 };
 
-mip_error mip_filter_commanded_zero_angular_rate_update_decode(
-    struct mip_filter_commanded_zero_angular_rate_update *value, const struct mip_field *field) {
+mip_error mip_filter_commanded_angular_zupt_decode(struct mip_filter_commanded_angular_zupt *value,
+                                                   const struct mip_field *field) {
     return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_commanded_zero_angular_rate_update_encode(
-    const struct mip_filter_commanded_zero_angular_rate_update *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_COMMANDED_ZERO_ANGULAR_RATE_UPDATE_DESCRIPTOR,
+mip_error mip_filter_commanded_angular_zupt_encode(
+    const struct mip_filter_commanded_angular_zupt *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_COMMANDED_ANGULAR_ZUPT_DESCRIPTOR,
                             mip_write_nothing, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_set_reference_position[] = {0, 4, 0, 0, 0, 0};
+static const uint8_t required_reference_position[] = {0, 4, 0, 0, 0, 0};
 
-static void read_set_reference_position(struct mip_reader *r, void *value) {
-    struct mip_filter_set_reference_position *v = (struct mip_filter_set_reference_position *)value;
+static void read_reference_position(struct mip_reader *r, void *value) {
+    struct mip_filter_reference_position *v = (struct mip_filter_reference_position *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_set_reference_position,
-                      sizeof(required_set_reference_position));
+    mip_read_required(r, v->function, required_reference_position,
+                      sizeof(required_reference_position));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->enable, 1);
     mip_read_group(r, 2, 2);
@@ -2499,12 +2381,12 @@ static void read_set_reference_position(struct mip_reader *r, void *value) {
     v->present = mip_read_present(r);
 }
 
-static void write_set_reference_position(struct mip_writer *w, const void *value) {
-    const struct mip_filter_set_reference_position *v =
-        (const struct mip_filter_set_reference_position *)value;
+static void write_reference_position(struct mip_writer *w, const void *value) {
+    const struct mip_filter_reference_position *v =
+        (const struct mip_filter_reference_position *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_set_reference_position,
-                       sizeof(required_set_reference_position), v->present);
+    mip_write_required(w, v->function, required_reference_position,
+                       sizeof(required_reference_position), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->enable, 1);
     mip_write_group(w, 2, 2);
@@ -2515,47 +2397,47 @@ static void write_set_reference_position(struct mip_writer *w, const void *value
     mip_write_double(w, &v->altitude, 1);
 }
 
-static bool asked_set_reference_position_1(const void *value) {
-    const struct mip_filter_set_reference_position *v =
-        (const struct mip_filter_set_reference_position *)value;
+static bool asked_reference_position_1(const void *value) {
+    const struct mip_filter_reference_position *v =
+        (const struct mip_filter_reference_position *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_set_reference_position[] = {
-    {&mip_filter_set_reference_position_response_codec, asked_set_reference_position_1},
+static const struct mip_response responses_reference_position[] = {
+    {&mip_filter_reference_position_response_codec, asked_reference_position_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_set_reference_position_codec = {
+const struct mip_codec mip_filter_reference_position_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_SET_REFERENCE_POSITION_DESCRIPTOR,
+    MIP_FILTER_REFERENCE_POSITION_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_set_reference_position),
+    sizeof(struct mip_filter_reference_position),
     0, /* time-out */
-    read_set_reference_position,
-    write_set_reference_position,
+    read_reference_position,
+    write_reference_position,
     NULL,
-    responses_set_reference_position,
+    responses_reference_position,
     NULL,
 };
 
-mip_error mip_filter_set_reference_position_decode(struct mip_filter_set_reference_position *value,
-                                                   const struct mip_field *field) {
-    return mip_decode_field(field, read_set_reference_position, value, sizeof(*value), NULL);
+mip_error mip_filter_reference_position_decode(struct mip_filter_reference_position *value,
+                                               const struct mip_field *field) {
+    return mip_decode_field(field, read_reference_position, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_set_reference_position_encode(
-    const struct mip_filter_set_reference_position *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_SET_REFERENCE_POSITION_DESCRIPTOR,
-                            write_set_reference_position, value);
+mip_error mip_filter_reference_position_encode(const struct mip_filter_reference_position *value,
+                                               struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_REFERENCE_POSITION_DESCRIPTOR,
+                            write_reference_position, value);
 }
 
-struct mip_filter_set_reference_position mip_filter_set_reference_position_write(uint8_t enable,
-                                                                                 double latitude,
-                                                                                 double longitude,
-                                                                                 double altitude) {
-    struct mip_filter_set_reference_position v;
+struct mip_filter_reference_position mip_filter_reference_position_write(uint8_t enable,
+                                                                         double latitude,
+                                                                         double longitude,
+                                                                         double altitude) {
+    struct mip_filter_reference_position v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.enable = enable;
@@ -2565,268 +2447,251 @@ struct mip_filter_set_reference_position mip_filter_set_reference_position_write
     return v;
 }
 
-struct mip_filter_set_reference_position mip_filter_set_reference_position_read(void) {
-    struct mip_filter_set_reference_position v;
+struct mip_filter_reference_position mip_filter_reference_position_read(void) {
+    struct mip_filter_reference_position v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_set_reference_position mip_filter_set_reference_position_save(void) {
-    struct mip_filter_set_reference_position v;
+struct mip_filter_reference_position mip_filter_reference_position_save(void) {
+    struct mip_filter_reference_position v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_set_reference_position mip_filter_set_reference_position_load(void) {
-    struct mip_filter_set_reference_position v;
+struct mip_filter_reference_position mip_filter_reference_position_load(void) {
+    struct mip_filter_reference_position v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_set_reference_position mip_filter_set_reference_position_default(void) {
-    struct mip_filter_set_reference_position v;
+struct mip_filter_reference_position mip_filter_reference_position_default(void) {
+    struct mip_filter_reference_position v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_set_reference_position_response(struct mip_reader *r, void *value) {
-    struct mip_filter_set_reference_position_response *v =
-        (struct mip_filter_set_reference_position_response *)value;
+static void read_reference_position_response(struct mip_reader *r, void *value) {
+    struct mip_filter_reference_position_response *v =
+        (struct mip_filter_reference_position_response *)value;
     mip_read_u8(r, &v->enable, 1);
     mip_read_double(r, &v->latitude, 1);
     mip_read_double(r, &v->longitude, 1);
     mip_read_double(r, &v->altitude, 1);
 }
 
-static void write_set_reference_position_response(struct mip_writer *w, const void *value) {
-    const struct mip_filter_set_reference_position_response *v =
-        (const struct mip_filter_set_reference_position_response *)value;
+static void write_reference_position_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_reference_position_response *v =
+        (const struct mip_filter_reference_position_response *)value;
     mip_write_u8(w, &v->enable, 1);
     mip_write_double(w, &v->latitude, 1);
     mip_write_double(w, &v->longitude, 1);
     mip_write_double(w, &v->altitude, 1);
 }
 
-const struct mip_codec mip_filter_set_reference_position_response_codec = {
+const struct mip_codec mip_filter_reference_position_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_SET_REFERENCE_POSITION_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_REFERENCE_POSITION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_set_reference_position_response),
+    sizeof(struct mip_filter_reference_position_response),
     0, /* time-out */
-    read_set_reference_position_response,
-    write_set_reference_position_response,
+    read_reference_position_response,
+    write_reference_position_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_set_reference_position_response_decode(
-    struct mip_filter_set_reference_position_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_set_reference_position_response, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_reference_position_response_decode(
+    struct mip_filter_reference_position_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_reference_position_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_set_reference_position_response_encode(
-    const struct mip_filter_set_reference_position_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_SET_REFERENCE_POSITION_RESPONSE_DESCRIPTOR,
-                            write_set_reference_position_response, value);
+mip_error mip_filter_reference_position_response_encode(
+    const struct mip_filter_reference_position_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_REFERENCE_POSITION_RESPONSE_DESCRIPTOR,
+                            write_reference_position_response, value);
 }
 
-static void read_mag_capture_auto_cal(struct mip_reader *r, void *value) {
-    struct mip_filter_mag_capture_auto_cal *v = (struct mip_filter_mag_capture_auto_cal *)value;
+static void read_mag_capture_auto_calibration(struct mip_reader *r, void *value) {
+    struct mip_filter_mag_capture_auto_calibration *v =
+        (struct mip_filter_mag_capture_auto_calibration *)value;
     mip_read_u8(r, &v->function, 1);
 }
 
-static void write_mag_capture_auto_cal(struct mip_writer *w, const void *value) {
-    const struct mip_filter_mag_capture_auto_cal *v =
-        (const struct mip_filter_mag_capture_auto_cal *)value;
+static void write_mag_capture_auto_calibration(struct mip_writer *w, const void *value) {
+    const struct mip_filter_mag_capture_auto_calibration *v =
+        (const struct mip_filter_mag_capture_auto_calibration *)value;
     mip_write_u8(w, &v->function, 1);
 }
 
-const struct mip_codec mip_filter_mag_capture_auto_cal_codec = {
+const struct mip_codec mip_filter_mag_capture_auto_calibration_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_MAG_CAPTURE_AUTO_CAL_DESCRIPTOR,
+    MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_mag_capture_auto_cal),
+    sizeof(struct mip_filter_mag_capture_auto_calibration),
     0, /* time-out */
-    read_mag_capture_auto_cal,
-    write_mag_capture_auto_cal,
+    read_mag_capture_auto_calibration,
+    write_mag_capture_auto_calibration,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_mag_capture_auto_cal_decode(struct mip_filter_mag_capture_auto_cal *value,
-                                                 const struct mip_field *field) {
-    return mip_decode_field(field, read_mag_capture_auto_cal, value, sizeof(*value), NULL);
+mip_error mip_filter_mag_capture_auto_calibration_decode(
+    struct mip_filter_mag_capture_auto_calibration *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_capture_auto_calibration, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_mag_capture_auto_cal_encode(
-    const struct mip_filter_mag_capture_auto_cal *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAG_CAPTURE_AUTO_CAL_DESCRIPTOR,
-                            write_mag_capture_auto_cal, value);
+mip_error mip_filter_mag_capture_auto_calibration_encode(
+    const struct mip_filter_mag_capture_auto_calibration *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION_DESCRIPTOR,
+                            write_mag_capture_auto_calibration, value);
 }
 
-struct mip_filter_mag_capture_auto_cal mip_filter_mag_capture_auto_cal_write(void) {
-    struct mip_filter_mag_capture_auto_cal v;
+struct mip_filter_mag_capture_auto_calibration mip_filter_mag_capture_auto_calibration_write(void) {
+    struct mip_filter_mag_capture_auto_calibration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     return v;
 }
 
-struct mip_filter_mag_capture_auto_cal mip_filter_mag_capture_auto_cal_save(void) {
-    struct mip_filter_mag_capture_auto_cal v;
+struct mip_filter_mag_capture_auto_calibration mip_filter_mag_capture_auto_calibration_save(void) {
+    struct mip_filter_mag_capture_auto_calibration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_gravity_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_gravity_noise[] = {0, 1, 0, 0, 0, 0};
 
-static void read_gravity_noise_standard_deviation(struct mip_reader *r, void *value) {
-    struct mip_filter_gravity_noise_standard_deviation *v =
-        (struct mip_filter_gravity_noise_standard_deviation *)value;
+static void read_gravity_noise(struct mip_reader *r, void *value) {
+    struct mip_filter_gravity_noise *v = (struct mip_filter_gravity_noise *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gravity_noise_standard_deviation,
-                      sizeof(required_gravity_noise_standard_deviation));
+    mip_read_required(r, v->function, required_gravity_noise, sizeof(required_gravity_noise));
     mip_read_group(r, 1, 1);
     mip_read_float(r, v->noise, 3);
     v->present = mip_read_present(r);
 }
 
-static void write_gravity_noise_standard_deviation(struct mip_writer *w, const void *value) {
-    const struct mip_filter_gravity_noise_standard_deviation *v =
-        (const struct mip_filter_gravity_noise_standard_deviation *)value;
+static void write_gravity_noise(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gravity_noise *v = (const struct mip_filter_gravity_noise *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gravity_noise_standard_deviation,
-                       sizeof(required_gravity_noise_standard_deviation), v->present);
+    mip_write_required(w, v->function, required_gravity_noise, sizeof(required_gravity_noise),
+                       v->present);
     mip_write_group(w, 1, 1);
     mip_write_float(w, v->noise, 3);
 }
 
-static bool asked_gravity_noise_standard_deviation_1(const void *value) {
-    const struct mip_filter_gravity_noise_standard_deviation *v =
-        (const struct mip_filter_gravity_noise_standard_deviation *)value;
+static bool asked_gravity_noise_1(const void *value) {
+    const struct mip_filter_gravity_noise *v = (const struct mip_filter_gravity_noise *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_gravity_noise_standard_deviation[] = {
-    {&mip_filter_gravity_noise_standard_deviation_response_codec,
-     asked_gravity_noise_standard_deviation_1},
+static const struct mip_response responses_gravity_noise[] = {
+    {&mip_filter_gravity_noise_response_codec, asked_gravity_noise_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_gravity_noise_standard_deviation_codec = {
+const struct mip_codec mip_filter_gravity_noise_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
+    MIP_FILTER_GRAVITY_NOISE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_gravity_noise_standard_deviation),
+    sizeof(struct mip_filter_gravity_noise),
     0, /* time-out */
-    read_gravity_noise_standard_deviation,
-    write_gravity_noise_standard_deviation,
+    read_gravity_noise,
+    write_gravity_noise,
     NULL,
-    responses_gravity_noise_standard_deviation,
+    responses_gravity_noise,
     NULL,
 };
 
-mip_error mip_filter_gravity_noise_standard_deviation_decode(
-    struct mip_filter_gravity_noise_standard_deviation *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gravity_noise_standard_deviation, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_gravity_noise_decode(struct mip_filter_gravity_noise *value,
+                                          const struct mip_field *field) {
+    return mip_decode_field(field, read_gravity_noise, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gravity_noise_standard_deviation_encode(
-    const struct mip_filter_gravity_noise_standard_deviation *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
-                            write_gravity_noise_standard_deviation, value);
+mip_error mip_filter_gravity_noise_encode(const struct mip_filter_gravity_noise *value,
+                                          struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GRAVITY_NOISE_DESCRIPTOR, write_gravity_noise,
+                            value);
 }
 
-struct mip_filter_gravity_noise_standard_deviation
-mip_filter_gravity_noise_standard_deviation_write(const float noise[3]) {
-    struct mip_filter_gravity_noise_standard_deviation v;
+struct mip_filter_gravity_noise mip_filter_gravity_noise_write(const float noise[3]) {
+    struct mip_filter_gravity_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(v.noise, noise, sizeof(v.noise));
     return v;
 }
 
-struct mip_filter_gravity_noise_standard_deviation
-mip_filter_gravity_noise_standard_deviation_read(void) {
-    struct mip_filter_gravity_noise_standard_deviation v;
+struct mip_filter_gravity_noise mip_filter_gravity_noise_read(void) {
+    struct mip_filter_gravity_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_gravity_noise_standard_deviation
-mip_filter_gravity_noise_standard_deviation_save(void) {
-    struct mip_filter_gravity_noise_standard_deviation v;
+struct mip_filter_gravity_noise mip_filter_gravity_noise_save(void) {
+    struct mip_filter_gravity_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_gravity_noise_standard_deviation
-mip_filter_gravity_noise_standard_deviation_load(void) {
-    struct mip_filter_gravity_noise_standard_deviation v;
+struct mip_filter_gravity_noise mip_filter_gravity_noise_load(void) {
+    struct mip_filter_gravity_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_gravity_noise_standard_deviation
-mip_filter_gravity_noise_standard_deviation_default(void) {
-    struct mip_filter_gravity_noise_standard_deviation v;
+struct mip_filter_gravity_noise mip_filter_gravity_noise_default(void) {
+    struct mip_filter_gravity_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_gravity_noise_standard_deviation_response(struct mip_reader *r, void *value) {
-    struct mip_filter_gravity_noise_standard_deviation_response *v =
-        (struct mip_filter_gravity_noise_standard_deviation_response *)value;
+static void read_gravity_noise_response(struct mip_reader *r, void *value) {
+    struct mip_filter_gravity_noise_response *v = (struct mip_filter_gravity_noise_response *)value;
     mip_read_float(r, v->noise, 3);
 }
 
-static void write_gravity_noise_standard_deviation_response(struct mip_writer *w,
-                                                            const void *value) {
-    const struct mip_filter_gravity_noise_standard_deviation_response *v =
-        (const struct mip_filter_gravity_noise_standard_deviation_response *)value;
+static void write_gravity_noise_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gravity_noise_response *v =
+        (const struct mip_filter_gravity_noise_response *)value;
     mip_write_float(w, v->noise, 3);
 }
 
-const struct mip_codec mip_filter_gravity_noise_standard_deviation_response_codec = {
+const struct mip_codec mip_filter_gravity_noise_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_GRAVITY_NOISE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_gravity_noise_standard_deviation_response),
+    sizeof(struct mip_filter_gravity_noise_response),
     0, /* time-out */
-    read_gravity_noise_standard_deviation_response,
-    write_gravity_noise_standard_deviation_response,
+    read_gravity_noise_response,
+    write_gravity_noise_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_gravity_noise_standard_deviation_response_decode(
-    struct mip_filter_gravity_noise_standard_deviation_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_gravity_noise_standard_deviation_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_filter_gravity_noise_response_decode(struct mip_filter_gravity_noise_response *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_gravity_noise_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gravity_noise_standard_deviation_response_encode(
-    const struct mip_filter_gravity_noise_standard_deviation_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
-                            write_gravity_noise_standard_deviation_response, value);
+mip_error mip_filter_gravity_noise_response_encode(
+    const struct mip_filter_gravity_noise_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GRAVITY_NOISE_RESPONSE_DESCRIPTOR,
+                            write_gravity_noise_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -3229,139 +3094,135 @@ mip_error mip_filter_soft_iron_matrix_noise_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_enable_disable_measurements[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_enable_measurements[] = {0, 1, 0, 0, 0, 0};
 
-static void read_enable_disable_measurements(struct mip_reader *r, void *value) {
-    struct mip_filter_enable_disable_measurements *v =
-        (struct mip_filter_enable_disable_measurements *)value;
+static void read_enable_measurements(struct mip_reader *r, void *value) {
+    struct mip_filter_enable_measurements *v = (struct mip_filter_enable_measurements *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_enable_disable_measurements,
-                      sizeof(required_enable_disable_measurements));
+    mip_read_required(r, v->function, required_enable_measurements,
+                      sizeof(required_enable_measurements));
     mip_read_group(r, 1, 1);
     mip_read_u16(r, &v->control, 1);
     v->present = mip_read_present(r);
 }
 
-static void write_enable_disable_measurements(struct mip_writer *w, const void *value) {
-    const struct mip_filter_enable_disable_measurements *v =
-        (const struct mip_filter_enable_disable_measurements *)value;
+static void write_enable_measurements(struct mip_writer *w, const void *value) {
+    const struct mip_filter_enable_measurements *v =
+        (const struct mip_filter_enable_measurements *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_enable_disable_measurements,
-                       sizeof(required_enable_disable_measurements), v->present);
+    mip_write_required(w, v->function, required_enable_measurements,
+                       sizeof(required_enable_measurements), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u16(w, &v->control, 1);
 }
 
-static bool asked_enable_disable_measurements_1(const void *value) {
-    const struct mip_filter_enable_disable_measurements *v =
-        (const struct mip_filter_enable_disable_measurements *)value;
+static bool asked_enable_measurements_1(const void *value) {
+    const struct mip_filter_enable_measurements *v =
+        (const struct mip_filter_enable_measurements *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_enable_disable_measurements[] = {
-    {&mip_filter_enable_disable_measurements_response_codec, asked_enable_disable_measurements_1},
+static const struct mip_response responses_enable_measurements[] = {
+    {&mip_filter_enable_measurements_response_codec, asked_enable_measurements_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_enable_disable_measurements_codec = {
+const struct mip_codec mip_filter_enable_measurements_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_DESCRIPTOR,
+    MIP_FILTER_ENABLE_MEASUREMENTS_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_enable_disable_measurements),
+    sizeof(struct mip_filter_enable_measurements),
     0, /* time-out */
-    read_enable_disable_measurements,
-    write_enable_disable_measurements,
+    read_enable_measurements,
+    write_enable_measurements,
     NULL,
-    responses_enable_disable_measurements,
+    responses_enable_measurements,
     NULL,
 };
 
-mip_error mip_filter_enable_disable_measurements_decode(
-    struct mip_filter_enable_disable_measurements *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_enable_disable_measurements, value, sizeof(*value), NULL);
+mip_error mip_filter_enable_measurements_decode(struct mip_filter_enable_measurements *value,
+                                                const struct mip_field *field) {
+    return mip_decode_field(field, read_enable_measurements, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_enable_disable_measurements_encode(
-    const struct mip_filter_enable_disable_measurements *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_DESCRIPTOR,
-                            write_enable_disable_measurements, value);
+mip_error mip_filter_enable_measurements_encode(const struct mip_filter_enable_measurements *value,
+                                                struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ENABLE_MEASUREMENTS_DESCRIPTOR,
+                            write_enable_measurements, value);
 }
 
-struct mip_filter_enable_disable_measurements
-mip_filter_enable_disable_measurements_write(mip_filter_measurement_flags control) {
-    struct mip_filter_enable_disable_measurements v;
+struct mip_filter_enable_measurements
+mip_filter_enable_measurements_write(mip_filter_measurement_flags control) {
+    struct mip_filter_enable_measurements v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.control = control;
     return v;
 }
 
-struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_read(void) {
-    struct mip_filter_enable_disable_measurements v;
+struct mip_filter_enable_measurements mip_filter_enable_measurements_read(void) {
+    struct mip_filter_enable_measurements v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_save(void) {
-    struct mip_filter_enable_disable_measurements v;
+struct mip_filter_enable_measurements mip_filter_enable_measurements_save(void) {
+    struct mip_filter_enable_measurements v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_load(void) {
-    struct mip_filter_enable_disable_measurements v;
+struct mip_filter_enable_measurements mip_filter_enable_measurements_load(void) {
+    struct mip_filter_enable_measurements v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_default(void) {
-    struct mip_filter_enable_disable_measurements v;
+struct mip_filter_enable_measurements mip_filter_enable_measurements_default(void) {
+    struct mip_filter_enable_measurements v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_enable_disable_measurements_response(struct mip_reader *r, void *value) {
-    struct mip_filter_enable_disable_measurements_response *v =
-        (struct mip_filter_enable_disable_measurements_response *)value;
+static void read_enable_measurements_response(struct mip_reader *r, void *value) {
+    struct mip_filter_enable_measurements_response *v =
+        (struct mip_filter_enable_measurements_response *)value;
     mip_read_u16(r, &v->control, 1);
 }
 
-static void write_enable_disable_measurements_response(struct mip_writer *w, const void *value) {
-    const struct mip_filter_enable_disable_measurements_response *v =
-        (const struct mip_filter_enable_disable_measurements_response *)value;
+static void write_enable_measurements_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_enable_measurements_response *v =
+        (const struct mip_filter_enable_measurements_response *)value;
     mip_write_u16(w, &v->control, 1);
 }
 
-const struct mip_codec mip_filter_enable_disable_measurements_response_codec = {
+const struct mip_codec mip_filter_enable_measurements_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_enable_disable_measurements_response),
+    sizeof(struct mip_filter_enable_measurements_response),
     0, /* time-out */
-    read_enable_disable_measurements_response,
-    write_enable_disable_measurements_response,
+    read_enable_measurements_response,
+    write_enable_measurements_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_enable_disable_measurements_response_decode(
-    struct mip_filter_enable_disable_measurements_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_enable_disable_measurements_response, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_enable_measurements_response_decode(
+    struct mip_filter_enable_measurements_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_enable_measurements_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_enable_disable_measurements_response_encode(
-    const struct mip_filter_enable_disable_measurements_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR,
-                            write_enable_disable_measurements_response, value);
+mip_error mip_filter_enable_measurements_response_encode(
+    const struct mip_filter_enable_measurements_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR,
+                            write_enable_measurements_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -3490,14 +3351,14 @@ mip_error mip_filter_mag_noise_response_encode(const struct mip_filter_mag_noise
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_magnetic_field_declination_source_control[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_magnetic_declination_source[] = {0, 2, 0, 0, 0, 0};
 
-static void read_magnetic_field_declination_source_control(struct mip_reader *r, void *value) {
-    struct mip_filter_magnetic_field_declination_source_control *v =
-        (struct mip_filter_magnetic_field_declination_source_control *)value;
+static void read_magnetic_declination_source(struct mip_reader *r, void *value) {
+    struct mip_filter_magnetic_declination_source *v =
+        (struct mip_filter_magnetic_declination_source *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_magnetic_field_declination_source_control,
-                      sizeof(required_magnetic_field_declination_source_control));
+    mip_read_required(r, v->function, required_magnetic_declination_source,
+                      sizeof(required_magnetic_declination_source));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->source, 1);
     mip_read_group(r, 2, 2);
@@ -3505,64 +3366,57 @@ static void read_magnetic_field_declination_source_control(struct mip_reader *r,
     v->present = mip_read_present(r);
 }
 
-static void write_magnetic_field_declination_source_control(struct mip_writer *w,
-                                                            const void *value) {
-    const struct mip_filter_magnetic_field_declination_source_control *v =
-        (const struct mip_filter_magnetic_field_declination_source_control *)value;
+static void write_magnetic_declination_source(struct mip_writer *w, const void *value) {
+    const struct mip_filter_magnetic_declination_source *v =
+        (const struct mip_filter_magnetic_declination_source *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_magnetic_field_declination_source_control,
-                       sizeof(required_magnetic_field_declination_source_control), v->present);
+    mip_write_required(w, v->function, required_magnetic_declination_source,
+                       sizeof(required_magnetic_declination_source), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->source, 1);
     mip_write_group(w, 2, 2);
     mip_write_float(w, &v->declination, 1);
 }
 
-static bool asked_magnetic_field_declination_source_control_1(const void *value) {
-    const struct mip_filter_magnetic_field_declination_source_control *v =
-        (const struct mip_filter_magnetic_field_declination_source_control *)value;
+static bool asked_magnetic_declination_source_1(const void *value) {
+    const struct mip_filter_magnetic_declination_source *v =
+        (const struct mip_filter_magnetic_declination_source *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_magnetic_field_declination_source_control[] = {
-    {&mip_filter_magnetic_field_declination_source_control_response_codec,
-     asked_magnetic_field_declination_source_control_1},
+static const struct mip_response responses_magnetic_declination_source[] = {
+    {&mip_filter_magnetic_declination_source_response_codec, asked_magnetic_declination_source_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_magnetic_field_declination_source_control_codec = {
+const struct mip_codec mip_filter_magnetic_declination_source_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_DESCRIPTOR,
+    MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_magnetic_field_declination_source_control),
+    sizeof(struct mip_filter_magnetic_declination_source),
     0, /* time-out */
-    read_magnetic_field_declination_source_control,
-    write_magnetic_field_declination_source_control,
+    read_magnetic_declination_source,
+    write_magnetic_declination_source,
     NULL,
-    responses_magnetic_field_declination_source_control,
+    responses_magnetic_declination_source,
     NULL,
 };
 
-mip_error mip_filter_magnetic_field_declination_source_control_decode(
-    struct mip_filter_magnetic_field_declination_source_control *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_magnetic_field_declination_source_control, value,
-                            sizeof(*value), NULL);
+mip_error mip_filter_magnetic_declination_source_decode(
+    struct mip_filter_magnetic_declination_source *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_magnetic_declination_source, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_magnetic_field_declination_source_control_encode(
-    const struct mip_filter_magnetic_field_declination_source_control *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_DESCRIPTOR,
-                            write_magnetic_field_declination_source_control, value);
+mip_error mip_filter_magnetic_declination_source_encode(
+    const struct mip_filter_magnetic_declination_source *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_DESCRIPTOR,
+                            write_magnetic_declination_source, value);
 }
 
-struct mip_filter_magnetic_field_declination_source_control
-mip_filter_magnetic_field_declination_source_control_write(mip_filter_mag_parameter_source source,
-                                                           float declination) {
-    struct mip_filter_magnetic_field_declination_source_control v;
+struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_source_write(
+    mip_filter_mag_parameter_source source, float declination) {
+    struct mip_filter_magnetic_declination_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.source = source;
@@ -3570,91 +3424,84 @@ mip_filter_magnetic_field_declination_source_control_write(mip_filter_mag_parame
     return v;
 }
 
-struct mip_filter_magnetic_field_declination_source_control
-mip_filter_magnetic_field_declination_source_control_read(void) {
-    struct mip_filter_magnetic_field_declination_source_control v;
+struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_source_read(void) {
+    struct mip_filter_magnetic_declination_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_magnetic_field_declination_source_control
-mip_filter_magnetic_field_declination_source_control_save(void) {
-    struct mip_filter_magnetic_field_declination_source_control v;
+struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_source_save(void) {
+    struct mip_filter_magnetic_declination_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_magnetic_field_declination_source_control
-mip_filter_magnetic_field_declination_source_control_load(void) {
-    struct mip_filter_magnetic_field_declination_source_control v;
+struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_source_load(void) {
+    struct mip_filter_magnetic_declination_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_magnetic_field_declination_source_control
-mip_filter_magnetic_field_declination_source_control_default(void) {
-    struct mip_filter_magnetic_field_declination_source_control v;
+struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_source_default(void) {
+    struct mip_filter_magnetic_declination_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_magnetic_field_declination_source_control_response(struct mip_reader *r,
-                                                                    void *value) {
-    struct mip_filter_magnetic_field_declination_source_control_response *v =
-        (struct mip_filter_magnetic_field_declination_source_control_response *)value;
+static void read_magnetic_declination_source_response(struct mip_reader *r, void *value) {
+    struct mip_filter_magnetic_declination_source_response *v =
+        (struct mip_filter_magnetic_declination_source_response *)value;
     mip_read_u8(r, &v->source, 1);
     mip_read_float(r, &v->declination, 1);
 }
 
-static void write_magnetic_field_declination_source_control_response(struct mip_writer *w,
-                                                                     const void *value) {
-    const struct mip_filter_magnetic_field_declination_source_control_response *v =
-        (const struct mip_filter_magnetic_field_declination_source_control_response *)value;
+static void write_magnetic_declination_source_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_magnetic_declination_source_response *v =
+        (const struct mip_filter_magnetic_declination_source_response *)value;
     mip_write_u8(w, &v->source, 1);
     mip_write_float(w, &v->declination, 1);
 }
 
-const struct mip_codec mip_filter_magnetic_field_declination_source_control_response_codec = {
+const struct mip_codec mip_filter_magnetic_declination_source_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_magnetic_field_declination_source_control_response),
+    sizeof(struct mip_filter_magnetic_declination_source_response),
     0, /* time-out */
-    read_magnetic_field_declination_source_control_response,
-    write_magnetic_field_declination_source_control_response,
+    read_magnetic_declination_source_response,
+    write_magnetic_declination_source_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_magnetic_field_declination_source_control_response_decode(
-    struct mip_filter_magnetic_field_declination_source_control_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_magnetic_field_declination_source_control_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_filter_magnetic_declination_source_response_decode(
+    struct mip_filter_magnetic_declination_source_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_magnetic_declination_source_response, value, sizeof(*value),
+                            NULL);
 }
 
-mip_error mip_filter_magnetic_field_declination_source_control_response_encode(
-    const struct mip_filter_magnetic_field_declination_source_control_response *value,
+mip_error mip_filter_magnetic_declination_source_response_encode(
+    const struct mip_filter_magnetic_declination_source_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(
-        builder, 0x0D, MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
-        write_magnetic_field_declination_source_control_response, value);
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE_DESCRIPTOR,
+                            write_magnetic_declination_source_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_gravity_magnitude_error_adaptive_measurement[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_accel_magnitude_error_adaptive_measurement[] = {0, 1, 0, 0, 0, 0};
 
-static void read_gravity_magnitude_error_adaptive_measurement(struct mip_reader *r, void *value) {
-    struct mip_filter_gravity_magnitude_error_adaptive_measurement *v =
-        (struct mip_filter_gravity_magnitude_error_adaptive_measurement *)value;
+static void read_accel_magnitude_error_adaptive_measurement(struct mip_reader *r, void *value) {
+    struct mip_filter_accel_magnitude_error_adaptive_measurement *v =
+        (struct mip_filter_accel_magnitude_error_adaptive_measurement *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gravity_magnitude_error_adaptive_measurement,
-                      sizeof(required_gravity_magnitude_error_adaptive_measurement));
+    mip_read_required(r, v->function, required_accel_magnitude_error_adaptive_measurement,
+                      sizeof(required_accel_magnitude_error_adaptive_measurement));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->adaptive_measurement, 1);
     mip_read_group(r, 2, 2);
@@ -3672,13 +3519,13 @@ static void read_gravity_magnitude_error_adaptive_measurement(struct mip_reader 
     v->present = mip_read_present(r);
 }
 
-static void write_gravity_magnitude_error_adaptive_measurement(struct mip_writer *w,
-                                                               const void *value) {
-    const struct mip_filter_gravity_magnitude_error_adaptive_measurement *v =
-        (const struct mip_filter_gravity_magnitude_error_adaptive_measurement *)value;
+static void write_accel_magnitude_error_adaptive_measurement(struct mip_writer *w,
+                                                             const void *value) {
+    const struct mip_filter_accel_magnitude_error_adaptive_measurement *v =
+        (const struct mip_filter_accel_magnitude_error_adaptive_measurement *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gravity_magnitude_error_adaptive_measurement,
-                       sizeof(required_gravity_magnitude_error_adaptive_measurement), v->present);
+    mip_write_required(w, v->function, required_accel_magnitude_error_adaptive_measurement,
+                       sizeof(required_accel_magnitude_error_adaptive_measurement), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->adaptive_measurement, 1);
     mip_write_group(w, 2, 2);
@@ -3695,93 +3542,93 @@ static void write_gravity_magnitude_error_adaptive_measurement(struct mip_writer
     mip_write_float(w, &v->minimum_uncertainty, 1);
 }
 
-static bool asked_gravity_magnitude_error_adaptive_measurement_1(const void *value) {
-    const struct mip_filter_gravity_magnitude_error_adaptive_measurement *v =
-        (const struct mip_filter_gravity_magnitude_error_adaptive_measurement *)value;
+static bool asked_accel_magnitude_error_adaptive_measurement_1(const void *value) {
+    const struct mip_filter_accel_magnitude_error_adaptive_measurement *v =
+        (const struct mip_filter_accel_magnitude_error_adaptive_measurement *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_gravity_magnitude_error_adaptive_measurement[] = {
-    {&mip_filter_gravity_magnitude_error_adaptive_measurement_response_codec,
-     asked_gravity_magnitude_error_adaptive_measurement_1},
+static const struct mip_response responses_accel_magnitude_error_adaptive_measurement[] = {
+    {&mip_filter_accel_magnitude_error_adaptive_measurement_response_codec,
+     asked_accel_magnitude_error_adaptive_measurement_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_codec = {
+const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+    MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement),
+    sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement),
     0, /* time-out */
-    read_gravity_magnitude_error_adaptive_measurement,
-    write_gravity_magnitude_error_adaptive_measurement,
+    read_accel_magnitude_error_adaptive_measurement,
+    write_accel_magnitude_error_adaptive_measurement,
     NULL,
-    responses_gravity_magnitude_error_adaptive_measurement,
+    responses_accel_magnitude_error_adaptive_measurement,
     NULL,
 };
 
-mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_decode(
-    struct mip_filter_gravity_magnitude_error_adaptive_measurement *value,
+mip_error mip_filter_accel_magnitude_error_adaptive_measurement_decode(
+    struct mip_filter_accel_magnitude_error_adaptive_measurement *value,
     const struct mip_field *field) {
-    return mip_decode_field(field, read_gravity_magnitude_error_adaptive_measurement, value,
+    return mip_decode_field(field, read_accel_magnitude_error_adaptive_measurement, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_encode(
-    const struct mip_filter_gravity_magnitude_error_adaptive_measurement *value,
+mip_error mip_filter_accel_magnitude_error_adaptive_measurement_encode(
+    const struct mip_filter_accel_magnitude_error_adaptive_measurement *value,
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
-                            write_gravity_magnitude_error_adaptive_measurement, value);
+                            MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+                            write_accel_magnitude_error_adaptive_measurement, value);
 }
 
-struct mip_filter_gravity_magnitude_error_adaptive_measurement
-mip_filter_gravity_magnitude_error_adaptive_measurement_write(
+struct mip_filter_accel_magnitude_error_adaptive_measurement
+mip_filter_accel_magnitude_error_adaptive_measurement_write(
     mip_filter_adaptive_measurement_selector adaptive_measurement) {
-    struct mip_filter_gravity_magnitude_error_adaptive_measurement v;
+    struct mip_filter_accel_magnitude_error_adaptive_measurement v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.adaptive_measurement = adaptive_measurement;
     return v;
 }
 
-struct mip_filter_gravity_magnitude_error_adaptive_measurement
-mip_filter_gravity_magnitude_error_adaptive_measurement_read(void) {
-    struct mip_filter_gravity_magnitude_error_adaptive_measurement v;
+struct mip_filter_accel_magnitude_error_adaptive_measurement
+mip_filter_accel_magnitude_error_adaptive_measurement_read(void) {
+    struct mip_filter_accel_magnitude_error_adaptive_measurement v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_gravity_magnitude_error_adaptive_measurement
-mip_filter_gravity_magnitude_error_adaptive_measurement_save(void) {
-    struct mip_filter_gravity_magnitude_error_adaptive_measurement v;
+struct mip_filter_accel_magnitude_error_adaptive_measurement
+mip_filter_accel_magnitude_error_adaptive_measurement_save(void) {
+    struct mip_filter_accel_magnitude_error_adaptive_measurement v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_gravity_magnitude_error_adaptive_measurement
-mip_filter_gravity_magnitude_error_adaptive_measurement_load(void) {
-    struct mip_filter_gravity_magnitude_error_adaptive_measurement v;
+struct mip_filter_accel_magnitude_error_adaptive_measurement
+mip_filter_accel_magnitude_error_adaptive_measurement_load(void) {
+    struct mip_filter_accel_magnitude_error_adaptive_measurement v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_gravity_magnitude_error_adaptive_measurement
-mip_filter_gravity_magnitude_error_adaptive_measurement_default(void) {
-    struct mip_filter_gravity_magnitude_error_adaptive_measurement v;
+struct mip_filter_accel_magnitude_error_adaptive_measurement
+mip_filter_accel_magnitude_error_adaptive_measurement_default(void) {
+    struct mip_filter_accel_magnitude_error_adaptive_measurement v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_gravity_magnitude_error_adaptive_measurement_response(struct mip_reader *r,
-                                                                       void *value) {
-    struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *v =
-        (struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *)value;
+static void read_accel_magnitude_error_adaptive_measurement_response(struct mip_reader *r,
+                                                                     void *value) {
+    struct mip_filter_accel_magnitude_error_adaptive_measurement_response *v =
+        (struct mip_filter_accel_magnitude_error_adaptive_measurement_response *)value;
     mip_read_u8(r, &v->adaptive_measurement, 1);
     mip_read_float(r, &v->frequency, 1);
     mip_read_float(r, &v->low_limit, 1);
@@ -3791,10 +3638,10 @@ static void read_gravity_magnitude_error_adaptive_measurement_response(struct mi
     mip_read_float(r, &v->minimum_uncertainty, 1);
 }
 
-static void write_gravity_magnitude_error_adaptive_measurement_response(struct mip_writer *w,
-                                                                        const void *value) {
-    const struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *v =
-        (const struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *)value;
+static void write_accel_magnitude_error_adaptive_measurement_response(struct mip_writer *w,
+                                                                      const void *value) {
+    const struct mip_filter_accel_magnitude_error_adaptive_measurement_response *v =
+        (const struct mip_filter_accel_magnitude_error_adaptive_measurement_response *)value;
     mip_write_u8(w, &v->adaptive_measurement, 1);
     mip_write_float(w, &v->frequency, 1);
     mip_write_float(w, &v->low_limit, 1);
@@ -3804,32 +3651,32 @@ static void write_gravity_magnitude_error_adaptive_measurement_response(struct m
     mip_write_float(w, &v->minimum_uncertainty, 1);
 }
 
-const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_response_codec = {
+const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response),
+    sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement_response),
     0, /* time-out */
-    read_gravity_magnitude_error_adaptive_measurement_response,
-    write_gravity_magnitude_error_adaptive_measurement_response,
+    read_accel_magnitude_error_adaptive_measurement_response,
+    write_accel_magnitude_error_adaptive_measurement_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_decode(
-    struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *value,
+mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_decode(
+    struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
     const struct mip_field *field) {
-    return mip_decode_field(field, read_gravity_magnitude_error_adaptive_measurement_response,
-                            value, sizeof(*value), NULL);
+    return mip_decode_field(field, read_accel_magnitude_error_adaptive_measurement_response, value,
+                            sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_encode(
-    const struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *value,
+mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_encode(
+    const struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
     struct mip_builder *builder) {
     return mip_encode_field(
-        builder, 0x0D, MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
-        write_gravity_magnitude_error_adaptive_measurement_response, value);
+        builder, 0x0D, MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+        write_accel_magnitude_error_adaptive_measurement_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -4336,148 +4183,146 @@ mip_error mip_filter_altitude_aiding_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_pitch_roll_aiding_control[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_pitch_roll_aiding[] = {0, 1, 0, 0, 0, 0};
 
-static void read_pitch_roll_aiding_control(struct mip_reader *r, void *value) {
-    struct mip_filter_pitch_roll_aiding_control *v =
-        (struct mip_filter_pitch_roll_aiding_control *)value;
+static void read_pitch_roll_aiding(struct mip_reader *r, void *value) {
+    struct mip_filter_pitch_roll_aiding *v = (struct mip_filter_pitch_roll_aiding *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_pitch_roll_aiding_control,
-                      sizeof(required_pitch_roll_aiding_control));
+    mip_read_required(r, v->function, required_pitch_roll_aiding,
+                      sizeof(required_pitch_roll_aiding));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->aiding, 1);
     v->present = mip_read_present(r);
 }
 
-static void write_pitch_roll_aiding_control(struct mip_writer *w, const void *value) {
-    const struct mip_filter_pitch_roll_aiding_control *v =
-        (const struct mip_filter_pitch_roll_aiding_control *)value;
+static void write_pitch_roll_aiding(struct mip_writer *w, const void *value) {
+    const struct mip_filter_pitch_roll_aiding *v =
+        (const struct mip_filter_pitch_roll_aiding *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_pitch_roll_aiding_control,
-                       sizeof(required_pitch_roll_aiding_control), v->present);
+    mip_write_required(w, v->function, required_pitch_roll_aiding,
+                       sizeof(required_pitch_roll_aiding), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->aiding, 1);
 }
 
-static bool asked_pitch_roll_aiding_control_1(const void *value) {
-    const struct mip_filter_pitch_roll_aiding_control *v =
-        (const struct mip_filter_pitch_roll_aiding_control *)value;
+static bool asked_pitch_roll_aiding_1(const void *value) {
+    const struct mip_filter_pitch_roll_aiding *v =
+        (const struct mip_filter_pitch_roll_aiding *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_pitch_roll_aiding_control[] = {
-    {&mip_filter_pitch_roll_aiding_control_response_codec, asked_pitch_roll_aiding_control_1},
+static const struct mip_response responses_pitch_roll_aiding[] = {
+    {&mip_filter_pitch_roll_aiding_response_codec, asked_pitch_roll_aiding_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_pitch_roll_aiding_control_codec = {
+const struct mip_codec mip_filter_pitch_roll_aiding_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_DESCRIPTOR,
+    MIP_FILTER_PITCH_ROLL_AIDING_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_pitch_roll_aiding_control),
+    sizeof(struct mip_filter_pitch_roll_aiding),
     0, /* time-out */
-    read_pitch_roll_aiding_control,
-    write_pitch_roll_aiding_control,
+    read_pitch_roll_aiding,
+    write_pitch_roll_aiding,
     NULL,
-    responses_pitch_roll_aiding_control,
+    responses_pitch_roll_aiding,
     NULL,
 };
 
-mip_error mip_filter_pitch_roll_aiding_control_decode(
-    struct mip_filter_pitch_roll_aiding_control *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_pitch_roll_aiding_control, value, sizeof(*value), NULL);
+mip_error mip_filter_pitch_roll_aiding_decode(struct mip_filter_pitch_roll_aiding *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_pitch_roll_aiding, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_pitch_roll_aiding_control_encode(
-    const struct mip_filter_pitch_roll_aiding_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_DESCRIPTOR,
-                            write_pitch_roll_aiding_control, value);
+mip_error mip_filter_pitch_roll_aiding_encode(const struct mip_filter_pitch_roll_aiding *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_PITCH_ROLL_AIDING_DESCRIPTOR,
+                            write_pitch_roll_aiding, value);
 }
 
-struct mip_filter_pitch_roll_aiding_control
-mip_filter_pitch_roll_aiding_control_write(mip_filter_pitch_roll_aiding_source aiding) {
-    struct mip_filter_pitch_roll_aiding_control v;
+struct mip_filter_pitch_roll_aiding
+mip_filter_pitch_roll_aiding_write(mip_filter_pitch_roll_aiding_source aiding) {
+    struct mip_filter_pitch_roll_aiding v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.aiding = aiding;
     return v;
 }
 
-struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_read(void) {
-    struct mip_filter_pitch_roll_aiding_control v;
+struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_read(void) {
+    struct mip_filter_pitch_roll_aiding v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_save(void) {
-    struct mip_filter_pitch_roll_aiding_control v;
+struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_save(void) {
+    struct mip_filter_pitch_roll_aiding v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_load(void) {
-    struct mip_filter_pitch_roll_aiding_control v;
+struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_load(void) {
+    struct mip_filter_pitch_roll_aiding v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_default(void) {
-    struct mip_filter_pitch_roll_aiding_control v;
+struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_default(void) {
+    struct mip_filter_pitch_roll_aiding v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_pitch_roll_aiding_control_response(struct mip_reader *r, void *value) {
-    struct mip_filter_pitch_roll_aiding_control_response *v =
-        (struct mip_filter_pitch_roll_aiding_control_response *)value;
+static void read_pitch_roll_aiding_response(struct mip_reader *r, void *value) {
+    struct mip_filter_pitch_roll_aiding_response *v =
+        (struct mip_filter_pitch_roll_aiding_response *)value;
     mip_read_u8(r, &v->aiding, 1);
 }
 
-static void write_pitch_roll_aiding_control_response(struct mip_writer *w, const void *value) {
-    const struct mip_filter_pitch_roll_aiding_control_response *v =
-        (const struct mip_filter_pitch_roll_aiding_control_response *)value;
+static void write_pitch_roll_aiding_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_pitch_roll_aiding_response *v =
+        (const struct mip_filter_pitch_roll_aiding_response *)value;
     mip_write_u8(w, &v->aiding, 1);
 }
 
-const struct mip_codec mip_filter_pitch_roll_aiding_control_response_codec = {
+const struct mip_codec mip_filter_pitch_roll_aiding_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_pitch_roll_aiding_control_response),
+    sizeof(struct mip_filter_pitch_roll_aiding_response),
     0, /* time-out */
-    read_pitch_roll_aiding_control_response,
-    write_pitch_roll_aiding_control_response,
+    read_pitch_roll_aiding_response,
+    write_pitch_roll_aiding_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_pitch_roll_aiding_control_response_decode(
-    struct mip_filter_pitch_roll_aiding_control_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_pitch_roll_aiding_control_response, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_pitch_roll_aiding_response_decode(
+    struct mip_filter_pitch_roll_aiding_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_pitch_roll_aiding_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_pitch_roll_aiding_control_response_encode(
-    const struct mip_filter_pitch_roll_aiding_control_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_DESCRIPTOR,
-                            write_pitch_roll_aiding_control_response, value);
+mip_error mip_filter_pitch_roll_aiding_response_encode(
+    const struct mip_filter_pitch_roll_aiding_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE_DESCRIPTOR,
+                            write_pitch_roll_aiding_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_inclination_source[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_magnetic_inclination_source[] = {0, 2, 0, 0, 0, 0};
 
-static void read_inclination_source(struct mip_reader *r, void *value) {
-    struct mip_filter_inclination_source *v = (struct mip_filter_inclination_source *)value;
+static void read_magnetic_inclination_source(struct mip_reader *r, void *value) {
+    struct mip_filter_magnetic_inclination_source *v =
+        (struct mip_filter_magnetic_inclination_source *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_inclination_source,
-                      sizeof(required_inclination_source));
+    mip_read_required(r, v->function, required_magnetic_inclination_source,
+                      sizeof(required_magnetic_inclination_source));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->source, 1);
     mip_read_group(r, 2, 2);
@@ -4485,57 +4330,57 @@ static void read_inclination_source(struct mip_reader *r, void *value) {
     v->present = mip_read_present(r);
 }
 
-static void write_inclination_source(struct mip_writer *w, const void *value) {
-    const struct mip_filter_inclination_source *v =
-        (const struct mip_filter_inclination_source *)value;
+static void write_magnetic_inclination_source(struct mip_writer *w, const void *value) {
+    const struct mip_filter_magnetic_inclination_source *v =
+        (const struct mip_filter_magnetic_inclination_source *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_inclination_source,
-                       sizeof(required_inclination_source), v->present);
+    mip_write_required(w, v->function, required_magnetic_inclination_source,
+                       sizeof(required_magnetic_inclination_source), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->source, 1);
     mip_write_group(w, 2, 2);
     mip_write_float(w, &v->inclination, 1);
 }
 
-static bool asked_inclination_source_1(const void *value) {
-    const struct mip_filter_inclination_source *v =
-        (const struct mip_filter_inclination_source *)value;
+static bool asked_magnetic_inclination_source_1(const void *value) {
+    const struct mip_filter_magnetic_inclination_source *v =
+        (const struct mip_filter_magnetic_inclination_source *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_inclination_source[] = {
-    {&mip_filter_inclination_source_response_codec, asked_inclination_source_1},
+static const struct mip_response responses_magnetic_inclination_source[] = {
+    {&mip_filter_magnetic_inclination_source_response_codec, asked_magnetic_inclination_source_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_inclination_source_codec = {
+const struct mip_codec mip_filter_magnetic_inclination_source_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_INCLINATION_SOURCE_DESCRIPTOR,
+    MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_inclination_source),
+    sizeof(struct mip_filter_magnetic_inclination_source),
     0, /* time-out */
-    read_inclination_source,
-    write_inclination_source,
+    read_magnetic_inclination_source,
+    write_magnetic_inclination_source,
     NULL,
-    responses_inclination_source,
+    responses_magnetic_inclination_source,
     NULL,
 };
 
-mip_error mip_filter_inclination_source_decode(struct mip_filter_inclination_source *value,
-                                               const struct mip_field *field) {
-    return mip_decode_field(field, read_inclination_source, value, sizeof(*value), NULL);
+mip_error mip_filter_magnetic_inclination_source_decode(
+    struct mip_filter_magnetic_inclination_source *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_magnetic_inclination_source, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_inclination_source_encode(const struct mip_filter_inclination_source *value,
-                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_INCLINATION_SOURCE_DESCRIPTOR,
-                            write_inclination_source, value);
+mip_error mip_filter_magnetic_inclination_source_encode(
+    const struct mip_filter_magnetic_inclination_source *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_DESCRIPTOR,
+                            write_magnetic_inclination_source, value);
 }
 
-struct mip_filter_inclination_source
-mip_filter_inclination_source_write(mip_filter_mag_parameter_source source, float inclination) {
-    struct mip_filter_inclination_source v;
+struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_source_write(
+    mip_filter_mag_parameter_source source, float inclination) {
+    struct mip_filter_magnetic_inclination_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.source = source;
@@ -4543,81 +4388,84 @@ mip_filter_inclination_source_write(mip_filter_mag_parameter_source source, floa
     return v;
 }
 
-struct mip_filter_inclination_source mip_filter_inclination_source_read(void) {
-    struct mip_filter_inclination_source v;
+struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_source_read(void) {
+    struct mip_filter_magnetic_inclination_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_inclination_source mip_filter_inclination_source_save(void) {
-    struct mip_filter_inclination_source v;
+struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_source_save(void) {
+    struct mip_filter_magnetic_inclination_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_inclination_source mip_filter_inclination_source_load(void) {
-    struct mip_filter_inclination_source v;
+struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_source_load(void) {
+    struct mip_filter_magnetic_inclination_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_inclination_source mip_filter_inclination_source_default(void) {
-    struct mip_filter_inclination_source v;
+struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_source_default(void) {
+    struct mip_filter_magnetic_inclination_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_inclination_source_response(struct mip_reader *r, void *value) {
-    struct mip_filter_inclination_source_response *v =
-        (struct mip_filter_inclination_source_response *)value;
+static void read_magnetic_inclination_source_response(struct mip_reader *r, void *value) {
+    struct mip_filter_magnetic_inclination_source_response *v =
+        (struct mip_filter_magnetic_inclination_source_response *)value;
     mip_read_u8(r, &v->source, 1);
     mip_read_float(r, &v->inclination, 1);
 }
 
-static void write_inclination_source_response(struct mip_writer *w, const void *value) {
-    const struct mip_filter_inclination_source_response *v =
-        (const struct mip_filter_inclination_source_response *)value;
+static void write_magnetic_inclination_source_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_magnetic_inclination_source_response *v =
+        (const struct mip_filter_magnetic_inclination_source_response *)value;
     mip_write_u8(w, &v->source, 1);
     mip_write_float(w, &v->inclination, 1);
 }
 
-const struct mip_codec mip_filter_inclination_source_response_codec = {
+const struct mip_codec mip_filter_magnetic_inclination_source_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_inclination_source_response),
+    sizeof(struct mip_filter_magnetic_inclination_source_response),
     0, /* time-out */
-    read_inclination_source_response,
-    write_inclination_source_response,
+    read_magnetic_inclination_source_response,
+    write_magnetic_inclination_source_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_inclination_source_response_decode(
-    struct mip_filter_inclination_source_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_inclination_source_response, value, sizeof(*value), NULL);
+mip_error mip_filter_magnetic_inclination_source_response_decode(
+    struct mip_filter_magnetic_inclination_source_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_magnetic_inclination_source_response, value, sizeof(*value),
+                            NULL);
 }
 
-mip_error mip_filter_inclination_source_response_encode(
-    const struct mip_filter_inclination_source_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR,
-                            write_inclination_source_response, value);
+mip_error mip_filter_magnetic_inclination_source_response_encode(
+    const struct mip_filter_magnetic_inclination_source_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR,
+                            write_magnetic_inclination_source_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_mag_field_magnitude_source[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_magnetic_magnitude_source[] = {0, 2, 0, 0, 0, 0};
 
-static void read_mag_field_magnitude_source(struct mip_reader *r, void *value) {
-    struct mip_filter_mag_field_magnitude_source *v =
-        (struct mip_filter_mag_field_magnitude_source *)value;
+static void read_magnetic_magnitude_source(struct mip_reader *r, void *value) {
+    struct mip_filter_magnetic_magnitude_source *v =
+        (struct mip_filter_magnetic_magnitude_source *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_mag_field_magnitude_source,
-                      sizeof(required_mag_field_magnitude_source));
+    mip_read_required(r, v->function, required_magnetic_magnitude_source,
+                      sizeof(required_magnetic_magnitude_source));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->source, 1);
     mip_read_group(r, 2, 2);
@@ -4625,57 +4473,57 @@ static void read_mag_field_magnitude_source(struct mip_reader *r, void *value) {
     v->present = mip_read_present(r);
 }
 
-static void write_mag_field_magnitude_source(struct mip_writer *w, const void *value) {
-    const struct mip_filter_mag_field_magnitude_source *v =
-        (const struct mip_filter_mag_field_magnitude_source *)value;
+static void write_magnetic_magnitude_source(struct mip_writer *w, const void *value) {
+    const struct mip_filter_magnetic_magnitude_source *v =
+        (const struct mip_filter_magnetic_magnitude_source *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_mag_field_magnitude_source,
-                       sizeof(required_mag_field_magnitude_source), v->present);
+    mip_write_required(w, v->function, required_magnetic_magnitude_source,
+                       sizeof(required_magnetic_magnitude_source), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->source, 1);
     mip_write_group(w, 2, 2);
     mip_write_float(w, &v->magnitude, 1);
 }
 
-static bool asked_mag_field_magnitude_source_1(const void *value) {
-    const struct mip_filter_mag_field_magnitude_source *v =
-        (const struct mip_filter_mag_field_magnitude_source *)value;
+static bool asked_magnetic_magnitude_source_1(const void *value) {
+    const struct mip_filter_magnetic_magnitude_source *v =
+        (const struct mip_filter_magnetic_magnitude_source *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_mag_field_magnitude_source[] = {
-    {&mip_filter_mag_field_magnitude_source_response_codec, asked_mag_field_magnitude_source_1},
+static const struct mip_response responses_magnetic_magnitude_source[] = {
+    {&mip_filter_magnetic_magnitude_source_response_codec, asked_magnetic_magnitude_source_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_mag_field_magnitude_source_codec = {
+const struct mip_codec mip_filter_magnetic_magnitude_source_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_DESCRIPTOR,
+    MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_mag_field_magnitude_source),
+    sizeof(struct mip_filter_magnetic_magnitude_source),
     0, /* time-out */
-    read_mag_field_magnitude_source,
-    write_mag_field_magnitude_source,
+    read_magnetic_magnitude_source,
+    write_magnetic_magnitude_source,
     NULL,
-    responses_mag_field_magnitude_source,
+    responses_magnetic_magnitude_source,
     NULL,
 };
 
-mip_error mip_filter_mag_field_magnitude_source_decode(
-    struct mip_filter_mag_field_magnitude_source *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_mag_field_magnitude_source, value, sizeof(*value), NULL);
+mip_error mip_filter_magnetic_magnitude_source_decode(
+    struct mip_filter_magnetic_magnitude_source *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_magnetic_magnitude_source, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_mag_field_magnitude_source_encode(
-    const struct mip_filter_mag_field_magnitude_source *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_DESCRIPTOR,
-                            write_mag_field_magnitude_source, value);
+mip_error mip_filter_magnetic_magnitude_source_encode(
+    const struct mip_filter_magnetic_magnitude_source *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_DESCRIPTOR,
+                            write_magnetic_magnitude_source, value);
 }
 
-struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_write(
+struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source_write(
     mip_filter_mag_parameter_source source, float magnitude) {
-    struct mip_filter_mag_field_magnitude_source v;
+    struct mip_filter_magnetic_magnitude_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.source = source;
@@ -4683,73 +4531,72 @@ struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_sour
     return v;
 }
 
-struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_read(void) {
-    struct mip_filter_mag_field_magnitude_source v;
+struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source_read(void) {
+    struct mip_filter_magnetic_magnitude_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_save(void) {
-    struct mip_filter_mag_field_magnitude_source v;
+struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source_save(void) {
+    struct mip_filter_magnetic_magnitude_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_load(void) {
-    struct mip_filter_mag_field_magnitude_source v;
+struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source_load(void) {
+    struct mip_filter_magnetic_magnitude_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_default(void) {
-    struct mip_filter_mag_field_magnitude_source v;
+struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source_default(void) {
+    struct mip_filter_magnetic_magnitude_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_mag_field_magnitude_source_response(struct mip_reader *r, void *value) {
-    struct mip_filter_mag_field_magnitude_source_response *v =
-        (struct mip_filter_mag_field_magnitude_source_response *)value;
+static void read_magnetic_magnitude_source_response(struct mip_reader *r, void *value) {
+    struct mip_filter_magnetic_magnitude_source_response *v =
+        (struct mip_filter_magnetic_magnitude_source_response *)value;
     mip_read_u8(r, &v->source, 1);
     mip_read_float(r, &v->magnitude, 1);
 }
 
-static void write_mag_field_magnitude_source_response(struct mip_writer *w, const void *value) {
-    const struct mip_filter_mag_field_magnitude_source_response *v =
-        (const struct mip_filter_mag_field_magnitude_source_response *)value;
+static void write_magnetic_magnitude_source_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_magnetic_magnitude_source_response *v =
+        (const struct mip_filter_magnetic_magnitude_source_response *)value;
     mip_write_u8(w, &v->source, 1);
     mip_write_float(w, &v->magnitude, 1);
 }
 
-const struct mip_codec mip_filter_mag_field_magnitude_source_response_codec = {
+const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_mag_field_magnitude_source_response),
+    sizeof(struct mip_filter_magnetic_magnitude_source_response),
     0, /* time-out */
-    read_mag_field_magnitude_source_response,
-    write_mag_field_magnitude_source_response,
+    read_magnetic_magnitude_source_response,
+    write_magnetic_magnitude_source_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_mag_field_magnitude_source_response_decode(
-    struct mip_filter_mag_field_magnitude_source_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_mag_field_magnitude_source_response, value, sizeof(*value),
+mip_error mip_filter_magnetic_magnitude_source_response_decode(
+    struct mip_filter_magnetic_magnitude_source_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_magnetic_magnitude_source_response, value, sizeof(*value),
                             NULL);
 }
 
-mip_error mip_filter_mag_field_magnitude_source_response_encode(
-    const struct mip_filter_mag_field_magnitude_source_response *value,
+mip_error mip_filter_magnetic_magnitude_source_response_encode(
+    const struct mip_filter_magnetic_magnitude_source_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR,
-                            write_mag_field_magnitude_source_response, value);
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR,
+                            write_magnetic_magnitude_source_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -4905,7 +4752,7 @@ static void read_sensor_to_vehicle_rotation_quaternion(struct mip_reader *r, voi
     mip_read_required(r, v->function, required_sensor_to_vehicle_rotation_quaternion,
                       sizeof(required_sensor_to_vehicle_rotation_quaternion));
     mip_read_group(r, 1, 1);
-    mip_read_float(r, v->quat, 4);
+    mip_read_float(r, v->q, 4);
     v->present = mip_read_present(r);
 }
 
@@ -4916,7 +4763,7 @@ static void write_sensor_to_vehicle_rotation_quaternion(struct mip_writer *w, co
     mip_write_required(w, v->function, required_sensor_to_vehicle_rotation_quaternion,
                        sizeof(required_sensor_to_vehicle_rotation_quaternion), v->present);
     mip_write_group(w, 1, 1);
-    mip_write_float(w, v->quat, 4);
+    mip_write_float(w, v->q, 4);
 }
 
 static bool asked_sensor_to_vehicle_rotation_quaternion_1(const void *value) {
@@ -4960,11 +4807,11 @@ mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_encode(
 }
 
 struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_write(const float quat[4]) {
+mip_filter_sensor_to_vehicle_rotation_quaternion_write(const float q[4]) {
     struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    memcpy(v.quat, quat, sizeof(v.quat));
+    memcpy(v.q, q, sizeof(v.q));
     return v;
 }
 
@@ -5003,14 +4850,14 @@ mip_filter_sensor_to_vehicle_rotation_quaternion_default(void) {
 static void read_sensor_to_vehicle_rotation_quaternion_response(struct mip_reader *r, void *value) {
     struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *v =
         (struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *)value;
-    mip_read_float(r, v->quat, 4);
+    mip_read_float(r, v->q, 4);
 }
 
 static void write_sensor_to_vehicle_rotation_quaternion_response(struct mip_writer *w,
                                                                  const void *value) {
     const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *v =
         (const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *)value;
-    mip_write_float(w, v->quat, 4);
+    mip_write_float(w, v->q, 4);
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec = {
@@ -5042,14 +4889,14 @@ mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_aiding_measurement_control[] = {0, 2, 1, 1, 1, 1};
+static const uint8_t required_aiding_measurement_enable[] = {0, 2, 1, 1, 1, 1};
 
-static void read_aiding_measurement_control(struct mip_reader *r, void *value) {
-    struct mip_filter_aiding_measurement_control *v =
-        (struct mip_filter_aiding_measurement_control *)value;
+static void read_aiding_measurement_enable(struct mip_reader *r, void *value) {
+    struct mip_filter_aiding_measurement_enable *v =
+        (struct mip_filter_aiding_measurement_enable *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_aiding_measurement_control,
-                      sizeof(required_aiding_measurement_control));
+    mip_read_required(r, v->function, required_aiding_measurement_enable,
+                      sizeof(required_aiding_measurement_enable));
     mip_read_group(r, 1, 1);
     mip_read_u16(r, &v->aiding_source, 1);
     mip_read_group(r, 2, 2);
@@ -5057,57 +4904,57 @@ static void read_aiding_measurement_control(struct mip_reader *r, void *value) {
     v->present = mip_read_present(r);
 }
 
-static void write_aiding_measurement_control(struct mip_writer *w, const void *value) {
-    const struct mip_filter_aiding_measurement_control *v =
-        (const struct mip_filter_aiding_measurement_control *)value;
+static void write_aiding_measurement_enable(struct mip_writer *w, const void *value) {
+    const struct mip_filter_aiding_measurement_enable *v =
+        (const struct mip_filter_aiding_measurement_enable *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_aiding_measurement_control,
-                       sizeof(required_aiding_measurement_control), v->present);
+    mip_write_required(w, v->function, required_aiding_measurement_enable,
+                       sizeof(required_aiding_measurement_enable), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u16(w, &v->aiding_source, 1);
     mip_write_group(w, 2, 2);
     mip_write_bool(w, &v->enable, 1);
 }
 
-static bool asked_aiding_measurement_control_1(const void *value) {
-    const struct mip_filter_aiding_measurement_control *v =
-        (const struct mip_filter_aiding_measurement_control *)value;
+static bool asked_aiding_measurement_enable_1(const void *value) {
+    const struct mip_filter_aiding_measurement_enable *v =
+        (const struct mip_filter_aiding_measurement_enable *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_aiding_measurement_control[] = {
-    {&mip_filter_aiding_measurement_control_response_codec, asked_aiding_measurement_control_1},
+static const struct mip_response responses_aiding_measurement_enable[] = {
+    {&mip_filter_aiding_measurement_enable_response_codec, asked_aiding_measurement_enable_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_aiding_measurement_control_codec = {
+const struct mip_codec mip_filter_aiding_measurement_enable_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_AIDING_MEASUREMENT_CONTROL_DESCRIPTOR,
+    MIP_FILTER_AIDING_MEASUREMENT_ENABLE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_aiding_measurement_control),
+    sizeof(struct mip_filter_aiding_measurement_enable),
     0, /* time-out */
-    read_aiding_measurement_control,
-    write_aiding_measurement_control,
+    read_aiding_measurement_enable,
+    write_aiding_measurement_enable,
     NULL,
-    responses_aiding_measurement_control,
+    responses_aiding_measurement_enable,
     NULL,
 };
 
-mip_error mip_filter_aiding_measurement_control_decode(
-    struct mip_filter_aiding_measurement_control *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_aiding_measurement_control, value, sizeof(*value), NULL);
+mip_error mip_filter_aiding_measurement_enable_decode(
+    struct mip_filter_aiding_measurement_enable *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_aiding_measurement_enable, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_aiding_measurement_control_encode(
-    const struct mip_filter_aiding_measurement_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_AIDING_MEASUREMENT_CONTROL_DESCRIPTOR,
-                            write_aiding_measurement_control, value);
+mip_error mip_filter_aiding_measurement_enable_encode(
+    const struct mip_filter_aiding_measurement_enable *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_AIDING_MEASUREMENT_ENABLE_DESCRIPTOR,
+                            write_aiding_measurement_enable, value);
 }
 
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_write(
+struct mip_filter_aiding_measurement_enable mip_filter_aiding_measurement_enable_write(
     mip_filter_aiding_source aiding_source, mip_bool enable) {
-    struct mip_filter_aiding_measurement_control v;
+    struct mip_filter_aiding_measurement_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.aiding_source = aiding_source;
@@ -5115,81 +4962,80 @@ struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_contr
     return v;
 }
 
-struct mip_filter_aiding_measurement_control
-mip_filter_aiding_measurement_control_read(mip_filter_aiding_source aiding_source) {
-    struct mip_filter_aiding_measurement_control v;
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_read(mip_filter_aiding_source aiding_source) {
+    struct mip_filter_aiding_measurement_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     v.aiding_source = aiding_source;
     return v;
 }
 
-struct mip_filter_aiding_measurement_control
-mip_filter_aiding_measurement_control_save(mip_filter_aiding_source aiding_source) {
-    struct mip_filter_aiding_measurement_control v;
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_save(mip_filter_aiding_source aiding_source) {
+    struct mip_filter_aiding_measurement_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     v.aiding_source = aiding_source;
     return v;
 }
 
-struct mip_filter_aiding_measurement_control
-mip_filter_aiding_measurement_control_load(mip_filter_aiding_source aiding_source) {
-    struct mip_filter_aiding_measurement_control v;
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_load(mip_filter_aiding_source aiding_source) {
+    struct mip_filter_aiding_measurement_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     v.aiding_source = aiding_source;
     return v;
 }
 
-struct mip_filter_aiding_measurement_control
-mip_filter_aiding_measurement_control_default(mip_filter_aiding_source aiding_source) {
-    struct mip_filter_aiding_measurement_control v;
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_default(mip_filter_aiding_source aiding_source) {
+    struct mip_filter_aiding_measurement_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     v.aiding_source = aiding_source;
     return v;
 }
 
-static void read_aiding_measurement_control_response(struct mip_reader *r, void *value) {
-    struct mip_filter_aiding_measurement_control_response *v =
-        (struct mip_filter_aiding_measurement_control_response *)value;
+static void read_aiding_measurement_enable_response(struct mip_reader *r, void *value) {
+    struct mip_filter_aiding_measurement_enable_response *v =
+        (struct mip_filter_aiding_measurement_enable_response *)value;
     mip_read_u16(r, &v->aiding_source, 1);
     mip_read_bool(r, &v->enable, 1);
 }
 
-static void write_aiding_measurement_control_response(struct mip_writer *w, const void *value) {
-    const struct mip_filter_aiding_measurement_control_response *v =
-        (const struct mip_filter_aiding_measurement_control_response *)value;
+static void write_aiding_measurement_enable_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_aiding_measurement_enable_response *v =
+        (const struct mip_filter_aiding_measurement_enable_response *)value;
     mip_write_u16(w, &v->aiding_source, 1);
     mip_write_bool(w, &v->enable, 1);
 }
 
-const struct mip_codec mip_filter_aiding_measurement_control_response_codec = {
+const struct mip_codec mip_filter_aiding_measurement_enable_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_AIDING_MEASUREMENT_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_aiding_measurement_control_response),
+    sizeof(struct mip_filter_aiding_measurement_enable_response),
     0, /* time-out */
-    read_aiding_measurement_control_response,
-    write_aiding_measurement_control_response,
+    read_aiding_measurement_enable_response,
+    write_aiding_measurement_enable_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_aiding_measurement_control_response_decode(
-    struct mip_filter_aiding_measurement_control_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_aiding_measurement_control_response, value, sizeof(*value),
+mip_error mip_filter_aiding_measurement_enable_response_decode(
+    struct mip_filter_aiding_measurement_enable_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_aiding_measurement_enable_response, value, sizeof(*value),
                             NULL);
 }
 
-mip_error mip_filter_aiding_measurement_control_response_encode(
-    const struct mip_filter_aiding_measurement_control_response *value,
+mip_error mip_filter_aiding_measurement_enable_response_encode(
+    const struct mip_filter_aiding_measurement_enable_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_AIDING_MEASUREMENT_CONTROL_RESPONSE_DESCRIPTOR,
-                            write_aiding_measurement_control_response, value);
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE_DESCRIPTOR,
+                            write_aiding_measurement_enable_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -5341,18 +5187,17 @@ mip_error mip_filter_kinematic_constraint_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_navigation_filter_initialization[] = {0, 9, 0, 0, 0, 0};
+static const uint8_t required_initialization_config[] = {0, 9, 0, 0, 0, 0};
 
-static void read_navigation_filter_initialization(struct mip_reader *r, void *value) {
-    struct mip_filter_navigation_filter_initialization *v =
-        (struct mip_filter_navigation_filter_initialization *)value;
+static void read_initialization_config(struct mip_reader *r, void *value) {
+    struct mip_filter_initialization_config *v = (struct mip_filter_initialization_config *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_navigation_filter_initialization,
-                      sizeof(required_navigation_filter_initialization));
+    mip_read_required(r, v->function, required_initialization_config,
+                      sizeof(required_initialization_config));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->wait_for_run_command, 1);
     mip_read_group(r, 2, 2);
-    mip_read_u8(r, &v->initial_cond_src, 1);
+    mip_read_u8(r, &v->initial_condition_source, 1);
     mip_read_group(r, 3, 3);
     mip_read_u8(r, &v->auto_heading_alignment_selector, 1);
     mip_read_group(r, 4, 4);
@@ -5370,16 +5215,16 @@ static void read_navigation_filter_initialization(struct mip_reader *r, void *va
     v->present = mip_read_present(r);
 }
 
-static void write_navigation_filter_initialization(struct mip_writer *w, const void *value) {
-    const struct mip_filter_navigation_filter_initialization *v =
-        (const struct mip_filter_navigation_filter_initialization *)value;
+static void write_initialization_config(struct mip_writer *w, const void *value) {
+    const struct mip_filter_initialization_config *v =
+        (const struct mip_filter_initialization_config *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_navigation_filter_initialization,
-                       sizeof(required_navigation_filter_initialization), v->present);
+    mip_write_required(w, v->function, required_initialization_config,
+                       sizeof(required_initialization_config), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->wait_for_run_command, 1);
     mip_write_group(w, 2, 2);
-    mip_write_u8(w, &v->initial_cond_src, 1);
+    mip_write_u8(w, &v->initial_condition_source, 1);
     mip_write_group(w, 3, 3);
     mip_write_u8(w, &v->auto_heading_alignment_selector, 1);
     mip_write_group(w, 4, 4);
@@ -5396,55 +5241,52 @@ static void write_navigation_filter_initialization(struct mip_writer *w, const v
     mip_write_u8(w, &v->reference_frame_selector, 1);
 }
 
-static bool asked_navigation_filter_initialization_1(const void *value) {
-    const struct mip_filter_navigation_filter_initialization *v =
-        (const struct mip_filter_navigation_filter_initialization *)value;
+static bool asked_initialization_config_1(const void *value) {
+    const struct mip_filter_initialization_config *v =
+        (const struct mip_filter_initialization_config *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_navigation_filter_initialization[] = {
-    {&mip_filter_navigation_filter_initialization_response_codec,
-     asked_navigation_filter_initialization_1},
+static const struct mip_response responses_initialization_config[] = {
+    {&mip_filter_initialization_config_response_codec, asked_initialization_config_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_navigation_filter_initialization_codec = {
+const struct mip_codec mip_filter_initialization_config_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_DESCRIPTOR,
+    MIP_FILTER_INITIALIZATION_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_navigation_filter_initialization),
+    sizeof(struct mip_filter_initialization_config),
     0, /* time-out */
-    read_navigation_filter_initialization,
-    write_navigation_filter_initialization,
+    read_initialization_config,
+    write_initialization_config,
     NULL,
-    responses_navigation_filter_initialization,
+    responses_initialization_config,
     NULL,
 };
 
-mip_error mip_filter_navigation_filter_initialization_decode(
-    struct mip_filter_navigation_filter_initialization *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_navigation_filter_initialization, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_initialization_config_decode(struct mip_filter_initialization_config *value,
+                                                  const struct mip_field *field) {
+    return mip_decode_field(field, read_initialization_config, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_navigation_filter_initialization_encode(
-    const struct mip_filter_navigation_filter_initialization *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_DESCRIPTOR,
-                            write_navigation_filter_initialization, value);
+mip_error mip_filter_initialization_config_encode(
+    const struct mip_filter_initialization_config *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_INITIALIZATION_CONFIG_DESCRIPTOR,
+                            write_initialization_config, value);
 }
 
-struct mip_filter_navigation_filter_initialization
-mip_filter_navigation_filter_initialization_write(
-    uint8_t wait_for_run_command, mip_filter_initial_condition_source initial_cond_src,
+struct mip_filter_initialization_config mip_filter_initialization_config_write(
+    uint8_t wait_for_run_command, mip_filter_initial_condition_source initial_condition_source,
     mip_filter_heading_alignment auto_heading_alignment_selector, float initial_heading,
     float initial_pitch, float initial_roll, const float initial_position[3],
     const float initial_velocity[3], mip_filter_reference_frame reference_frame_selector) {
-    struct mip_filter_navigation_filter_initialization v;
+    struct mip_filter_initialization_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.wait_for_run_command = wait_for_run_command;
-    v.initial_cond_src = initial_cond_src;
+    v.initial_condition_source = initial_condition_source;
     v.auto_heading_alignment_selector = auto_heading_alignment_selector;
     v.initial_heading = initial_heading;
     v.initial_pitch = initial_pitch;
@@ -5455,43 +5297,39 @@ mip_filter_navigation_filter_initialization_write(
     return v;
 }
 
-struct mip_filter_navigation_filter_initialization
-mip_filter_navigation_filter_initialization_read(void) {
-    struct mip_filter_navigation_filter_initialization v;
+struct mip_filter_initialization_config mip_filter_initialization_config_read(void) {
+    struct mip_filter_initialization_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_navigation_filter_initialization
-mip_filter_navigation_filter_initialization_save(void) {
-    struct mip_filter_navigation_filter_initialization v;
+struct mip_filter_initialization_config mip_filter_initialization_config_save(void) {
+    struct mip_filter_initialization_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_navigation_filter_initialization
-mip_filter_navigation_filter_initialization_load(void) {
-    struct mip_filter_navigation_filter_initialization v;
+struct mip_filter_initialization_config mip_filter_initialization_config_load(void) {
+    struct mip_filter_initialization_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_navigation_filter_initialization
-mip_filter_navigation_filter_initialization_default(void) {
-    struct mip_filter_navigation_filter_initialization v;
+struct mip_filter_initialization_config mip_filter_initialization_config_default(void) {
+    struct mip_filter_initialization_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_navigation_filter_initialization_response(struct mip_reader *r, void *value) {
-    struct mip_filter_navigation_filter_initialization_response *v =
-        (struct mip_filter_navigation_filter_initialization_response *)value;
+static void read_initialization_config_response(struct mip_reader *r, void *value) {
+    struct mip_filter_initialization_config_response *v =
+        (struct mip_filter_initialization_config_response *)value;
     mip_read_u8(r, &v->wait_for_run_command, 1);
-    mip_read_u8(r, &v->initial_cond_src, 1);
+    mip_read_u8(r, &v->initial_condition_source, 1);
     mip_read_u8(r, &v->auto_heading_alignment_selector, 1);
     mip_read_float(r, &v->initial_heading, 1);
     mip_read_float(r, &v->initial_pitch, 1);
@@ -5501,12 +5339,11 @@ static void read_navigation_filter_initialization_response(struct mip_reader *r,
     mip_read_u8(r, &v->reference_frame_selector, 1);
 }
 
-static void write_navigation_filter_initialization_response(struct mip_writer *w,
-                                                            const void *value) {
-    const struct mip_filter_navigation_filter_initialization_response *v =
-        (const struct mip_filter_navigation_filter_initialization_response *)value;
+static void write_initialization_config_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_initialization_config_response *v =
+        (const struct mip_filter_initialization_config_response *)value;
     mip_write_u8(w, &v->wait_for_run_command, 1);
-    mip_write_u8(w, &v->initial_cond_src, 1);
+    mip_write_u8(w, &v->initial_condition_source, 1);
     mip_write_u8(w, &v->auto_heading_alignment_selector, 1);
     mip_write_float(w, &v->initial_heading, 1);
     mip_write_float(w, &v->initial_pitch, 1);
@@ -5516,43 +5353,40 @@ static void write_navigation_filter_initialization_response(struct mip_writer *w
     mip_write_u8(w, &v->reference_frame_selector, 1);
 }
 
-const struct mip_codec mip_filter_navigation_filter_initialization_response_codec = {
+const struct mip_codec mip_filter_initialization_config_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_navigation_filter_initialization_response),
+    sizeof(struct mip_filter_initialization_config_response),
     0, /* time-out */
-    read_navigation_filter_initialization_response,
-    write_navigation_filter_initialization_response,
+    read_initialization_config_response,
+    write_initialization_config_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_navigation_filter_initialization_response_decode(
-    struct mip_filter_navigation_filter_initialization_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_navigation_filter_initialization_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_filter_initialization_config_response_decode(
+    struct mip_filter_initialization_config_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_initialization_config_response, value, sizeof(*value),
+                            NULL);
 }
 
-mip_error mip_filter_navigation_filter_initialization_response_encode(
-    const struct mip_filter_navigation_filter_initialization_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_RESPONSE_DESCRIPTOR,
-                            write_navigation_filter_initialization_response, value);
+mip_error mip_filter_initialization_config_response_encode(
+    const struct mip_filter_initialization_config_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE_DESCRIPTOR,
+                            write_initialization_config_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_adaptive_filter_control[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_adaptive_filter_options[] = {0, 2, 0, 0, 0, 0};
 
-static void read_adaptive_filter_control(struct mip_reader *r, void *value) {
-    struct mip_filter_adaptive_filter_control *v =
-        (struct mip_filter_adaptive_filter_control *)value;
+static void read_adaptive_filter_options(struct mip_reader *r, void *value) {
+    struct mip_filter_adaptive_filter_options *v =
+        (struct mip_filter_adaptive_filter_options *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_adaptive_filter_control,
-                      sizeof(required_adaptive_filter_control));
+    mip_read_required(r, v->function, required_adaptive_filter_options,
+                      sizeof(required_adaptive_filter_options));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->level, 1);
     mip_read_group(r, 2, 2);
@@ -5560,57 +5394,57 @@ static void read_adaptive_filter_control(struct mip_reader *r, void *value) {
     v->present = mip_read_present(r);
 }
 
-static void write_adaptive_filter_control(struct mip_writer *w, const void *value) {
-    const struct mip_filter_adaptive_filter_control *v =
-        (const struct mip_filter_adaptive_filter_control *)value;
+static void write_adaptive_filter_options(struct mip_writer *w, const void *value) {
+    const struct mip_filter_adaptive_filter_options *v =
+        (const struct mip_filter_adaptive_filter_options *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_adaptive_filter_control,
-                       sizeof(required_adaptive_filter_control), v->present);
+    mip_write_required(w, v->function, required_adaptive_filter_options,
+                       sizeof(required_adaptive_filter_options), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->level, 1);
     mip_write_group(w, 2, 2);
     mip_write_u16(w, &v->time_limit, 1);
 }
 
-static bool asked_adaptive_filter_control_1(const void *value) {
-    const struct mip_filter_adaptive_filter_control *v =
-        (const struct mip_filter_adaptive_filter_control *)value;
+static bool asked_adaptive_filter_options_1(const void *value) {
+    const struct mip_filter_adaptive_filter_options *v =
+        (const struct mip_filter_adaptive_filter_options *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_adaptive_filter_control[] = {
-    {&mip_filter_adaptive_filter_control_response_codec, asked_adaptive_filter_control_1},
+static const struct mip_response responses_adaptive_filter_options[] = {
+    {&mip_filter_adaptive_filter_options_response_codec, asked_adaptive_filter_options_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_adaptive_filter_control_codec = {
+const struct mip_codec mip_filter_adaptive_filter_options_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_ADAPTIVE_FILTER_CONTROL_DESCRIPTOR,
+    MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_adaptive_filter_control),
+    sizeof(struct mip_filter_adaptive_filter_options),
     0, /* time-out */
-    read_adaptive_filter_control,
-    write_adaptive_filter_control,
+    read_adaptive_filter_options,
+    write_adaptive_filter_options,
     NULL,
-    responses_adaptive_filter_control,
+    responses_adaptive_filter_options,
     NULL,
 };
 
-mip_error mip_filter_adaptive_filter_control_decode(
-    struct mip_filter_adaptive_filter_control *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_adaptive_filter_control, value, sizeof(*value), NULL);
+mip_error mip_filter_adaptive_filter_options_decode(
+    struct mip_filter_adaptive_filter_options *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_adaptive_filter_options, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_adaptive_filter_control_encode(
-    const struct mip_filter_adaptive_filter_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_ADAPTIVE_FILTER_CONTROL_DESCRIPTOR,
-                            write_adaptive_filter_control, value);
+mip_error mip_filter_adaptive_filter_options_encode(
+    const struct mip_filter_adaptive_filter_options *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_DESCRIPTOR,
+                            write_adaptive_filter_options, value);
 }
 
-struct mip_filter_adaptive_filter_control
-mip_filter_adaptive_filter_control_write(mip_filter_adaptive_level level, uint16_t time_limit) {
-    struct mip_filter_adaptive_filter_control v;
+struct mip_filter_adaptive_filter_options
+mip_filter_adaptive_filter_options_write(mip_filter_adaptive_level level, uint16_t time_limit) {
+    struct mip_filter_adaptive_filter_options v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.level = level;
@@ -5618,82 +5452,81 @@ mip_filter_adaptive_filter_control_write(mip_filter_adaptive_level level, uint16
     return v;
 }
 
-struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_read(void) {
-    struct mip_filter_adaptive_filter_control v;
+struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_read(void) {
+    struct mip_filter_adaptive_filter_options v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_save(void) {
-    struct mip_filter_adaptive_filter_control v;
+struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_save(void) {
+    struct mip_filter_adaptive_filter_options v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_load(void) {
-    struct mip_filter_adaptive_filter_control v;
+struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_load(void) {
+    struct mip_filter_adaptive_filter_options v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_default(void) {
-    struct mip_filter_adaptive_filter_control v;
+struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_default(void) {
+    struct mip_filter_adaptive_filter_options v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_adaptive_filter_control_response(struct mip_reader *r, void *value) {
-    struct mip_filter_adaptive_filter_control_response *v =
-        (struct mip_filter_adaptive_filter_control_response *)value;
+static void read_adaptive_filter_options_response(struct mip_reader *r, void *value) {
+    struct mip_filter_adaptive_filter_options_response *v =
+        (struct mip_filter_adaptive_filter_options_response *)value;
     mip_read_u8(r, &v->level, 1);
     mip_read_u16(r, &v->time_limit, 1);
 }
 
-static void write_adaptive_filter_control_response(struct mip_writer *w, const void *value) {
-    const struct mip_filter_adaptive_filter_control_response *v =
-        (const struct mip_filter_adaptive_filter_control_response *)value;
+static void write_adaptive_filter_options_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_adaptive_filter_options_response *v =
+        (const struct mip_filter_adaptive_filter_options_response *)value;
     mip_write_u8(w, &v->level, 1);
     mip_write_u16(w, &v->time_limit, 1);
 }
 
-const struct mip_codec mip_filter_adaptive_filter_control_response_codec = {
+const struct mip_codec mip_filter_adaptive_filter_options_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_ADAPTIVE_FILTER_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_adaptive_filter_control_response),
+    sizeof(struct mip_filter_adaptive_filter_options_response),
     0, /* time-out */
-    read_adaptive_filter_control_response,
-    write_adaptive_filter_control_response,
+    read_adaptive_filter_options_response,
+    write_adaptive_filter_options_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_adaptive_filter_control_response_decode(
-    struct mip_filter_adaptive_filter_control_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_adaptive_filter_control_response, value, sizeof(*value),
+mip_error mip_filter_adaptive_filter_options_response_decode(
+    struct mip_filter_adaptive_filter_options_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_adaptive_filter_options_response, value, sizeof(*value),
                             NULL);
 }
 
-mip_error mip_filter_adaptive_filter_control_response_encode(
-    const struct mip_filter_adaptive_filter_control_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_ADAPTIVE_FILTER_CONTROL_RESPONSE_DESCRIPTOR,
-                            write_adaptive_filter_control_response, value);
+mip_error mip_filter_adaptive_filter_options_response_encode(
+    const struct mip_filter_adaptive_filter_options_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE_DESCRIPTOR,
+                            write_adaptive_filter_options_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_gnss_multi_antenna_offset_control[] = {0, 2, 1, 1, 1, 1};
+static const uint8_t required_multi_antenna_offset[] = {0, 2, 1, 1, 1, 1};
 
-static void read_gnss_multi_antenna_offset_control(struct mip_reader *r, void *value) {
-    struct mip_filter_gnss_multi_antenna_offset_control *v =
-        (struct mip_filter_gnss_multi_antenna_offset_control *)value;
+static void read_multi_antenna_offset(struct mip_reader *r, void *value) {
+    struct mip_filter_multi_antenna_offset *v = (struct mip_filter_multi_antenna_offset *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gnss_multi_antenna_offset_control,
-                      sizeof(required_gnss_multi_antenna_offset_control));
+    mip_read_required(r, v->function, required_multi_antenna_offset,
+                      sizeof(required_multi_antenna_offset));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->receiver_id, 1);
     mip_read_group(r, 2, 2);
@@ -5701,60 +5534,57 @@ static void read_gnss_multi_antenna_offset_control(struct mip_reader *r, void *v
     v->present = mip_read_present(r);
 }
 
-static void write_gnss_multi_antenna_offset_control(struct mip_writer *w, const void *value) {
-    const struct mip_filter_gnss_multi_antenna_offset_control *v =
-        (const struct mip_filter_gnss_multi_antenna_offset_control *)value;
+static void write_multi_antenna_offset(struct mip_writer *w, const void *value) {
+    const struct mip_filter_multi_antenna_offset *v =
+        (const struct mip_filter_multi_antenna_offset *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gnss_multi_antenna_offset_control,
-                       sizeof(required_gnss_multi_antenna_offset_control), v->present);
+    mip_write_required(w, v->function, required_multi_antenna_offset,
+                       sizeof(required_multi_antenna_offset), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->receiver_id, 1);
     mip_write_group(w, 2, 2);
     mip_write_float(w, v->antenna_offset, 3);
 }
 
-static bool asked_gnss_multi_antenna_offset_control_1(const void *value) {
-    const struct mip_filter_gnss_multi_antenna_offset_control *v =
-        (const struct mip_filter_gnss_multi_antenna_offset_control *)value;
+static bool asked_multi_antenna_offset_1(const void *value) {
+    const struct mip_filter_multi_antenna_offset *v =
+        (const struct mip_filter_multi_antenna_offset *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_gnss_multi_antenna_offset_control[] = {
-    {&mip_filter_gnss_multi_antenna_offset_control_response_codec,
-     asked_gnss_multi_antenna_offset_control_1},
+static const struct mip_response responses_multi_antenna_offset[] = {
+    {&mip_filter_multi_antenna_offset_response_codec, asked_multi_antenna_offset_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_codec = {
+const struct mip_codec mip_filter_multi_antenna_offset_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
+    MIP_FILTER_MULTI_ANTENNA_OFFSET_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_gnss_multi_antenna_offset_control),
+    sizeof(struct mip_filter_multi_antenna_offset),
     0, /* time-out */
-    read_gnss_multi_antenna_offset_control,
-    write_gnss_multi_antenna_offset_control,
+    read_multi_antenna_offset,
+    write_multi_antenna_offset,
     NULL,
-    responses_gnss_multi_antenna_offset_control,
+    responses_multi_antenna_offset,
     NULL,
 };
 
-mip_error mip_filter_gnss_multi_antenna_offset_control_decode(
-    struct mip_filter_gnss_multi_antenna_offset_control *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_multi_antenna_offset_control, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_multi_antenna_offset_decode(struct mip_filter_multi_antenna_offset *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_multi_antenna_offset, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gnss_multi_antenna_offset_control_encode(
-    const struct mip_filter_gnss_multi_antenna_offset_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
-                            write_gnss_multi_antenna_offset_control, value);
+mip_error mip_filter_multi_antenna_offset_encode(
+    const struct mip_filter_multi_antenna_offset *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MULTI_ANTENNA_OFFSET_DESCRIPTOR,
+                            write_multi_antenna_offset, value);
 }
 
-struct mip_filter_gnss_multi_antenna_offset_control
-mip_filter_gnss_multi_antenna_offset_control_write(uint8_t receiver_id,
-                                                   const float antenna_offset[3]) {
-    struct mip_filter_gnss_multi_antenna_offset_control v;
+struct mip_filter_multi_antenna_offset
+mip_filter_multi_antenna_offset_write(uint8_t receiver_id, const float antenna_offset[3]) {
+    struct mip_filter_multi_antenna_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.receiver_id = receiver_id;
@@ -5762,94 +5592,86 @@ mip_filter_gnss_multi_antenna_offset_control_write(uint8_t receiver_id,
     return v;
 }
 
-struct mip_filter_gnss_multi_antenna_offset_control
-mip_filter_gnss_multi_antenna_offset_control_read(uint8_t receiver_id) {
-    struct mip_filter_gnss_multi_antenna_offset_control v;
+struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_read(uint8_t receiver_id) {
+    struct mip_filter_multi_antenna_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     v.receiver_id = receiver_id;
     return v;
 }
 
-struct mip_filter_gnss_multi_antenna_offset_control
-mip_filter_gnss_multi_antenna_offset_control_save(uint8_t receiver_id) {
-    struct mip_filter_gnss_multi_antenna_offset_control v;
+struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_save(uint8_t receiver_id) {
+    struct mip_filter_multi_antenna_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     v.receiver_id = receiver_id;
     return v;
 }
 
-struct mip_filter_gnss_multi_antenna_offset_control
-mip_filter_gnss_multi_antenna_offset_control_load(uint8_t receiver_id) {
-    struct mip_filter_gnss_multi_antenna_offset_control v;
+struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_load(uint8_t receiver_id) {
+    struct mip_filter_multi_antenna_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     v.receiver_id = receiver_id;
     return v;
 }
 
-struct mip_filter_gnss_multi_antenna_offset_control
-mip_filter_gnss_multi_antenna_offset_control_default(uint8_t receiver_id) {
-    struct mip_filter_gnss_multi_antenna_offset_control v;
+struct mip_filter_multi_antenna_offset
+mip_filter_multi_antenna_offset_default(uint8_t receiver_id) {
+    struct mip_filter_multi_antenna_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     v.receiver_id = receiver_id;
     return v;
 }
 
-static void read_gnss_multi_antenna_offset_control_response(struct mip_reader *r, void *value) {
-    struct mip_filter_gnss_multi_antenna_offset_control_response *v =
-        (struct mip_filter_gnss_multi_antenna_offset_control_response *)value;
+static void read_multi_antenna_offset_response(struct mip_reader *r, void *value) {
+    struct mip_filter_multi_antenna_offset_response *v =
+        (struct mip_filter_multi_antenna_offset_response *)value;
     mip_read_u8(r, &v->receiver_id, 1);
     mip_read_float(r, v->antenna_offset, 3);
 }
 
-static void write_gnss_multi_antenna_offset_control_response(struct mip_writer *w,
-                                                             const void *value) {
-    const struct mip_filter_gnss_multi_antenna_offset_control_response *v =
-        (const struct mip_filter_gnss_multi_antenna_offset_control_response *)value;
+static void write_multi_antenna_offset_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_multi_antenna_offset_response *v =
+        (const struct mip_filter_multi_antenna_offset_response *)value;
     mip_write_u8(w, &v->receiver_id, 1);
     mip_write_float(w, v->antenna_offset, 3);
 }
 
-const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_response_codec = {
+const struct mip_codec mip_filter_multi_antenna_offset_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_gnss_multi_antenna_offset_control_response),
+    sizeof(struct mip_filter_multi_antenna_offset_response),
     0, /* time-out */
-    read_gnss_multi_antenna_offset_control_response,
-    write_gnss_multi_antenna_offset_control_response,
+    read_multi_antenna_offset_response,
+    write_multi_antenna_offset_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_gnss_multi_antenna_offset_control_response_decode(
-    struct mip_filter_gnss_multi_antenna_offset_control_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_multi_antenna_offset_control_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_filter_multi_antenna_offset_response_decode(
+    struct mip_filter_multi_antenna_offset_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_multi_antenna_offset_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gnss_multi_antenna_offset_control_response_encode(
-    const struct mip_filter_gnss_multi_antenna_offset_control_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
-                            write_gnss_multi_antenna_offset_control_response, value);
+mip_error mip_filter_multi_antenna_offset_response_encode(
+    const struct mip_filter_multi_antenna_offset_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR,
+                            write_multi_antenna_offset_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_relative_position_configuration[] = {0, 3, 0, 0, 0, 0};
+static const uint8_t required_relative_position_config[] = {0, 3, 0, 0, 0, 0};
 
-static void read_relative_position_configuration(struct mip_reader *r, void *value) {
-    struct mip_filter_relative_position_configuration *v =
-        (struct mip_filter_relative_position_configuration *)value;
+static void read_relative_position_config(struct mip_reader *r, void *value) {
+    struct mip_filter_relative_position_config *v =
+        (struct mip_filter_relative_position_config *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_relative_position_configuration,
-                      sizeof(required_relative_position_configuration));
+    mip_read_required(r, v->function, required_relative_position_config,
+                      sizeof(required_relative_position_config));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->source, 1);
     mip_read_group(r, 2, 2);
@@ -5859,12 +5681,12 @@ static void read_relative_position_configuration(struct mip_reader *r, void *val
     v->present = mip_read_present(r);
 }
 
-static void write_relative_position_configuration(struct mip_writer *w, const void *value) {
-    const struct mip_filter_relative_position_configuration *v =
-        (const struct mip_filter_relative_position_configuration *)value;
+static void write_relative_position_config(struct mip_writer *w, const void *value) {
+    const struct mip_filter_relative_position_config *v =
+        (const struct mip_filter_relative_position_config *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_relative_position_configuration,
-                       sizeof(required_relative_position_configuration), v->present);
+    mip_write_required(w, v->function, required_relative_position_config,
+                       sizeof(required_relative_position_config), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->source, 1);
     mip_write_group(w, 2, 2);
@@ -5873,48 +5695,46 @@ static void write_relative_position_configuration(struct mip_writer *w, const vo
     mip_write_double(w, v->reference_coordinates, 3);
 }
 
-static bool asked_relative_position_configuration_1(const void *value) {
-    const struct mip_filter_relative_position_configuration *v =
-        (const struct mip_filter_relative_position_configuration *)value;
+static bool asked_relative_position_config_1(const void *value) {
+    const struct mip_filter_relative_position_config *v =
+        (const struct mip_filter_relative_position_config *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_relative_position_configuration[] = {
-    {&mip_filter_relative_position_configuration_response_codec,
-     asked_relative_position_configuration_1},
+static const struct mip_response responses_relative_position_config[] = {
+    {&mip_filter_relative_position_config_response_codec, asked_relative_position_config_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_relative_position_configuration_codec = {
+const struct mip_codec mip_filter_relative_position_config_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_DESCRIPTOR,
+    MIP_FILTER_RELATIVE_POSITION_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_relative_position_configuration),
+    sizeof(struct mip_filter_relative_position_config),
     0, /* time-out */
-    read_relative_position_configuration,
-    write_relative_position_configuration,
+    read_relative_position_config,
+    write_relative_position_config,
     NULL,
-    responses_relative_position_configuration,
+    responses_relative_position_config,
     NULL,
 };
 
-mip_error mip_filter_relative_position_configuration_decode(
-    struct mip_filter_relative_position_configuration *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_relative_position_configuration, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_relative_position_config_decode(
+    struct mip_filter_relative_position_config *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_relative_position_config, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_relative_position_configuration_encode(
-    const struct mip_filter_relative_position_configuration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_DESCRIPTOR,
-                            write_relative_position_configuration, value);
+mip_error mip_filter_relative_position_config_encode(
+    const struct mip_filter_relative_position_config *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_RELATIVE_POSITION_CONFIG_DESCRIPTOR,
+                            write_relative_position_config, value);
 }
 
-struct mip_filter_relative_position_configuration mip_filter_relative_position_configuration_write(
+struct mip_filter_relative_position_config mip_filter_relative_position_config_write(
     mip_filter_relative_position_source source, mip_filter_reference_frame reference_frame_selector,
     const double reference_coordinates[3]) {
-    struct mip_filter_relative_position_configuration v;
+    struct mip_filter_relative_position_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.source = source;
@@ -5923,81 +5743,73 @@ struct mip_filter_relative_position_configuration mip_filter_relative_position_c
     return v;
 }
 
-struct mip_filter_relative_position_configuration
-mip_filter_relative_position_configuration_read(void) {
-    struct mip_filter_relative_position_configuration v;
+struct mip_filter_relative_position_config mip_filter_relative_position_config_read(void) {
+    struct mip_filter_relative_position_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_relative_position_configuration
-mip_filter_relative_position_configuration_save(void) {
-    struct mip_filter_relative_position_configuration v;
+struct mip_filter_relative_position_config mip_filter_relative_position_config_save(void) {
+    struct mip_filter_relative_position_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_relative_position_configuration
-mip_filter_relative_position_configuration_load(void) {
-    struct mip_filter_relative_position_configuration v;
+struct mip_filter_relative_position_config mip_filter_relative_position_config_load(void) {
+    struct mip_filter_relative_position_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_relative_position_configuration
-mip_filter_relative_position_configuration_default(void) {
-    struct mip_filter_relative_position_configuration v;
+struct mip_filter_relative_position_config mip_filter_relative_position_config_default(void) {
+    struct mip_filter_relative_position_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_relative_position_configuration_response(struct mip_reader *r, void *value) {
-    struct mip_filter_relative_position_configuration_response *v =
-        (struct mip_filter_relative_position_configuration_response *)value;
+static void read_relative_position_config_response(struct mip_reader *r, void *value) {
+    struct mip_filter_relative_position_config_response *v =
+        (struct mip_filter_relative_position_config_response *)value;
     mip_read_u8(r, &v->source, 1);
     mip_read_u8(r, &v->reference_frame_selector, 1);
     mip_read_double(r, v->reference_coordinates, 3);
 }
 
-static void write_relative_position_configuration_response(struct mip_writer *w,
-                                                           const void *value) {
-    const struct mip_filter_relative_position_configuration_response *v =
-        (const struct mip_filter_relative_position_configuration_response *)value;
+static void write_relative_position_config_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_relative_position_config_response *v =
+        (const struct mip_filter_relative_position_config_response *)value;
     mip_write_u8(w, &v->source, 1);
     mip_write_u8(w, &v->reference_frame_selector, 1);
     mip_write_double(w, v->reference_coordinates, 3);
 }
 
-const struct mip_codec mip_filter_relative_position_configuration_response_codec = {
+const struct mip_codec mip_filter_relative_position_config_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_relative_position_configuration_response),
+    sizeof(struct mip_filter_relative_position_config_response),
     0, /* time-out */
-    read_relative_position_configuration_response,
-    write_relative_position_configuration_response,
+    read_relative_position_config_response,
+    write_relative_position_config_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_relative_position_configuration_response_decode(
-    struct mip_filter_relative_position_configuration_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_relative_position_configuration_response, value,
-                            sizeof(*value), NULL);
+mip_error mip_filter_relative_position_config_response_decode(
+    struct mip_filter_relative_position_config_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_relative_position_config_response, value, sizeof(*value),
+                            NULL);
 }
 
-mip_error mip_filter_relative_position_configuration_response_encode(
-    const struct mip_filter_relative_position_configuration_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_RESPONSE_DESCRIPTOR,
-                            write_relative_position_configuration_response, value);
+mip_error mip_filter_relative_position_config_response_encode(
+    const struct mip_filter_relative_position_config_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE_DESCRIPTOR,
+                            write_relative_position_config_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -6010,7 +5822,7 @@ static void read_reference_point_lever_arm(struct mip_reader *r, void *value) {
     mip_read_required(r, v->function, required_reference_point_lever_arm,
                       sizeof(required_reference_point_lever_arm));
     mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->ref_point_sel, 1);
+    mip_read_u8(r, &v->reference_point, 1);
     mip_read_group(r, 2, 2);
     mip_read_float(r, v->lever_arm_offset, 3);
     v->present = mip_read_present(r);
@@ -6023,7 +5835,7 @@ static void write_reference_point_lever_arm(struct mip_writer *w, const void *va
     mip_write_required(w, v->function, required_reference_point_lever_arm,
                        sizeof(required_reference_point_lever_arm), v->present);
     mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->ref_point_sel, 1);
+    mip_write_u8(w, &v->reference_point, 1);
     mip_write_group(w, 2, 2);
     mip_write_float(w, v->lever_arm_offset, 3);
 }
@@ -6065,11 +5877,11 @@ mip_error mip_filter_reference_point_lever_arm_encode(
 }
 
 struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_write(
-    mip_filter_reference_point ref_point_sel, const float lever_arm_offset[3]) {
+    mip_filter_reference_point reference_point, const float lever_arm_offset[3]) {
     struct mip_filter_reference_point_lever_arm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.ref_point_sel = ref_point_sel;
+    v.reference_point = reference_point;
     memcpy(v.lever_arm_offset, lever_arm_offset, sizeof(v.lever_arm_offset));
     return v;
 }
@@ -6105,14 +5917,14 @@ struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm
 static void read_reference_point_lever_arm_response(struct mip_reader *r, void *value) {
     struct mip_filter_reference_point_lever_arm_response *v =
         (struct mip_filter_reference_point_lever_arm_response *)value;
-    mip_read_u8(r, &v->ref_point_sel, 1);
+    mip_read_u8(r, &v->reference_point, 1);
     mip_read_float(r, v->lever_arm_offset, 3);
 }
 
 static void write_reference_point_lever_arm_response(struct mip_writer *w, const void *value) {
     const struct mip_filter_reference_point_lever_arm_response *v =
         (const struct mip_filter_reference_point_lever_arm_response *)value;
-    mip_write_u8(w, &v->ref_point_sel, 1);
+    mip_write_u8(w, &v->reference_point, 1);
     mip_write_float(w, v->lever_arm_offset, 3);
 }
 
@@ -6195,14 +6007,12 @@ struct mip_filter_speed_measurement mip_filter_speed_measurement_make(float tow,
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_measurement_speed_lever_arm[] = {0, 2, 1, 1, 1, 1};
+static const uint8_t required_speed_lever_arm[] = {0, 2, 1, 1, 1, 1};
 
-static void read_measurement_speed_lever_arm(struct mip_reader *r, void *value) {
-    struct mip_filter_measurement_speed_lever_arm *v =
-        (struct mip_filter_measurement_speed_lever_arm *)value;
+static void read_speed_lever_arm(struct mip_reader *r, void *value) {
+    struct mip_filter_speed_lever_arm *v = (struct mip_filter_speed_lever_arm *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_measurement_speed_lever_arm,
-                      sizeof(required_measurement_speed_lever_arm));
+    mip_read_required(r, v->function, required_speed_lever_arm, sizeof(required_speed_lever_arm));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->source, 1);
     mip_read_group(r, 2, 2);
@@ -6210,57 +6020,55 @@ static void read_measurement_speed_lever_arm(struct mip_reader *r, void *value) 
     v->present = mip_read_present(r);
 }
 
-static void write_measurement_speed_lever_arm(struct mip_writer *w, const void *value) {
-    const struct mip_filter_measurement_speed_lever_arm *v =
-        (const struct mip_filter_measurement_speed_lever_arm *)value;
+static void write_speed_lever_arm(struct mip_writer *w, const void *value) {
+    const struct mip_filter_speed_lever_arm *v = (const struct mip_filter_speed_lever_arm *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_measurement_speed_lever_arm,
-                       sizeof(required_measurement_speed_lever_arm), v->present);
+    mip_write_required(w, v->function, required_speed_lever_arm, sizeof(required_speed_lever_arm),
+                       v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->source, 1);
     mip_write_group(w, 2, 2);
     mip_write_float(w, v->lever_arm_offset, 3);
 }
 
-static bool asked_measurement_speed_lever_arm_1(const void *value) {
-    const struct mip_filter_measurement_speed_lever_arm *v =
-        (const struct mip_filter_measurement_speed_lever_arm *)value;
+static bool asked_speed_lever_arm_1(const void *value) {
+    const struct mip_filter_speed_lever_arm *v = (const struct mip_filter_speed_lever_arm *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_measurement_speed_lever_arm[] = {
-    {&mip_filter_measurement_speed_lever_arm_response_codec, asked_measurement_speed_lever_arm_1},
+static const struct mip_response responses_speed_lever_arm[] = {
+    {&mip_filter_speed_lever_arm_response_codec, asked_speed_lever_arm_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_measurement_speed_lever_arm_codec = {
+const struct mip_codec mip_filter_speed_lever_arm_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_DESCRIPTOR,
+    MIP_FILTER_SPEED_LEVER_ARM_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_measurement_speed_lever_arm),
+    sizeof(struct mip_filter_speed_lever_arm),
     0, /* time-out */
-    read_measurement_speed_lever_arm,
-    write_measurement_speed_lever_arm,
+    read_speed_lever_arm,
+    write_speed_lever_arm,
     NULL,
-    responses_measurement_speed_lever_arm,
+    responses_speed_lever_arm,
     NULL,
 };
 
-mip_error mip_filter_measurement_speed_lever_arm_decode(
-    struct mip_filter_measurement_speed_lever_arm *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_measurement_speed_lever_arm, value, sizeof(*value), NULL);
+mip_error mip_filter_speed_lever_arm_decode(struct mip_filter_speed_lever_arm *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_speed_lever_arm, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_measurement_speed_lever_arm_encode(
-    const struct mip_filter_measurement_speed_lever_arm *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_DESCRIPTOR,
-                            write_measurement_speed_lever_arm, value);
+mip_error mip_filter_speed_lever_arm_encode(const struct mip_filter_speed_lever_arm *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SPEED_LEVER_ARM_DESCRIPTOR,
+                            write_speed_lever_arm, value);
 }
 
-struct mip_filter_measurement_speed_lever_arm
-mip_filter_measurement_speed_lever_arm_write(const float lever_arm_offset[3]) {
-    struct mip_filter_measurement_speed_lever_arm v;
+struct mip_filter_speed_lever_arm
+mip_filter_speed_lever_arm_write(const float lever_arm_offset[3]) {
+    struct mip_filter_speed_lever_arm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.source = 1;
@@ -6268,77 +6076,74 @@ mip_filter_measurement_speed_lever_arm_write(const float lever_arm_offset[3]) {
     return v;
 }
 
-struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_read(void) {
-    struct mip_filter_measurement_speed_lever_arm v;
+struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_read(void) {
+    struct mip_filter_speed_lever_arm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     v.source = 1;
     return v;
 }
 
-struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_save(void) {
-    struct mip_filter_measurement_speed_lever_arm v;
+struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_save(void) {
+    struct mip_filter_speed_lever_arm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     v.source = 1;
     return v;
 }
 
-struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_load(void) {
-    struct mip_filter_measurement_speed_lever_arm v;
+struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_load(void) {
+    struct mip_filter_speed_lever_arm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     v.source = 1;
     return v;
 }
 
-struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_default(void) {
-    struct mip_filter_measurement_speed_lever_arm v;
+struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_default(void) {
+    struct mip_filter_speed_lever_arm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     v.source = 1;
     return v;
 }
 
-static void read_measurement_speed_lever_arm_response(struct mip_reader *r, void *value) {
-    struct mip_filter_measurement_speed_lever_arm_response *v =
-        (struct mip_filter_measurement_speed_lever_arm_response *)value;
+static void read_speed_lever_arm_response(struct mip_reader *r, void *value) {
+    struct mip_filter_speed_lever_arm_response *v =
+        (struct mip_filter_speed_lever_arm_response *)value;
     mip_read_u8(r, &v->source, 1);
     mip_read_float(r, v->lever_arm_offset, 3);
 }
 
-static void write_measurement_speed_lever_arm_response(struct mip_writer *w, const void *value) {
-    const struct mip_filter_measurement_speed_lever_arm_response *v =
-        (const struct mip_filter_measurement_speed_lever_arm_response *)value;
+static void write_speed_lever_arm_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_speed_lever_arm_response *v =
+        (const struct mip_filter_speed_lever_arm_response *)value;
     mip_write_u8(w, &v->source, 1);
     mip_write_float(w, v->lever_arm_offset, 3);
 }
 
-const struct mip_codec mip_filter_measurement_speed_lever_arm_response_codec = {
+const struct mip_codec mip_filter_speed_lever_arm_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_measurement_speed_lever_arm_response),
+    sizeof(struct mip_filter_speed_lever_arm_response),
     0, /* time-out */
-    read_measurement_speed_lever_arm_response,
-    write_measurement_speed_lever_arm_response,
+    read_speed_lever_arm_response,
+    write_speed_lever_arm_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_measurement_speed_lever_arm_response_decode(
-    struct mip_filter_measurement_speed_lever_arm_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_measurement_speed_lever_arm_response, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_speed_lever_arm_response_decode(
+    struct mip_filter_speed_lever_arm_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_speed_lever_arm_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_measurement_speed_lever_arm_response_encode(
-    const struct mip_filter_measurement_speed_lever_arm_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR,
-                            write_measurement_speed_lever_arm_response, value);
+mip_error mip_filter_speed_lever_arm_response_encode(
+    const struct mip_filter_speed_lever_arm_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR,
+                            write_speed_lever_arm_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -6631,14 +6436,14 @@ mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_gnss_antenna_offset_calibration_control[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_gnss_antenna_calibration_control[] = {0, 2, 0, 0, 0, 0};
 
-static void read_gnss_antenna_offset_calibration_control(struct mip_reader *r, void *value) {
-    struct mip_filter_gnss_antenna_offset_calibration_control *v =
-        (struct mip_filter_gnss_antenna_offset_calibration_control *)value;
+static void read_gnss_antenna_calibration_control(struct mip_reader *r, void *value) {
+    struct mip_filter_gnss_antenna_calibration_control *v =
+        (struct mip_filter_gnss_antenna_calibration_control *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gnss_antenna_offset_calibration_control,
-                      sizeof(required_gnss_antenna_offset_calibration_control));
+    mip_read_required(r, v->function, required_gnss_antenna_calibration_control,
+                      sizeof(required_gnss_antenna_calibration_control));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->enable, 1);
     mip_read_group(r, 2, 2);
@@ -6646,62 +6451,59 @@ static void read_gnss_antenna_offset_calibration_control(struct mip_reader *r, v
     v->present = mip_read_present(r);
 }
 
-static void write_gnss_antenna_offset_calibration_control(struct mip_writer *w, const void *value) {
-    const struct mip_filter_gnss_antenna_offset_calibration_control *v =
-        (const struct mip_filter_gnss_antenna_offset_calibration_control *)value;
+static void write_gnss_antenna_calibration_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gnss_antenna_calibration_control *v =
+        (const struct mip_filter_gnss_antenna_calibration_control *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gnss_antenna_offset_calibration_control,
-                       sizeof(required_gnss_antenna_offset_calibration_control), v->present);
+    mip_write_required(w, v->function, required_gnss_antenna_calibration_control,
+                       sizeof(required_gnss_antenna_calibration_control), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->enable, 1);
     mip_write_group(w, 2, 2);
     mip_write_float(w, &v->max_offset, 1);
 }
 
-static bool asked_gnss_antenna_offset_calibration_control_1(const void *value) {
-    const struct mip_filter_gnss_antenna_offset_calibration_control *v =
-        (const struct mip_filter_gnss_antenna_offset_calibration_control *)value;
+static bool asked_gnss_antenna_calibration_control_1(const void *value) {
+    const struct mip_filter_gnss_antenna_calibration_control *v =
+        (const struct mip_filter_gnss_antenna_calibration_control *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_gnss_antenna_offset_calibration_control[] = {
-    {&mip_filter_gnss_antenna_offset_calibration_control_response_codec,
-     asked_gnss_antenna_offset_calibration_control_1},
+static const struct mip_response responses_gnss_antenna_calibration_control[] = {
+    {&mip_filter_gnss_antenna_calibration_control_response_codec,
+     asked_gnss_antenna_calibration_control_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_codec = {
+const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_DESCRIPTOR,
+    MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_gnss_antenna_offset_calibration_control),
+    sizeof(struct mip_filter_gnss_antenna_calibration_control),
     0, /* time-out */
-    read_gnss_antenna_offset_calibration_control,
-    write_gnss_antenna_offset_calibration_control,
+    read_gnss_antenna_calibration_control,
+    write_gnss_antenna_calibration_control,
     NULL,
-    responses_gnss_antenna_offset_calibration_control,
+    responses_gnss_antenna_calibration_control,
     NULL,
 };
 
-mip_error mip_filter_gnss_antenna_offset_calibration_control_decode(
-    struct mip_filter_gnss_antenna_offset_calibration_control *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_antenna_offset_calibration_control, value,
-                            sizeof(*value), NULL);
+mip_error mip_filter_gnss_antenna_calibration_control_decode(
+    struct mip_filter_gnss_antenna_calibration_control *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_antenna_calibration_control, value, sizeof(*value),
+                            NULL);
 }
 
-mip_error mip_filter_gnss_antenna_offset_calibration_control_encode(
-    const struct mip_filter_gnss_antenna_offset_calibration_control *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_DESCRIPTOR,
-                            write_gnss_antenna_offset_calibration_control, value);
+mip_error mip_filter_gnss_antenna_calibration_control_encode(
+    const struct mip_filter_gnss_antenna_calibration_control *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_DESCRIPTOR,
+                            write_gnss_antenna_calibration_control, value);
 }
 
-struct mip_filter_gnss_antenna_offset_calibration_control
-mip_filter_gnss_antenna_offset_calibration_control_write(uint8_t enable, float max_offset) {
-    struct mip_filter_gnss_antenna_offset_calibration_control v;
+struct mip_filter_gnss_antenna_calibration_control
+mip_filter_gnss_antenna_calibration_control_write(uint8_t enable, float max_offset) {
+    struct mip_filter_gnss_antenna_calibration_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.enable = enable;
@@ -6709,78 +6511,77 @@ mip_filter_gnss_antenna_offset_calibration_control_write(uint8_t enable, float m
     return v;
 }
 
-struct mip_filter_gnss_antenna_offset_calibration_control
-mip_filter_gnss_antenna_offset_calibration_control_read(void) {
-    struct mip_filter_gnss_antenna_offset_calibration_control v;
+struct mip_filter_gnss_antenna_calibration_control
+mip_filter_gnss_antenna_calibration_control_read(void) {
+    struct mip_filter_gnss_antenna_calibration_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_gnss_antenna_offset_calibration_control
-mip_filter_gnss_antenna_offset_calibration_control_save(void) {
-    struct mip_filter_gnss_antenna_offset_calibration_control v;
+struct mip_filter_gnss_antenna_calibration_control
+mip_filter_gnss_antenna_calibration_control_save(void) {
+    struct mip_filter_gnss_antenna_calibration_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_gnss_antenna_offset_calibration_control
-mip_filter_gnss_antenna_offset_calibration_control_load(void) {
-    struct mip_filter_gnss_antenna_offset_calibration_control v;
+struct mip_filter_gnss_antenna_calibration_control
+mip_filter_gnss_antenna_calibration_control_load(void) {
+    struct mip_filter_gnss_antenna_calibration_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_gnss_antenna_offset_calibration_control
-mip_filter_gnss_antenna_offset_calibration_control_default(void) {
-    struct mip_filter_gnss_antenna_offset_calibration_control v;
+struct mip_filter_gnss_antenna_calibration_control
+mip_filter_gnss_antenna_calibration_control_default(void) {
+    struct mip_filter_gnss_antenna_calibration_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_gnss_antenna_offset_calibration_control_response(struct mip_reader *r,
-                                                                  void *value) {
-    struct mip_filter_gnss_antenna_offset_calibration_control_response *v =
-        (struct mip_filter_gnss_antenna_offset_calibration_control_response *)value;
+static void read_gnss_antenna_calibration_control_response(struct mip_reader *r, void *value) {
+    struct mip_filter_gnss_antenna_calibration_control_response *v =
+        (struct mip_filter_gnss_antenna_calibration_control_response *)value;
     mip_read_u8(r, &v->enable, 1);
     mip_read_float(r, &v->max_offset, 1);
 }
 
-static void write_gnss_antenna_offset_calibration_control_response(struct mip_writer *w,
-                                                                   const void *value) {
-    const struct mip_filter_gnss_antenna_offset_calibration_control_response *v =
-        (const struct mip_filter_gnss_antenna_offset_calibration_control_response *)value;
+static void write_gnss_antenna_calibration_control_response(struct mip_writer *w,
+                                                            const void *value) {
+    const struct mip_filter_gnss_antenna_calibration_control_response *v =
+        (const struct mip_filter_gnss_antenna_calibration_control_response *)value;
     mip_write_u8(w, &v->enable, 1);
     mip_write_float(w, &v->max_offset, 1);
 }
 
-const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_response_codec = {
+const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_gnss_antenna_offset_calibration_control_response),
+    sizeof(struct mip_filter_gnss_antenna_calibration_control_response),
     0, /* time-out */
-    read_gnss_antenna_offset_calibration_control_response,
-    write_gnss_antenna_offset_calibration_control_response,
+    read_gnss_antenna_calibration_control_response,
+    write_gnss_antenna_calibration_control_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_gnss_antenna_offset_calibration_control_response_decode(
-    struct mip_filter_gnss_antenna_offset_calibration_control_response *value,
+mip_error mip_filter_gnss_antenna_calibration_control_response_decode(
+    struct mip_filter_gnss_antenna_calibration_control_response *value,
     const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_antenna_offset_calibration_control_response, value,
+    return mip_decode_field(field, read_gnss_antenna_calibration_control_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gnss_antenna_offset_calibration_control_response_encode(
-    const struct mip_filter_gnss_antenna_offset_calibration_control_response *value,
+mip_error mip_filter_gnss_antenna_calibration_control_response_encode(
+    const struct mip_filter_gnss_antenna_calibration_control_response *value,
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR,
-                            write_gnss_antenna_offset_calibration_control_response, value);
+                            MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_gnss_antenna_calibration_control_response, value);
 }

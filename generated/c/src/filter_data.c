@@ -44,45 +44,45 @@ mip_error mip_filter_data_llh_position_encode(const struct mip_filter_data_llh_p
                             write_llh_position, value);
 }
 
-static void read_velocity_ned(struct mip_reader *r, void *value) {
-    struct mip_filter_data_velocity_ned *v = (struct mip_filter_data_velocity_ned *)value;
+static void read_ned_velocity(struct mip_reader *r, void *value) {
+    struct mip_filter_data_ned_velocity *v = (struct mip_filter_data_ned_velocity *)value;
     mip_read_float(r, &v->north, 1);
     mip_read_float(r, &v->east, 1);
     mip_read_float(r, &v->down, 1);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
-static void write_velocity_ned(struct mip_writer *w, const void *value) {
-    const struct mip_filter_data_velocity_ned *v =
-        (const struct mip_filter_data_velocity_ned *)value;
+static void write_ned_velocity(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_ned_velocity *v =
+        (const struct mip_filter_data_ned_velocity *)value;
     mip_write_float(w, &v->north, 1);
     mip_write_float(w, &v->east, 1);
     mip_write_float(w, &v->down, 1);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
-const struct mip_codec mip_filter_data_velocity_ned_codec = {
+const struct mip_codec mip_filter_data_ned_velocity_codec = {
     0x82, /* descriptor set */
-    MIP_FILTER_DATA_VELOCITY_NED_DESCRIPTOR,
+    MIP_FILTER_DATA_NED_VELOCITY_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_velocity_ned),
+    sizeof(struct mip_filter_data_ned_velocity),
     0, /* time-out */
-    read_velocity_ned,
-    write_velocity_ned,
+    read_ned_velocity,
+    write_ned_velocity,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_data_velocity_ned_decode(struct mip_filter_data_velocity_ned *value,
+mip_error mip_filter_data_ned_velocity_decode(struct mip_filter_data_ned_velocity *value,
                                               const struct mip_field *field) {
-    return mip_decode_field(field, read_velocity_ned, value, sizeof(*value), NULL);
+    return mip_decode_field(field, read_ned_velocity, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_velocity_ned_encode(const struct mip_filter_data_velocity_ned *value,
+mip_error mip_filter_data_ned_velocity_encode(const struct mip_filter_data_ned_velocity *value,
                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_VELOCITY_NED_DESCRIPTOR,
-                            write_velocity_ned, value);
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_NED_VELOCITY_DESCRIPTOR,
+                            write_ned_velocity, value);
 }
 
 static void read_attitude_quaternion(struct mip_reader *r, void *value) {
@@ -402,14 +402,14 @@ mip_error mip_filter_data_euler_angles_uncertainty_encode(
 static void read_gyro_bias_uncertainty(struct mip_reader *r, void *value) {
     struct mip_filter_data_gyro_bias_uncertainty *v =
         (struct mip_filter_data_gyro_bias_uncertainty *)value;
-    mip_read_float(r, v->bias_uncert, 3);
+    mip_read_float(r, v->bias_uncertainty, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
 static void write_gyro_bias_uncertainty(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_gyro_bias_uncertainty *v =
         (const struct mip_filter_data_gyro_bias_uncertainty *)value;
-    mip_write_float(w, v->bias_uncert, 3);
+    mip_write_float(w, v->bias_uncertainty, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
@@ -440,14 +440,14 @@ mip_error mip_filter_data_gyro_bias_uncertainty_encode(
 static void read_accel_bias_uncertainty(struct mip_reader *r, void *value) {
     struct mip_filter_data_accel_bias_uncertainty *v =
         (struct mip_filter_data_accel_bias_uncertainty *)value;
-    mip_read_float(r, v->bias_uncert, 3);
+    mip_read_float(r, v->bias_uncertainty, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
 static void write_accel_bias_uncertainty(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_accel_bias_uncertainty *v =
         (const struct mip_filter_data_accel_bias_uncertainty *)value;
-    mip_write_float(w, v->bias_uncert, 3);
+    mip_write_float(w, v->bias_uncertainty, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
@@ -549,43 +549,42 @@ mip_error mip_filter_data_comp_angular_rate_encode(
                             write_comp_angular_rate, value);
 }
 
-static void read_wgs84_local_gravity_magnitude(struct mip_reader *r, void *value) {
-    struct mip_filter_data_wgs84_local_gravity_magnitude *v =
-        (struct mip_filter_data_wgs84_local_gravity_magnitude *)value;
+static void read_wgs84_gravity_magnitude(struct mip_reader *r, void *value) {
+    struct mip_filter_data_wgs84_gravity_magnitude *v =
+        (struct mip_filter_data_wgs84_gravity_magnitude *)value;
     mip_read_float(r, &v->gravity_magnitude, 1);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
-static void write_wgs84_local_gravity_magnitude(struct mip_writer *w, const void *value) {
-    const struct mip_filter_data_wgs84_local_gravity_magnitude *v =
-        (const struct mip_filter_data_wgs84_local_gravity_magnitude *)value;
+static void write_wgs84_gravity_magnitude(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_wgs84_gravity_magnitude *v =
+        (const struct mip_filter_data_wgs84_gravity_magnitude *)value;
     mip_write_float(w, &v->gravity_magnitude, 1);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
-const struct mip_codec mip_filter_data_wgs84_local_gravity_magnitude_codec = {
+const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_codec = {
     0x82, /* descriptor set */
-    MIP_FILTER_DATA_WGS84_LOCAL_GRAVITY_MAGNITUDE_DESCRIPTOR,
+    MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_wgs84_local_gravity_magnitude),
+    sizeof(struct mip_filter_data_wgs84_gravity_magnitude),
     0, /* time-out */
-    read_wgs84_local_gravity_magnitude,
-    write_wgs84_local_gravity_magnitude,
+    read_wgs84_gravity_magnitude,
+    write_wgs84_gravity_magnitude,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_data_wgs84_local_gravity_magnitude_decode(
-    struct mip_filter_data_wgs84_local_gravity_magnitude *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_wgs84_local_gravity_magnitude, value, sizeof(*value), NULL);
+mip_error mip_filter_data_wgs84_gravity_magnitude_decode(
+    struct mip_filter_data_wgs84_gravity_magnitude *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_wgs84_gravity_magnitude, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_wgs84_local_gravity_magnitude_encode(
-    const struct mip_filter_data_wgs84_local_gravity_magnitude *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_WGS84_LOCAL_GRAVITY_MAGNITUDE_DESCRIPTOR,
-                            write_wgs84_local_gravity_magnitude, value);
+mip_error mip_filter_data_wgs84_gravity_magnitude_encode(
+    const struct mip_filter_data_wgs84_gravity_magnitude *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_DESCRIPTOR,
+                            write_wgs84_gravity_magnitude, value);
 }
 
 static void read_status(struct mip_reader *r, void *value) {
@@ -741,46 +740,46 @@ mip_error mip_filter_data_gravity_vector_encode(const struct mip_filter_data_gra
                             write_gravity_vector, value);
 }
 
-static void read_heading_update_source_state(struct mip_reader *r, void *value) {
-    struct mip_filter_data_heading_update_source_state *v =
-        (struct mip_filter_data_heading_update_source_state *)value;
+static void read_heading_update_state(struct mip_reader *r, void *value) {
+    struct mip_filter_data_heading_update_state *v =
+        (struct mip_filter_data_heading_update_state *)value;
     mip_read_float(r, &v->heading, 1);
     mip_read_float(r, &v->heading_uncertainty, 1);
     mip_read_u16(r, &v->source, 1);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
-static void write_heading_update_source_state(struct mip_writer *w, const void *value) {
-    const struct mip_filter_data_heading_update_source_state *v =
-        (const struct mip_filter_data_heading_update_source_state *)value;
+static void write_heading_update_state(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_heading_update_state *v =
+        (const struct mip_filter_data_heading_update_state *)value;
     mip_write_float(w, &v->heading, 1);
     mip_write_float(w, &v->heading_uncertainty, 1);
     mip_write_u16(w, &v->source, 1);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
-const struct mip_codec mip_filter_data_heading_update_source_state_codec = {
+const struct mip_codec mip_filter_data_heading_update_state_codec = {
     0x82, /* descriptor set */
-    MIP_FILTER_DATA_HEADING_UPDATE_SOURCE_STATE_DESCRIPTOR,
+    MIP_FILTER_DATA_HEADING_UPDATE_STATE_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_heading_update_source_state),
+    sizeof(struct mip_filter_data_heading_update_state),
     0, /* time-out */
-    read_heading_update_source_state,
-    write_heading_update_source_state,
+    read_heading_update_state,
+    write_heading_update_state,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_data_heading_update_source_state_decode(
-    struct mip_filter_data_heading_update_source_state *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_heading_update_source_state, value, sizeof(*value), NULL);
+mip_error mip_filter_data_heading_update_state_decode(
+    struct mip_filter_data_heading_update_state *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_heading_update_state, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_heading_update_source_state_encode(
-    const struct mip_filter_data_heading_update_source_state *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_HEADING_UPDATE_SOURCE_STATE_DESCRIPTOR,
-                            write_heading_update_source_state, value);
+mip_error mip_filter_data_heading_update_state_encode(
+    const struct mip_filter_data_heading_update_state *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_HEADING_UPDATE_STATE_DESCRIPTOR,
+                            write_heading_update_state, value);
 }
 
 static void read_magnetic_model(struct mip_reader *r, void *value) {
@@ -1057,42 +1056,40 @@ mip_error mip_filter_data_mag_bias_uncertainty_encode(
                             write_mag_bias_uncertainty, value);
 }
 
-static void read_compensated_acceleration(struct mip_reader *r, void *value) {
-    struct mip_filter_data_compensated_acceleration *v =
-        (struct mip_filter_data_compensated_acceleration *)value;
+static void read_comp_accel(struct mip_reader *r, void *value) {
+    struct mip_filter_data_comp_accel *v = (struct mip_filter_data_comp_accel *)value;
     mip_read_float(r, v->accel, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
-static void write_compensated_acceleration(struct mip_writer *w, const void *value) {
-    const struct mip_filter_data_compensated_acceleration *v =
-        (const struct mip_filter_data_compensated_acceleration *)value;
+static void write_comp_accel(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_comp_accel *v = (const struct mip_filter_data_comp_accel *)value;
     mip_write_float(w, v->accel, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
-const struct mip_codec mip_filter_data_compensated_acceleration_codec = {
+const struct mip_codec mip_filter_data_comp_accel_codec = {
     0x82, /* descriptor set */
-    MIP_FILTER_DATA_COMPENSATED_ACCELERATION_DESCRIPTOR,
+    MIP_FILTER_DATA_COMP_ACCEL_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_compensated_acceleration),
+    sizeof(struct mip_filter_data_comp_accel),
     0, /* time-out */
-    read_compensated_acceleration,
-    write_compensated_acceleration,
+    read_comp_accel,
+    write_comp_accel,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_data_compensated_acceleration_decode(
-    struct mip_filter_data_compensated_acceleration *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_compensated_acceleration, value, sizeof(*value), NULL);
+mip_error mip_filter_data_comp_accel_decode(struct mip_filter_data_comp_accel *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_comp_accel, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_compensated_acceleration_encode(
-    const struct mip_filter_data_compensated_acceleration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_COMPENSATED_ACCELERATION_DESCRIPTOR,
-                            write_compensated_acceleration, value);
+mip_error mip_filter_data_comp_accel_encode(const struct mip_filter_data_comp_accel *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_COMP_ACCEL_DESCRIPTOR, write_comp_accel,
+                            value);
 }
 
 static void read_standard_atmosphere(struct mip_reader *r, void *value) {
@@ -1649,7 +1646,7 @@ static void read_multi_antenna_offset_correction_uncertainty(struct mip_reader *
     struct mip_filter_data_multi_antenna_offset_correction_uncertainty *v =
         (struct mip_filter_data_multi_antenna_offset_correction_uncertainty *)value;
     mip_read_u8(r, &v->receiver_id, 1);
-    mip_read_float(r, v->offset_uncert, 3);
+    mip_read_float(r, v->offset_uncertainty, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
@@ -1658,7 +1655,7 @@ static void write_multi_antenna_offset_correction_uncertainty(struct mip_writer 
     const struct mip_filter_data_multi_antenna_offset_correction_uncertainty *v =
         (const struct mip_filter_data_multi_antenna_offset_correction_uncertainty *)value;
     mip_write_u8(w, &v->receiver_id, 1);
-    mip_write_float(w, v->offset_uncert, 3);
+    mip_write_float(w, v->offset_uncertainty, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
@@ -1693,14 +1690,14 @@ mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_encode(
 static void read_ecef_position_uncertainty(struct mip_reader *r, void *value) {
     struct mip_filter_data_ecef_position_uncertainty *v =
         (struct mip_filter_data_ecef_position_uncertainty *)value;
-    mip_read_float(r, v->pos_uncertainty, 3);
+    mip_read_float(r, v->position_uncertainty, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
 static void write_ecef_position_uncertainty(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_ecef_position_uncertainty *v =
         (const struct mip_filter_data_ecef_position_uncertainty *)value;
-    mip_write_float(w, v->pos_uncertainty, 3);
+    mip_write_float(w, v->position_uncertainty, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
@@ -1731,14 +1728,14 @@ mip_error mip_filter_data_ecef_position_uncertainty_encode(
 static void read_ecef_velocity_uncertainty(struct mip_reader *r, void *value) {
     struct mip_filter_data_ecef_velocity_uncertainty *v =
         (struct mip_filter_data_ecef_velocity_uncertainty *)value;
-    mip_read_float(r, v->vel_uncertainty, 3);
+    mip_read_float(r, v->velocity_uncertainty, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
 static void write_ecef_velocity_uncertainty(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_ecef_velocity_uncertainty *v =
         (const struct mip_filter_data_ecef_velocity_uncertainty *)value;
-    mip_write_float(w, v->vel_uncertainty, 3);
+    mip_write_float(w, v->velocity_uncertainty, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
@@ -1768,14 +1765,14 @@ mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
 
 static void read_ecef_position(struct mip_reader *r, void *value) {
     struct mip_filter_data_ecef_position *v = (struct mip_filter_data_ecef_position *)value;
-    mip_read_double(r, v->position_ecef, 3);
+    mip_read_double(r, v->position, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
 static void write_ecef_position(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_ecef_position *v =
         (const struct mip_filter_data_ecef_position *)value;
-    mip_write_double(w, v->position_ecef, 3);
+    mip_write_double(w, v->position, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
@@ -1805,14 +1802,14 @@ mip_error mip_filter_data_ecef_position_encode(const struct mip_filter_data_ecef
 
 static void read_ecef_velocity(struct mip_reader *r, void *value) {
     struct mip_filter_data_ecef_velocity *v = (struct mip_filter_data_ecef_velocity *)value;
-    mip_read_float(r, v->velocity_ecef, 3);
+    mip_read_float(r, v->velocity, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
 static void write_ecef_velocity(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_ecef_velocity *v =
         (const struct mip_filter_data_ecef_velocity *)value;
-    mip_write_float(w, v->velocity_ecef, 3);
+    mip_write_float(w, v->velocity, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
@@ -1882,7 +1879,7 @@ static void read_gnss_position_aiding_status(struct mip_reader *r, void *value) 
     struct mip_filter_data_gnss_position_aiding_status *v =
         (struct mip_filter_data_gnss_position_aiding_status *)value;
     mip_read_u8(r, &v->receiver_id, 1);
-    mip_read_float(r, &v->time_of_week, 1);
+    mip_read_float(r, &v->tow, 1);
     mip_read_u16(r, &v->status, 1);
     mip_read_u8(r, v->reserved, 8);
 }
@@ -1891,7 +1888,7 @@ static void write_gnss_position_aiding_status(struct mip_writer *w, const void *
     const struct mip_filter_data_gnss_position_aiding_status *v =
         (const struct mip_filter_data_gnss_position_aiding_status *)value;
     mip_write_u8(w, &v->receiver_id, 1);
-    mip_write_float(w, &v->time_of_week, 1);
+    mip_write_float(w, &v->tow, 1);
     mip_write_u16(w, &v->status, 1);
     mip_write_u8(w, v->reserved, 8);
 }
@@ -2003,7 +2000,7 @@ mip_error mip_filter_data_heading_aiding_status_encode(
 static void read_aiding_measurement_summary(struct mip_reader *r, void *value) {
     struct mip_filter_data_aiding_measurement_summary *v =
         (struct mip_filter_data_aiding_measurement_summary *)value;
-    mip_read_float(r, &v->time_of_week, 1);
+    mip_read_float(r, &v->tow, 1);
     mip_read_u8(r, &v->source, 1);
     mip_read_u8(r, &v->type, 1);
     mip_read_u8(r, &v->indicator, 1);
@@ -2012,7 +2009,7 @@ static void read_aiding_measurement_summary(struct mip_reader *r, void *value) {
 static void write_aiding_measurement_summary(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_aiding_measurement_summary *v =
         (const struct mip_filter_data_aiding_measurement_summary *)value;
-    mip_write_float(w, &v->time_of_week, 1);
+    mip_write_float(w, &v->tow, 1);
     mip_write_u8(w, &v->source, 1);
     mip_write_u8(w, &v->type, 1);
     mip_write_u8(w, &v->indicator, 1);
@@ -2125,9 +2122,9 @@ mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_encode(
 static void read_gnss_dual_antenna_status(struct mip_reader *r, void *value) {
     struct mip_filter_data_gnss_dual_antenna_status *v =
         (struct mip_filter_data_gnss_dual_antenna_status *)value;
-    mip_read_float(r, &v->time_of_week, 1);
+    mip_read_float(r, &v->tow, 1);
     mip_read_float(r, &v->heading, 1);
-    mip_read_float(r, &v->heading_unc, 1);
+    mip_read_float(r, &v->heading_uncertainty, 1);
     mip_read_u8(r, &v->fix_type, 1);
     mip_read_u16(r, &v->status_flags, 1);
     mip_read_u16(r, &v->valid_flags, 1);
@@ -2136,9 +2133,9 @@ static void read_gnss_dual_antenna_status(struct mip_reader *r, void *value) {
 static void write_gnss_dual_antenna_status(struct mip_writer *w, const void *value) {
     const struct mip_filter_data_gnss_dual_antenna_status *v =
         (const struct mip_filter_data_gnss_dual_antenna_status *)value;
-    mip_write_float(w, &v->time_of_week, 1);
+    mip_write_float(w, &v->tow, 1);
     mip_write_float(w, &v->heading, 1);
-    mip_write_float(w, &v->heading_unc, 1);
+    mip_write_float(w, &v->heading_uncertainty, 1);
     mip_write_u8(w, &v->fix_type, 1);
     mip_write_u16(w, &v->status_flags, 1);
     mip_write_u16(w, &v->valid_flags, 1);
@@ -2168,90 +2165,86 @@ mip_error mip_filter_data_gnss_dual_antenna_status_encode(
                             write_gnss_dual_antenna_status, value);
 }
 
-static void read_aiding_frame_configuration_error(struct mip_reader *r, void *value) {
-    struct mip_filter_data_aiding_frame_configuration_error *v =
-        (struct mip_filter_data_aiding_frame_configuration_error *)value;
+static void read_aiding_frame_config_error(struct mip_reader *r, void *value) {
+    struct mip_filter_data_aiding_frame_config_error *v =
+        (struct mip_filter_data_aiding_frame_config_error *)value;
     mip_read_u8(r, &v->frame_id, 1);
     mip_read_float(r, v->translation, 3);
     mip_read_float(r, v->attitude, 4);
 }
 
-static void write_aiding_frame_configuration_error(struct mip_writer *w, const void *value) {
-    const struct mip_filter_data_aiding_frame_configuration_error *v =
-        (const struct mip_filter_data_aiding_frame_configuration_error *)value;
+static void write_aiding_frame_config_error(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_aiding_frame_config_error *v =
+        (const struct mip_filter_data_aiding_frame_config_error *)value;
     mip_write_u8(w, &v->frame_id, 1);
     mip_write_float(w, v->translation, 3);
     mip_write_float(w, v->attitude, 4);
 }
 
-const struct mip_codec mip_filter_data_aiding_frame_configuration_error_codec = {
+const struct mip_codec mip_filter_data_aiding_frame_config_error_codec = {
     0x82, /* descriptor set */
-    MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_DESCRIPTOR,
+    MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_aiding_frame_configuration_error),
+    sizeof(struct mip_filter_data_aiding_frame_config_error),
     0, /* time-out */
-    read_aiding_frame_configuration_error,
-    write_aiding_frame_configuration_error,
+    read_aiding_frame_config_error,
+    write_aiding_frame_config_error,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_data_aiding_frame_configuration_error_decode(
-    struct mip_filter_data_aiding_frame_configuration_error *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_aiding_frame_configuration_error, value, sizeof(*value),
-                            NULL);
+mip_error mip_filter_data_aiding_frame_config_error_decode(
+    struct mip_filter_data_aiding_frame_config_error *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_aiding_frame_config_error, value, sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_aiding_frame_configuration_error_encode(
-    const struct mip_filter_data_aiding_frame_configuration_error *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x82,
-                            MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_DESCRIPTOR,
-                            write_aiding_frame_configuration_error, value);
+mip_error mip_filter_data_aiding_frame_config_error_encode(
+    const struct mip_filter_data_aiding_frame_config_error *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_DESCRIPTOR,
+                            write_aiding_frame_config_error, value);
 }
 
-static void read_aiding_frame_configuration_error_uncertainty(struct mip_reader *r, void *value) {
-    struct mip_filter_data_aiding_frame_configuration_error_uncertainty *v =
-        (struct mip_filter_data_aiding_frame_configuration_error_uncertainty *)value;
+static void read_aiding_frame_config_error_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_aiding_frame_config_error_uncertainty *v =
+        (struct mip_filter_data_aiding_frame_config_error_uncertainty *)value;
     mip_read_u8(r, &v->frame_id, 1);
-    mip_read_float(r, v->translation_unc, 3);
-    mip_read_float(r, v->attitude_unc, 3);
+    mip_read_float(r, v->translation_uncertainty, 3);
+    mip_read_float(r, v->attitude_uncertainty, 3);
 }
 
-static void write_aiding_frame_configuration_error_uncertainty(struct mip_writer *w,
-                                                               const void *value) {
-    const struct mip_filter_data_aiding_frame_configuration_error_uncertainty *v =
-        (const struct mip_filter_data_aiding_frame_configuration_error_uncertainty *)value;
+static void write_aiding_frame_config_error_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_aiding_frame_config_error_uncertainty *v =
+        (const struct mip_filter_data_aiding_frame_config_error_uncertainty *)value;
     mip_write_u8(w, &v->frame_id, 1);
-    mip_write_float(w, v->translation_unc, 3);
-    mip_write_float(w, v->attitude_unc, 3);
+    mip_write_float(w, v->translation_uncertainty, 3);
+    mip_write_float(w, v->attitude_uncertainty, 3);
 }
 
-const struct mip_codec mip_filter_data_aiding_frame_configuration_error_uncertainty_codec = {
+const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_codec = {
     0x82, /* descriptor set */
-    MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_DESCRIPTOR,
+    MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_aiding_frame_configuration_error_uncertainty),
+    sizeof(struct mip_filter_data_aiding_frame_config_error_uncertainty),
     0, /* time-out */
-    read_aiding_frame_configuration_error_uncertainty,
-    write_aiding_frame_configuration_error_uncertainty,
+    read_aiding_frame_config_error_uncertainty,
+    write_aiding_frame_config_error_uncertainty,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_filter_data_aiding_frame_configuration_error_uncertainty_decode(
-    struct mip_filter_data_aiding_frame_configuration_error_uncertainty *value,
+mip_error mip_filter_data_aiding_frame_config_error_uncertainty_decode(
+    struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
     const struct mip_field *field) {
-    return mip_decode_field(field, read_aiding_frame_configuration_error_uncertainty, value,
+    return mip_decode_field(field, read_aiding_frame_config_error_uncertainty, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_aiding_frame_configuration_error_uncertainty_encode(
-    const struct mip_filter_data_aiding_frame_configuration_error_uncertainty *value,
+mip_error mip_filter_data_aiding_frame_config_error_uncertainty_encode(
+    const struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x82,
-                            MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_DESCRIPTOR,
-                            write_aiding_frame_configuration_error_uncertainty, value);
+                            MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_DESCRIPTOR,
+                            write_aiding_frame_config_error_uncertainty, value);
 }

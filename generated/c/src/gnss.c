@@ -88,13 +88,12 @@ mip_error mip_gnss_receiver_info_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_signal_configuration[] = {0, 5, 0, 0, 0, 0};
+static const uint8_t required_signal_config[] = {0, 5, 0, 0, 0, 0};
 
-static void read_signal_configuration(struct mip_reader *r, void *value) {
-    struct mip_gnss_signal_configuration *v = (struct mip_gnss_signal_configuration *)value;
+static void read_signal_config(struct mip_reader *r, void *value) {
+    struct mip_gnss_signal_config *v = (struct mip_gnss_signal_config *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_signal_configuration,
-                      sizeof(required_signal_configuration));
+    mip_read_required(r, v->function, required_signal_config, sizeof(required_signal_config));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->gps_enable, 1);
     mip_read_group(r, 2, 2);
@@ -108,12 +107,11 @@ static void read_signal_configuration(struct mip_reader *r, void *value) {
     v->present = mip_read_present(r);
 }
 
-static void write_signal_configuration(struct mip_writer *w, const void *value) {
-    const struct mip_gnss_signal_configuration *v =
-        (const struct mip_gnss_signal_configuration *)value;
+static void write_signal_config(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_signal_config *v = (const struct mip_gnss_signal_config *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_signal_configuration,
-                       sizeof(required_signal_configuration), v->present);
+    mip_write_required(w, v->function, required_signal_config, sizeof(required_signal_config),
+                       v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->gps_enable, 1);
     mip_write_group(w, 2, 2);
@@ -126,46 +124,46 @@ static void write_signal_configuration(struct mip_writer *w, const void *value) 
     mip_write_u8(w, v->reserved, 4);
 }
 
-static bool asked_signal_configuration_1(const void *value) {
-    const struct mip_gnss_signal_configuration *v =
-        (const struct mip_gnss_signal_configuration *)value;
+static bool asked_signal_config_1(const void *value) {
+    const struct mip_gnss_signal_config *v = (const struct mip_gnss_signal_config *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_signal_configuration[] = {
-    {&mip_gnss_signal_configuration_response_codec, asked_signal_configuration_1},
+static const struct mip_response responses_signal_config[] = {
+    {&mip_gnss_signal_config_response_codec, asked_signal_config_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_gnss_signal_configuration_codec = {
+const struct mip_codec mip_gnss_signal_config_codec = {
     0x0E, /* descriptor set */
-    MIP_GNSS_SIGNAL_CONFIGURATION_DESCRIPTOR,
+    MIP_GNSS_SIGNAL_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_gnss_signal_configuration),
+    sizeof(struct mip_gnss_signal_config),
     0, /* time-out */
-    read_signal_configuration,
-    write_signal_configuration,
+    read_signal_config,
+    write_signal_config,
     NULL,
-    responses_signal_configuration,
+    responses_signal_config,
     NULL,
 };
 
-mip_error mip_gnss_signal_configuration_decode(struct mip_gnss_signal_configuration *value,
-                                               const struct mip_field *field) {
-    return mip_decode_field(field, read_signal_configuration, value, sizeof(*value), NULL);
+mip_error mip_gnss_signal_config_decode(struct mip_gnss_signal_config *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_signal_config, value, sizeof(*value), NULL);
 }
 
-mip_error mip_gnss_signal_configuration_encode(const struct mip_gnss_signal_configuration *value,
-                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0E, MIP_GNSS_SIGNAL_CONFIGURATION_DESCRIPTOR,
-                            write_signal_configuration, value);
+mip_error mip_gnss_signal_config_encode(const struct mip_gnss_signal_config *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_SIGNAL_CONFIG_DESCRIPTOR, write_signal_config,
+                            value);
 }
 
-struct mip_gnss_signal_configuration mip_gnss_signal_configuration_write(
-    mip_gnss_gps_signals gps_enable, mip_gnss_glonass_signals glonass_enable,
-    mip_gnss_galileo_signals galileo_enable, mip_gnss_beidou_signals beidou_enable) {
-    struct mip_gnss_signal_configuration v;
+struct mip_gnss_signal_config mip_gnss_signal_config_write(mip_gnss_gps_signals gps_enable,
+                                                           mip_gnss_glonass_signals glonass_enable,
+                                                           mip_gnss_galileo_signals galileo_enable,
+                                                           mip_gnss_beidou_signals beidou_enable) {
+    struct mip_gnss_signal_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.gps_enable = gps_enable;
@@ -175,37 +173,36 @@ struct mip_gnss_signal_configuration mip_gnss_signal_configuration_write(
     return v;
 }
 
-struct mip_gnss_signal_configuration mip_gnss_signal_configuration_read(void) {
-    struct mip_gnss_signal_configuration v;
+struct mip_gnss_signal_config mip_gnss_signal_config_read(void) {
+    struct mip_gnss_signal_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_gnss_signal_configuration mip_gnss_signal_configuration_save(void) {
-    struct mip_gnss_signal_configuration v;
+struct mip_gnss_signal_config mip_gnss_signal_config_save(void) {
+    struct mip_gnss_signal_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_gnss_signal_configuration mip_gnss_signal_configuration_load(void) {
-    struct mip_gnss_signal_configuration v;
+struct mip_gnss_signal_config mip_gnss_signal_config_load(void) {
+    struct mip_gnss_signal_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_gnss_signal_configuration mip_gnss_signal_configuration_default(void) {
-    struct mip_gnss_signal_configuration v;
+struct mip_gnss_signal_config mip_gnss_signal_config_default(void) {
+    struct mip_gnss_signal_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_signal_configuration_response(struct mip_reader *r, void *value) {
-    struct mip_gnss_signal_configuration_response *v =
-        (struct mip_gnss_signal_configuration_response *)value;
+static void read_signal_config_response(struct mip_reader *r, void *value) {
+    struct mip_gnss_signal_config_response *v = (struct mip_gnss_signal_config_response *)value;
     mip_read_u8(r, &v->gps_enable, 1);
     mip_read_u8(r, &v->glonass_enable, 1);
     mip_read_u8(r, &v->galileo_enable, 1);
@@ -213,9 +210,9 @@ static void read_signal_configuration_response(struct mip_reader *r, void *value
     mip_read_u8(r, v->reserved, 4);
 }
 
-static void write_signal_configuration_response(struct mip_writer *w, const void *value) {
-    const struct mip_gnss_signal_configuration_response *v =
-        (const struct mip_gnss_signal_configuration_response *)value;
+static void write_signal_config_response(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_signal_config_response *v =
+        (const struct mip_gnss_signal_config_response *)value;
     mip_write_u8(w, &v->gps_enable, 1);
     mip_write_u8(w, &v->glonass_enable, 1);
     mip_write_u8(w, &v->galileo_enable, 1);
@@ -223,38 +220,38 @@ static void write_signal_configuration_response(struct mip_writer *w, const void
     mip_write_u8(w, v->reserved, 4);
 }
 
-const struct mip_codec mip_gnss_signal_configuration_response_codec = {
+const struct mip_codec mip_gnss_signal_config_response_codec = {
     0x0E, /* descriptor set */
-    MIP_GNSS_SIGNAL_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_GNSS_SIGNAL_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_gnss_signal_configuration_response),
+    sizeof(struct mip_gnss_signal_config_response),
     0, /* time-out */
-    read_signal_configuration_response,
-    write_signal_configuration_response,
+    read_signal_config_response,
+    write_signal_config_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_gnss_signal_configuration_response_decode(
-    struct mip_gnss_signal_configuration_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_signal_configuration_response, value, sizeof(*value), NULL);
+mip_error mip_gnss_signal_config_response_decode(struct mip_gnss_signal_config_response *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_signal_config_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_gnss_signal_configuration_response_encode(
-    const struct mip_gnss_signal_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0E, MIP_GNSS_SIGNAL_CONFIGURATION_RESPONSE_DESCRIPTOR,
-                            write_signal_configuration_response, value);
+mip_error mip_gnss_signal_config_response_encode(
+    const struct mip_gnss_signal_config_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_SIGNAL_CONFIG_RESPONSE_DESCRIPTOR,
+                            write_signal_config_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_rtk_dongle_configuration[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_rtk_dongle_config[] = {0, 2, 0, 0, 0, 0};
 
-static void read_rtk_dongle_configuration(struct mip_reader *r, void *value) {
-    struct mip_gnss_rtk_dongle_configuration *v = (struct mip_gnss_rtk_dongle_configuration *)value;
+static void read_rtk_dongle_config(struct mip_reader *r, void *value) {
+    struct mip_gnss_rtk_dongle_config *v = (struct mip_gnss_rtk_dongle_config *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_rtk_dongle_configuration,
-                      sizeof(required_rtk_dongle_configuration));
+    mip_read_required(r, v->function, required_rtk_dongle_config,
+                      sizeof(required_rtk_dongle_config));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->enable, 1);
     mip_read_group(r, 2, 2);
@@ -262,137 +259,133 @@ static void read_rtk_dongle_configuration(struct mip_reader *r, void *value) {
     v->present = mip_read_present(r);
 }
 
-static void write_rtk_dongle_configuration(struct mip_writer *w, const void *value) {
-    const struct mip_gnss_rtk_dongle_configuration *v =
-        (const struct mip_gnss_rtk_dongle_configuration *)value;
+static void write_rtk_dongle_config(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_rtk_dongle_config *v = (const struct mip_gnss_rtk_dongle_config *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_rtk_dongle_configuration,
-                       sizeof(required_rtk_dongle_configuration), v->present);
+    mip_write_required(w, v->function, required_rtk_dongle_config,
+                       sizeof(required_rtk_dongle_config), v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->enable, 1);
     mip_write_group(w, 2, 2);
     mip_write_u8(w, v->reserved, 3);
 }
 
-static bool asked_rtk_dongle_configuration_1(const void *value) {
-    const struct mip_gnss_rtk_dongle_configuration *v =
-        (const struct mip_gnss_rtk_dongle_configuration *)value;
+static bool asked_rtk_dongle_config_1(const void *value) {
+    const struct mip_gnss_rtk_dongle_config *v = (const struct mip_gnss_rtk_dongle_config *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_rtk_dongle_configuration[] = {
-    {&mip_gnss_rtk_dongle_configuration_response_codec, asked_rtk_dongle_configuration_1},
+static const struct mip_response responses_rtk_dongle_config[] = {
+    {&mip_gnss_rtk_dongle_config_response_codec, asked_rtk_dongle_config_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_gnss_rtk_dongle_configuration_codec = {
+const struct mip_codec mip_gnss_rtk_dongle_config_codec = {
     0x0E, /* descriptor set */
-    MIP_GNSS_RTK_DONGLE_CONFIGURATION_DESCRIPTOR,
+    MIP_GNSS_RTK_DONGLE_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_gnss_rtk_dongle_configuration),
+    sizeof(struct mip_gnss_rtk_dongle_config),
     0, /* time-out */
-    read_rtk_dongle_configuration,
-    write_rtk_dongle_configuration,
+    read_rtk_dongle_config,
+    write_rtk_dongle_config,
     NULL,
-    responses_rtk_dongle_configuration,
+    responses_rtk_dongle_config,
     NULL,
 };
 
-mip_error mip_gnss_rtk_dongle_configuration_decode(struct mip_gnss_rtk_dongle_configuration *value,
-                                                   const struct mip_field *field) {
-    return mip_decode_field(field, read_rtk_dongle_configuration, value, sizeof(*value), NULL);
+mip_error mip_gnss_rtk_dongle_config_decode(struct mip_gnss_rtk_dongle_config *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_rtk_dongle_config, value, sizeof(*value), NULL);
 }
 
-mip_error mip_gnss_rtk_dongle_configuration_encode(
-    const struct mip_gnss_rtk_dongle_configuration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0E, MIP_GNSS_RTK_DONGLE_CONFIGURATION_DESCRIPTOR,
-                            write_rtk_dongle_configuration, value);
+mip_error mip_gnss_rtk_dongle_config_encode(const struct mip_gnss_rtk_dongle_config *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_RTK_DONGLE_CONFIG_DESCRIPTOR,
+                            write_rtk_dongle_config, value);
 }
 
-struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_write(uint8_t enable) {
-    struct mip_gnss_rtk_dongle_configuration v;
+struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_write(uint8_t enable) {
+    struct mip_gnss_rtk_dongle_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.enable = enable;
     return v;
 }
 
-struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_read(void) {
-    struct mip_gnss_rtk_dongle_configuration v;
+struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_read(void) {
+    struct mip_gnss_rtk_dongle_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_save(void) {
-    struct mip_gnss_rtk_dongle_configuration v;
+struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_save(void) {
+    struct mip_gnss_rtk_dongle_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_load(void) {
-    struct mip_gnss_rtk_dongle_configuration v;
+struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_load(void) {
+    struct mip_gnss_rtk_dongle_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_default(void) {
-    struct mip_gnss_rtk_dongle_configuration v;
+struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_default(void) {
+    struct mip_gnss_rtk_dongle_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_rtk_dongle_configuration_response(struct mip_reader *r, void *value) {
-    struct mip_gnss_rtk_dongle_configuration_response *v =
-        (struct mip_gnss_rtk_dongle_configuration_response *)value;
+static void read_rtk_dongle_config_response(struct mip_reader *r, void *value) {
+    struct mip_gnss_rtk_dongle_config_response *v =
+        (struct mip_gnss_rtk_dongle_config_response *)value;
     mip_read_u8(r, &v->enable, 1);
     mip_read_u8(r, v->reserved, 3);
 }
 
-static void write_rtk_dongle_configuration_response(struct mip_writer *w, const void *value) {
-    const struct mip_gnss_rtk_dongle_configuration_response *v =
-        (const struct mip_gnss_rtk_dongle_configuration_response *)value;
+static void write_rtk_dongle_config_response(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_rtk_dongle_config_response *v =
+        (const struct mip_gnss_rtk_dongle_config_response *)value;
     mip_write_u8(w, &v->enable, 1);
     mip_write_u8(w, v->reserved, 3);
 }
 
-const struct mip_codec mip_gnss_rtk_dongle_configuration_response_codec = {
+const struct mip_codec mip_gnss_rtk_dongle_config_response_codec = {
     0x0E, /* descriptor set */
-    MIP_GNSS_RTK_DONGLE_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_gnss_rtk_dongle_configuration_response),
+    sizeof(struct mip_gnss_rtk_dongle_config_response),
     0, /* time-out */
-    read_rtk_dongle_configuration_response,
-    write_rtk_dongle_configuration_response,
+    read_rtk_dongle_config_response,
+    write_rtk_dongle_config_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_gnss_rtk_dongle_configuration_response_decode(
-    struct mip_gnss_rtk_dongle_configuration_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_rtk_dongle_configuration_response, value, sizeof(*value),
-                            NULL);
+mip_error mip_gnss_rtk_dongle_config_response_decode(
+    struct mip_gnss_rtk_dongle_config_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_rtk_dongle_config_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_gnss_rtk_dongle_configuration_response_encode(
-    const struct mip_gnss_rtk_dongle_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0E, MIP_GNSS_RTK_DONGLE_CONFIGURATION_RESPONSE_DESCRIPTOR,
-                            write_rtk_dongle_configuration_response, value);
+mip_error mip_gnss_rtk_dongle_config_response_encode(
+    const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_DESCRIPTOR,
+                            write_rtk_dongle_config_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_spartn_configuration[] = {0, 8, 0, 0, 0, 0};
+static const uint8_t required_spartn_config[] = {0, 8, 0, 0, 0, 0};
 
-static void read_spartn_configuration(struct mip_reader *r, void *value) {
-    struct mip_gnss_spartn_configuration *v = (struct mip_gnss_spartn_configuration *)value;
+static void read_spartn_config(struct mip_reader *r, void *value) {
+    struct mip_gnss_spartn_config *v = (struct mip_gnss_spartn_config *)value;
     mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_spartn_configuration,
-                      sizeof(required_spartn_configuration));
+    mip_read_required(r, v->function, required_spartn_config, sizeof(required_spartn_config));
     mip_read_group(r, 1, 1);
     mip_read_u8(r, &v->enable, 1);
     mip_read_group(r, 2, 2);
@@ -412,12 +405,11 @@ static void read_spartn_configuration(struct mip_reader *r, void *value) {
     v->present = mip_read_present(r);
 }
 
-static void write_spartn_configuration(struct mip_writer *w, const void *value) {
-    const struct mip_gnss_spartn_configuration *v =
-        (const struct mip_gnss_spartn_configuration *)value;
+static void write_spartn_config(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_spartn_config *v = (const struct mip_gnss_spartn_config *)value;
     mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_spartn_configuration,
-                       sizeof(required_spartn_configuration), v->present);
+    mip_write_required(w, v->function, required_spartn_config, sizeof(required_spartn_config),
+                       v->present);
     mip_write_group(w, 1, 1);
     mip_write_u8(w, &v->enable, 1);
     mip_write_group(w, 2, 2);
@@ -436,47 +428,46 @@ static void write_spartn_configuration(struct mip_writer *w, const void *value) 
     mip_write_u8(w, v->next_key, 32);
 }
 
-static bool asked_spartn_configuration_1(const void *value) {
-    const struct mip_gnss_spartn_configuration *v =
-        (const struct mip_gnss_spartn_configuration *)value;
+static bool asked_spartn_config_1(const void *value) {
+    const struct mip_gnss_spartn_config *v = (const struct mip_gnss_spartn_config *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_spartn_configuration[] = {
-    {&mip_gnss_spartn_configuration_response_codec, asked_spartn_configuration_1},
+static const struct mip_response responses_spartn_config[] = {
+    {&mip_gnss_spartn_config_response_codec, asked_spartn_config_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_gnss_spartn_configuration_codec = {
+const struct mip_codec mip_gnss_spartn_config_codec = {
     0x0E, /* descriptor set */
-    MIP_GNSS_SPARTN_CONFIGURATION_DESCRIPTOR,
+    MIP_GNSS_SPARTN_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_gnss_spartn_configuration),
+    sizeof(struct mip_gnss_spartn_config),
     0, /* time-out */
-    read_spartn_configuration,
-    write_spartn_configuration,
+    read_spartn_config,
+    write_spartn_config,
     NULL,
-    responses_spartn_configuration,
+    responses_spartn_config,
     NULL,
 };
 
-mip_error mip_gnss_spartn_configuration_decode(struct mip_gnss_spartn_configuration *value,
-                                               const struct mip_field *field) {
-    return mip_decode_field(field, read_spartn_configuration, value, sizeof(*value), NULL);
+mip_error mip_gnss_spartn_config_decode(struct mip_gnss_spartn_config *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_spartn_config, value, sizeof(*value), NULL);
 }
 
-mip_error mip_gnss_spartn_configuration_encode(const struct mip_gnss_spartn_configuration *value,
-                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0E, MIP_GNSS_SPARTN_CONFIGURATION_DESCRIPTOR,
-                            write_spartn_configuration, value);
+mip_error mip_gnss_spartn_config_encode(const struct mip_gnss_spartn_config *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_SPARTN_CONFIG_DESCRIPTOR, write_spartn_config,
+                            value);
 }
 
-struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_write(
+struct mip_gnss_spartn_config mip_gnss_spartn_config_write(
     uint8_t enable, mip_gnss_spartn_connection type, uint32_t current_key_tow,
     uint16_t current_key_week, const uint8_t current_key[32], uint32_t next_key_tow,
     uint16_t next_key_week, const uint8_t next_key[32]) {
-    struct mip_gnss_spartn_configuration v;
+    struct mip_gnss_spartn_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.enable = enable;
@@ -490,37 +481,36 @@ struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_write(
     return v;
 }
 
-struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_read(void) {
-    struct mip_gnss_spartn_configuration v;
+struct mip_gnss_spartn_config mip_gnss_spartn_config_read(void) {
+    struct mip_gnss_spartn_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_save(void) {
-    struct mip_gnss_spartn_configuration v;
+struct mip_gnss_spartn_config mip_gnss_spartn_config_save(void) {
+    struct mip_gnss_spartn_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_load(void) {
-    struct mip_gnss_spartn_configuration v;
+struct mip_gnss_spartn_config mip_gnss_spartn_config_load(void) {
+    struct mip_gnss_spartn_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_default(void) {
-    struct mip_gnss_spartn_configuration v;
+struct mip_gnss_spartn_config mip_gnss_spartn_config_default(void) {
+    struct mip_gnss_spartn_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
-static void read_spartn_configuration_response(struct mip_reader *r, void *value) {
-    struct mip_gnss_spartn_configuration_response *v =
-        (struct mip_gnss_spartn_configuration_response *)value;
+static void read_spartn_config_response(struct mip_reader *r, void *value) {
+    struct mip_gnss_spartn_config_response *v = (struct mip_gnss_spartn_config_response *)value;
     mip_read_u8(r, &v->enable, 1);
     mip_read_u8(r, &v->type, 1);
     mip_read_u32(r, &v->current_key_tow, 1);
@@ -531,9 +521,9 @@ static void read_spartn_configuration_response(struct mip_reader *r, void *value
     mip_read_u8(r, v->next_key, 32);
 }
 
-static void write_spartn_configuration_response(struct mip_writer *w, const void *value) {
-    const struct mip_gnss_spartn_configuration_response *v =
-        (const struct mip_gnss_spartn_configuration_response *)value;
+static void write_spartn_config_response(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_spartn_config_response *v =
+        (const struct mip_gnss_spartn_config_response *)value;
     mip_write_u8(w, &v->enable, 1);
     mip_write_u8(w, &v->type, 1);
     mip_write_u32(w, &v->current_key_tow, 1);
@@ -544,26 +534,26 @@ static void write_spartn_configuration_response(struct mip_writer *w, const void
     mip_write_u8(w, v->next_key, 32);
 }
 
-const struct mip_codec mip_gnss_spartn_configuration_response_codec = {
+const struct mip_codec mip_gnss_spartn_config_response_codec = {
     0x0E, /* descriptor set */
-    MIP_GNSS_SPARTN_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_GNSS_SPARTN_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_gnss_spartn_configuration_response),
+    sizeof(struct mip_gnss_spartn_config_response),
     0, /* time-out */
-    read_spartn_configuration_response,
-    write_spartn_configuration_response,
+    read_spartn_config_response,
+    write_spartn_config_response,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_gnss_spartn_configuration_response_decode(
-    struct mip_gnss_spartn_configuration_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_spartn_configuration_response, value, sizeof(*value), NULL);
+mip_error mip_gnss_spartn_config_response_decode(struct mip_gnss_spartn_config_response *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_spartn_config_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_gnss_spartn_configuration_response_encode(
-    const struct mip_gnss_spartn_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0E, MIP_GNSS_SPARTN_CONFIGURATION_RESPONSE_DESCRIPTOR,
-                            write_spartn_configuration_response, value);
+mip_error mip_gnss_spartn_config_response_encode(
+    const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_SPARTN_CONFIG_RESPONSE_DESCRIPTOR,
+                            write_spartn_config_response, value);
 }

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-static void read_gnss_llh_position(struct mip_reader *r, void *value) {
-    struct mip_gnss_1_gnss_llh_position *v = (struct mip_gnss_1_gnss_llh_position *)value;
+static void read_llh_position(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_llh_position *v = (struct mip_gnss_1_llh_position *)value;
     mip_read_double(r, &v->latitude, 1);
     mip_read_double(r, &v->longitude, 1);
     mip_read_double(r, &v->ellipsoid_height, 1);
@@ -14,9 +14,8 @@ static void read_gnss_llh_position(struct mip_reader *r, void *value) {
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
-static void write_gnss_llh_position(struct mip_writer *w, const void *value) {
-    const struct mip_gnss_1_gnss_llh_position *v =
-        (const struct mip_gnss_1_gnss_llh_position *)value;
+static void write_llh_position(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_llh_position *v = (const struct mip_gnss_1_llh_position *)value;
     mip_write_double(w, &v->latitude, 1);
     mip_write_double(w, &v->longitude, 1);
     mip_write_double(w, &v->ellipsoid_height, 1);
@@ -26,72 +25,71 @@ static void write_gnss_llh_position(struct mip_writer *w, const void *value) {
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
-const struct mip_codec mip_gnss_1_gnss_llh_position_codec = {
+const struct mip_codec mip_gnss_1_llh_position_codec = {
     0x91, /* descriptor set */
-    MIP_GNSS_1_GNSS_LLH_POSITION_DESCRIPTOR,
+    MIP_GNSS_1_LLH_POSITION_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_gnss_1_gnss_llh_position),
+    sizeof(struct mip_gnss_1_llh_position),
     0, /* time-out */
-    read_gnss_llh_position,
-    write_gnss_llh_position,
+    read_llh_position,
+    write_llh_position,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_gnss_1_gnss_llh_position_decode(struct mip_gnss_1_gnss_llh_position *value,
-                                              const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_llh_position, value, sizeof(*value), NULL);
+mip_error mip_gnss_1_llh_position_decode(struct mip_gnss_1_llh_position *value,
+                                         const struct mip_field *field) {
+    return mip_decode_field(field, read_llh_position, value, sizeof(*value), NULL);
 }
 
-mip_error mip_gnss_1_gnss_llh_position_encode(const struct mip_gnss_1_gnss_llh_position *value,
-                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GNSS_LLH_POSITION_DESCRIPTOR,
-                            write_gnss_llh_position, value);
+mip_error mip_gnss_1_llh_position_encode(const struct mip_gnss_1_llh_position *value,
+                                         struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_LLH_POSITION_DESCRIPTOR, write_llh_position,
+                            value);
 }
 
-static void read_gnss_ecef_position(struct mip_reader *r, void *value) {
-    struct mip_gnss_1_gnss_ecef_position *v = (struct mip_gnss_1_gnss_ecef_position *)value;
-    mip_read_double(r, v->x, 3);
-    mip_read_float(r, &v->x_accuracy, 1);
+static void read_ecef_position(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_ecef_position *v = (struct mip_gnss_1_ecef_position *)value;
+    mip_read_double(r, v->position, 3);
+    mip_read_float(r, &v->position_accuracy, 1);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
-static void write_gnss_ecef_position(struct mip_writer *w, const void *value) {
-    const struct mip_gnss_1_gnss_ecef_position *v =
-        (const struct mip_gnss_1_gnss_ecef_position *)value;
-    mip_write_double(w, v->x, 3);
-    mip_write_float(w, &v->x_accuracy, 1);
+static void write_ecef_position(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_ecef_position *v = (const struct mip_gnss_1_ecef_position *)value;
+    mip_write_double(w, v->position, 3);
+    mip_write_float(w, &v->position_accuracy, 1);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
-const struct mip_codec mip_gnss_1_gnss_ecef_position_codec = {
+const struct mip_codec mip_gnss_1_ecef_position_codec = {
     0x91, /* descriptor set */
-    MIP_GNSS_1_GNSS_ECEF_POSITION_DESCRIPTOR,
+    MIP_GNSS_1_ECEF_POSITION_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_gnss_1_gnss_ecef_position),
+    sizeof(struct mip_gnss_1_ecef_position),
     0, /* time-out */
-    read_gnss_ecef_position,
-    write_gnss_ecef_position,
+    read_ecef_position,
+    write_ecef_position,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_gnss_1_gnss_ecef_position_decode(struct mip_gnss_1_gnss_ecef_position *value,
-                                               const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_ecef_position, value, sizeof(*value), NULL);
+mip_error mip_gnss_1_ecef_position_decode(struct mip_gnss_1_ecef_position *value,
+                                          const struct mip_field *field) {
+    return mip_decode_field(field, read_ecef_position, value, sizeof(*value), NULL);
 }
 
-mip_error mip_gnss_1_gnss_ecef_position_encode(const struct mip_gnss_1_gnss_ecef_position *value,
-                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GNSS_ECEF_POSITION_DESCRIPTOR,
-                            write_gnss_ecef_position, value);
+mip_error mip_gnss_1_ecef_position_encode(const struct mip_gnss_1_ecef_position *value,
+                                          struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_ECEF_POSITION_DESCRIPTOR, write_ecef_position,
+                            value);
 }
 
 static void read_ned_velocity(struct mip_reader *r, void *value) {
     struct mip_gnss_1_ned_velocity *v = (struct mip_gnss_1_ned_velocity *)value;
-    mip_read_float(r, v->v_, 3);
+    mip_read_float(r, v->velocity, 3);
     mip_read_float(r, &v->speed, 1);
     mip_read_float(r, &v->ground_speed, 1);
     mip_read_float(r, &v->heading, 1);
@@ -102,7 +100,7 @@ static void read_ned_velocity(struct mip_reader *r, void *value) {
 
 static void write_ned_velocity(struct mip_writer *w, const void *value) {
     const struct mip_gnss_1_ned_velocity *v = (const struct mip_gnss_1_ned_velocity *)value;
-    mip_write_float(w, v->v_, 3);
+    mip_write_float(w, v->velocity, 3);
     mip_write_float(w, &v->speed, 1);
     mip_write_float(w, &v->ground_speed, 1);
     mip_write_float(w, &v->heading, 1);
@@ -135,43 +133,42 @@ mip_error mip_gnss_1_ned_velocity_encode(const struct mip_gnss_1_ned_velocity *v
                             value);
 }
 
-static void read_gnss_ecef_velocity(struct mip_reader *r, void *value) {
-    struct mip_gnss_1_gnss_ecef_velocity *v = (struct mip_gnss_1_gnss_ecef_velocity *)value;
-    mip_read_float(r, v->v_, 3);
-    mip_read_float(r, &v->v_accuracy, 1);
+static void read_ecef_velocity(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_ecef_velocity *v = (struct mip_gnss_1_ecef_velocity *)value;
+    mip_read_float(r, v->velocity, 3);
+    mip_read_float(r, &v->velocity_accuracy, 1);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
-static void write_gnss_ecef_velocity(struct mip_writer *w, const void *value) {
-    const struct mip_gnss_1_gnss_ecef_velocity *v =
-        (const struct mip_gnss_1_gnss_ecef_velocity *)value;
-    mip_write_float(w, v->v_, 3);
-    mip_write_float(w, &v->v_accuracy, 1);
+static void write_ecef_velocity(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_ecef_velocity *v = (const struct mip_gnss_1_ecef_velocity *)value;
+    mip_write_float(w, v->velocity, 3);
+    mip_write_float(w, &v->velocity_accuracy, 1);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
-const struct mip_codec mip_gnss_1_gnss_ecef_velocity_codec = {
+const struct mip_codec mip_gnss_1_ecef_velocity_codec = {
     0x91, /* descriptor set */
-    MIP_GNSS_1_GNSS_ECEF_VELOCITY_DESCRIPTOR,
+    MIP_GNSS_1_ECEF_VELOCITY_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_gnss_1_gnss_ecef_velocity),
+    sizeof(struct mip_gnss_1_ecef_velocity),
     0, /* time-out */
-    read_gnss_ecef_velocity,
-    write_gnss_ecef_velocity,
+    read_ecef_velocity,
+    write_ecef_velocity,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_gnss_1_gnss_ecef_velocity_decode(struct mip_gnss_1_gnss_ecef_velocity *value,
-                                               const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_ecef_velocity, value, sizeof(*value), NULL);
+mip_error mip_gnss_1_ecef_velocity_decode(struct mip_gnss_1_ecef_velocity *value,
+                                          const struct mip_field *field) {
+    return mip_decode_field(field, read_ecef_velocity, value, sizeof(*value), NULL);
 }
 
-mip_error mip_gnss_1_gnss_ecef_velocity_encode(const struct mip_gnss_1_gnss_ecef_velocity *value,
-                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GNSS_ECEF_VELOCITY_DESCRIPTOR,
-                            write_gnss_ecef_velocity, value);
+mip_error mip_gnss_1_ecef_velocity_encode(const struct mip_gnss_1_ecef_velocity *value,
+                                          struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_ECEF_VELOCITY_DESCRIPTOR, write_ecef_velocity,
+                            value);
 }
 
 static void read_dop(struct mip_reader *r, void *value) {
@@ -427,45 +424,44 @@ mip_error mip_gnss_1_sv_info_encode(const struct mip_gnss_1_sv_info *value,
     return mip_encode_field(builder, 0x91, MIP_GNSS_1_SV_INFO_DESCRIPTOR, write_sv_info, value);
 }
 
-static void read_gnss_hardware_status(struct mip_reader *r, void *value) {
-    struct mip_gnss_1_gnss_hardware_status *v = (struct mip_gnss_1_gnss_hardware_status *)value;
+static void read_hardware_status(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_hardware_status *v = (struct mip_gnss_1_hardware_status *)value;
     mip_read_u8(r, &v->receiver_state, 1);
     mip_read_u8(r, &v->antenna_state, 1);
     mip_read_u8(r, &v->antenna_power, 1);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
-static void write_gnss_hardware_status(struct mip_writer *w, const void *value) {
-    const struct mip_gnss_1_gnss_hardware_status *v =
-        (const struct mip_gnss_1_gnss_hardware_status *)value;
+static void write_hardware_status(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_hardware_status *v = (const struct mip_gnss_1_hardware_status *)value;
     mip_write_u8(w, &v->receiver_state, 1);
     mip_write_u8(w, &v->antenna_state, 1);
     mip_write_u8(w, &v->antenna_power, 1);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
-const struct mip_codec mip_gnss_1_gnss_hardware_status_codec = {
+const struct mip_codec mip_gnss_1_hardware_status_codec = {
     0x91, /* descriptor set */
-    MIP_GNSS_1_GNSS_HARDWARE_STATUS_DESCRIPTOR,
+    MIP_GNSS_1_HARDWARE_STATUS_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_gnss_1_gnss_hardware_status),
+    sizeof(struct mip_gnss_1_hardware_status),
     0, /* time-out */
-    read_gnss_hardware_status,
-    write_gnss_hardware_status,
+    read_hardware_status,
+    write_hardware_status,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_gnss_1_gnss_hardware_status_decode(struct mip_gnss_1_gnss_hardware_status *value,
-                                                 const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_hardware_status, value, sizeof(*value), NULL);
+mip_error mip_gnss_1_hardware_status_decode(struct mip_gnss_1_hardware_status *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_hardware_status, value, sizeof(*value), NULL);
 }
 
-mip_error mip_gnss_1_gnss_hardware_status_encode(
-    const struct mip_gnss_1_gnss_hardware_status *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GNSS_HARDWARE_STATUS_DESCRIPTOR,
-                            write_gnss_hardware_status, value);
+mip_error mip_gnss_1_hardware_status_encode(const struct mip_gnss_1_hardware_status *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_HARDWARE_STATUS_DESCRIPTOR,
+                            write_hardware_status, value);
 }
 
 static void read_dgps_info(struct mip_reader *r, void *value) {
@@ -631,7 +627,7 @@ mip_error mip_gnss_1_gps_leap_seconds_encode(const struct mip_gnss_1_gps_leap_se
 
 static void read_sbas_info(struct mip_reader *r, void *value) {
     struct mip_gnss_1_sbas_info *v = (struct mip_gnss_1_sbas_info *)value;
-    mip_read_double(r, &v->time_of_week, 1);
+    mip_read_double(r, &v->tow, 1);
     mip_read_u16(r, &v->week_number, 1);
     mip_read_u8(r, &v->sbas_system, 1);
     mip_read_u8(r, &v->sbas_id, 1);
@@ -642,7 +638,7 @@ static void read_sbas_info(struct mip_reader *r, void *value) {
 
 static void write_sbas_info(struct mip_writer *w, const void *value) {
     const struct mip_gnss_1_sbas_info *v = (const struct mip_gnss_1_sbas_info *)value;
-    mip_write_double(w, &v->time_of_week, 1);
+    mip_write_double(w, &v->tow, 1);
     mip_write_u16(w, &v->week_number, 1);
     mip_write_u8(w, &v->sbas_system, 1);
     mip_write_u8(w, &v->sbas_id, 1);
@@ -773,7 +769,7 @@ static void read_satellite_status(struct mip_reader *r, void *value) {
     struct mip_gnss_1_satellite_status *v = (struct mip_gnss_1_satellite_status *)value;
     mip_read_u8(r, &v->index, 1);
     mip_read_u8(r, &v->count, 1);
-    mip_read_double(r, &v->time_of_week, 1);
+    mip_read_double(r, &v->tow, 1);
     mip_read_u16(r, &v->week_number, 1);
     mip_read_u8(r, &v->gnss_id, 1);
     mip_read_u8(r, &v->satellite_id, 1);
@@ -787,7 +783,7 @@ static void write_satellite_status(struct mip_writer *w, const void *value) {
     const struct mip_gnss_1_satellite_status *v = (const struct mip_gnss_1_satellite_status *)value;
     mip_write_u8(w, &v->index, 1);
     mip_write_u8(w, &v->count, 1);
-    mip_write_double(w, &v->time_of_week, 1);
+    mip_write_double(w, &v->tow, 1);
     mip_write_u16(w, &v->week_number, 1);
     mip_write_u8(w, &v->gnss_id, 1);
     mip_write_u8(w, &v->satellite_id, 1);
@@ -825,7 +821,7 @@ static void read_raw(struct mip_reader *r, void *value) {
     struct mip_gnss_1_raw *v = (struct mip_gnss_1_raw *)value;
     mip_read_u8(r, &v->index, 1);
     mip_read_u8(r, &v->count, 1);
-    mip_read_double(r, &v->time_of_week, 1);
+    mip_read_double(r, &v->tow, 1);
     mip_read_u16(r, &v->week_number, 1);
     mip_read_u16(r, &v->receiver_id, 1);
     mip_read_u8(r, &v->tracking_channel, 1);
@@ -837,9 +833,9 @@ static void read_raw(struct mip_reader *r, void *value) {
     mip_read_double(r, &v->pseudorange, 1);
     mip_read_double(r, &v->carrier_phase, 1);
     mip_read_float(r, &v->doppler, 1);
-    mip_read_float(r, &v->range_uncert, 1);
-    mip_read_float(r, &v->phase_uncert, 1);
-    mip_read_float(r, &v->doppler_uncert, 1);
+    mip_read_float(r, &v->range_uncertainty, 1);
+    mip_read_float(r, &v->phase_uncertainty, 1);
+    mip_read_float(r, &v->doppler_uncertainty, 1);
     mip_read_float(r, &v->lock_time, 1);
     mip_read_u16(r, &v->valid_flags, 1);
 }
@@ -848,7 +844,7 @@ static void write_raw(struct mip_writer *w, const void *value) {
     const struct mip_gnss_1_raw *v = (const struct mip_gnss_1_raw *)value;
     mip_write_u8(w, &v->index, 1);
     mip_write_u8(w, &v->count, 1);
-    mip_write_double(w, &v->time_of_week, 1);
+    mip_write_double(w, &v->tow, 1);
     mip_write_u16(w, &v->week_number, 1);
     mip_write_u16(w, &v->receiver_id, 1);
     mip_write_u8(w, &v->tracking_channel, 1);
@@ -860,9 +856,9 @@ static void write_raw(struct mip_writer *w, const void *value) {
     mip_write_double(w, &v->pseudorange, 1);
     mip_write_double(w, &v->carrier_phase, 1);
     mip_write_float(w, &v->doppler, 1);
-    mip_write_float(w, &v->range_uncert, 1);
-    mip_write_float(w, &v->phase_uncert, 1);
-    mip_write_float(w, &v->doppler_uncert, 1);
+    mip_write_float(w, &v->range_uncertainty, 1);
+    mip_write_float(w, &v->phase_uncertainty, 1);
+    mip_write_float(w, &v->doppler_uncertainty, 1);
     mip_write_float(w, &v->lock_time, 1);
     mip_write_u16(w, &v->valid_flags, 1);
 }
@@ -890,9 +886,9 @@ mip_error mip_gnss_1_raw_encode(const struct mip_gnss_1_raw *value, struct mip_b
 
 static void read_base_station_info(struct mip_reader *r, void *value) {
     struct mip_gnss_1_base_station_info *v = (struct mip_gnss_1_base_station_info *)value;
-    mip_read_double(r, &v->time_of_week, 1);
+    mip_read_double(r, &v->tow, 1);
     mip_read_u16(r, &v->week_number, 1);
-    mip_read_double(r, v->ecef_pos, 3);
+    mip_read_double(r, v->ecef_position, 3);
     mip_read_float(r, &v->height, 1);
     mip_read_u16(r, &v->station_id, 1);
     mip_read_u16(r, &v->indicators, 1);
@@ -902,9 +898,9 @@ static void read_base_station_info(struct mip_reader *r, void *value) {
 static void write_base_station_info(struct mip_writer *w, const void *value) {
     const struct mip_gnss_1_base_station_info *v =
         (const struct mip_gnss_1_base_station_info *)value;
-    mip_write_double(w, &v->time_of_week, 1);
+    mip_write_double(w, &v->tow, 1);
     mip_write_u16(w, &v->week_number, 1);
-    mip_write_double(w, v->ecef_pos, 3);
+    mip_write_double(w, v->ecef_position, 3);
     mip_write_float(w, &v->height, 1);
     mip_write_u16(w, &v->station_id, 1);
     mip_write_u16(w, &v->indicators, 1);
@@ -937,7 +933,7 @@ mip_error mip_gnss_1_base_station_info_encode(const struct mip_gnss_1_base_stati
 
 static void read_rtk_corrections_status(struct mip_reader *r, void *value) {
     struct mip_gnss_1_rtk_corrections_status *v = (struct mip_gnss_1_rtk_corrections_status *)value;
-    mip_read_double(r, &v->time_of_week, 1);
+    mip_read_double(r, &v->tow, 1);
     mip_read_u16(r, &v->week_number, 1);
     mip_read_u16(r, &v->epoch_status, 1);
     mip_read_u32(r, &v->dongle_status, 1);
@@ -952,7 +948,7 @@ static void read_rtk_corrections_status(struct mip_reader *r, void *value) {
 static void write_rtk_corrections_status(struct mip_writer *w, const void *value) {
     const struct mip_gnss_1_rtk_corrections_status *v =
         (const struct mip_gnss_1_rtk_corrections_status *)value;
-    mip_write_double(w, &v->time_of_week, 1);
+    mip_write_double(w, &v->tow, 1);
     mip_write_u16(w, &v->week_number, 1);
     mip_write_u16(w, &v->epoch_status, 1);
     mip_write_u32(w, &v->dongle_status, 1);
@@ -992,11 +988,11 @@ static void read_gps_ephemeris(struct mip_reader *r, void *value) {
     struct mip_gnss_1_gps_ephemeris *v = (struct mip_gnss_1_gps_ephemeris *)value;
     mip_read_u8(r, &v->index, 1);
     mip_read_u8(r, &v->count, 1);
-    mip_read_double(r, &v->time_of_week, 1);
+    mip_read_double(r, &v->tow, 1);
     mip_read_u16(r, &v->week_number, 1);
     mip_read_u8(r, &v->satellite_id, 1);
     mip_read_u8(r, &v->health, 1);
-    mip_read_u8(r, &v->iodec, 1);
+    mip_read_u8(r, &v->iodc, 1);
     mip_read_u8(r, &v->iode, 1);
     mip_read_double(r, &v->t_oc, 1);
     mip_read_double(r, &v->af0, 1);
@@ -1030,11 +1026,11 @@ static void write_gps_ephemeris(struct mip_writer *w, const void *value) {
     const struct mip_gnss_1_gps_ephemeris *v = (const struct mip_gnss_1_gps_ephemeris *)value;
     mip_write_u8(w, &v->index, 1);
     mip_write_u8(w, &v->count, 1);
-    mip_write_double(w, &v->time_of_week, 1);
+    mip_write_double(w, &v->tow, 1);
     mip_write_u16(w, &v->week_number, 1);
     mip_write_u8(w, &v->satellite_id, 1);
     mip_write_u8(w, &v->health, 1);
-    mip_write_u8(w, &v->iodec, 1);
+    mip_write_u8(w, &v->iodc, 1);
     mip_write_u8(w, &v->iode, 1);
     mip_write_double(w, &v->t_oc, 1);
     mip_write_double(w, &v->af0, 1);
@@ -1092,18 +1088,18 @@ static void read_glonass_ephemeris(struct mip_reader *r, void *value) {
     struct mip_gnss_1_glonass_ephemeris *v = (struct mip_gnss_1_glonass_ephemeris *)value;
     mip_read_u8(r, &v->index, 1);
     mip_read_u8(r, &v->count, 1);
-    mip_read_double(r, &v->time_of_week, 1);
+    mip_read_double(r, &v->tow, 1);
     mip_read_u16(r, &v->week_number, 1);
     mip_read_u8(r, &v->satellite_id, 1);
-    mip_read_s8(r, &v->freq_number, 1);
+    mip_read_s8(r, &v->frequency_number, 1);
     mip_read_u32(r, &v->tk, 1);
     mip_read_u32(r, &v->tb, 1);
-    mip_read_u8(r, &v->sat_type, 1);
+    mip_read_u8(r, &v->satellite_type, 1);
     mip_read_double(r, &v->gamma, 1);
     mip_read_double(r, &v->tau_n, 1);
-    mip_read_double(r, v->x, 3);
-    mip_read_float(r, v->v_, 3);
-    mip_read_float(r, v->a, 3);
+    mip_read_double(r, v->position, 3);
+    mip_read_float(r, v->velocity, 3);
+    mip_read_float(r, v->accel, 3);
     mip_read_u8(r, &v->health, 1);
     mip_read_u8(r, &v->p, 1);
     mip_read_u8(r, &v->nt, 1);
@@ -1122,18 +1118,18 @@ static void write_glonass_ephemeris(struct mip_writer *w, const void *value) {
         (const struct mip_gnss_1_glonass_ephemeris *)value;
     mip_write_u8(w, &v->index, 1);
     mip_write_u8(w, &v->count, 1);
-    mip_write_double(w, &v->time_of_week, 1);
+    mip_write_double(w, &v->tow, 1);
     mip_write_u16(w, &v->week_number, 1);
     mip_write_u8(w, &v->satellite_id, 1);
-    mip_write_s8(w, &v->freq_number, 1);
+    mip_write_s8(w, &v->frequency_number, 1);
     mip_write_u32(w, &v->tk, 1);
     mip_write_u32(w, &v->tb, 1);
-    mip_write_u8(w, &v->sat_type, 1);
+    mip_write_u8(w, &v->satellite_type, 1);
     mip_write_double(w, &v->gamma, 1);
     mip_write_double(w, &v->tau_n, 1);
-    mip_write_double(w, v->x, 3);
-    mip_write_float(w, v->v_, 3);
-    mip_write_float(w, v->a, 3);
+    mip_write_double(w, v->position, 3);
+    mip_write_float(w, v->velocity, 3);
+    mip_write_float(w, v->accel, 3);
     mip_write_u8(w, &v->health, 1);
     mip_write_u8(w, &v->p, 1);
     mip_write_u8(w, &v->nt, 1);
@@ -1175,11 +1171,11 @@ static void read_galileo_ephemeris(struct mip_reader *r, void *value) {
     struct mip_gnss_1_galileo_ephemeris *v = (struct mip_gnss_1_galileo_ephemeris *)value;
     mip_read_u8(r, &v->index, 1);
     mip_read_u8(r, &v->count, 1);
-    mip_read_double(r, &v->time_of_week, 1);
+    mip_read_double(r, &v->tow, 1);
     mip_read_u16(r, &v->week_number, 1);
     mip_read_u8(r, &v->satellite_id, 1);
     mip_read_u8(r, &v->health, 1);
-    mip_read_u8(r, &v->iodec, 1);
+    mip_read_u8(r, &v->iodc, 1);
     mip_read_u8(r, &v->iode, 1);
     mip_read_double(r, &v->t_oc, 1);
     mip_read_double(r, &v->af0, 1);
@@ -1214,11 +1210,11 @@ static void write_galileo_ephemeris(struct mip_writer *w, const void *value) {
         (const struct mip_gnss_1_galileo_ephemeris *)value;
     mip_write_u8(w, &v->index, 1);
     mip_write_u8(w, &v->count, 1);
-    mip_write_double(w, &v->time_of_week, 1);
+    mip_write_double(w, &v->tow, 1);
     mip_write_u16(w, &v->week_number, 1);
     mip_write_u8(w, &v->satellite_id, 1);
     mip_write_u8(w, &v->health, 1);
-    mip_write_u8(w, &v->iodec, 1);
+    mip_write_u8(w, &v->iodc, 1);
     mip_write_u8(w, &v->iode, 1);
     mip_write_double(w, &v->t_oc, 1);
     mip_write_double(w, &v->af0, 1);
@@ -1276,11 +1272,11 @@ static void read_beidou_ephemeris(struct mip_reader *r, void *value) {
     struct mip_gnss_1_beidou_ephemeris *v = (struct mip_gnss_1_beidou_ephemeris *)value;
     mip_read_u8(r, &v->index, 1);
     mip_read_u8(r, &v->count, 1);
-    mip_read_double(r, &v->time_of_week, 1);
+    mip_read_double(r, &v->tow, 1);
     mip_read_u16(r, &v->week_number, 1);
     mip_read_u8(r, &v->satellite_id, 1);
     mip_read_u8(r, &v->health, 1);
-    mip_read_u8(r, &v->iodec, 1);
+    mip_read_u8(r, &v->iodc, 1);
     mip_read_u8(r, &v->iode, 1);
     mip_read_double(r, &v->t_oc, 1);
     mip_read_double(r, &v->af0, 1);
@@ -1314,11 +1310,11 @@ static void write_beidou_ephemeris(struct mip_writer *w, const void *value) {
     const struct mip_gnss_1_beidou_ephemeris *v = (const struct mip_gnss_1_beidou_ephemeris *)value;
     mip_write_u8(w, &v->index, 1);
     mip_write_u8(w, &v->count, 1);
-    mip_write_double(w, &v->time_of_week, 1);
+    mip_write_double(w, &v->tow, 1);
     mip_write_u16(w, &v->week_number, 1);
     mip_write_u8(w, &v->satellite_id, 1);
     mip_write_u8(w, &v->health, 1);
-    mip_write_u8(w, &v->iodec, 1);
+    mip_write_u8(w, &v->iodc, 1);
     mip_write_u8(w, &v->iode, 1);
     mip_write_double(w, &v->t_oc, 1);
     mip_write_double(w, &v->af0, 1);

@@ -36,8 +36,8 @@ static const struct mip_names names_function_selector = {
 };
 
 static const struct mip_named_bits bits_gx5_built_in_test[] = {
-    {"watchdog_reset", 0, 1, NULL},     {"imu_communication_fault", 8, 1, NULL},
-    {"magnetometer_fault", 9, 1, NULL}, {"pressure_sensor_fault", 10, 1, NULL},
+    {"watchdog_reset", 0, 1, NULL},  {"imu_comm_fault", 8, 1, NULL},
+    {"mag_fault", 9, 1, NULL},       {"pressure_sensor_fault", 10, 1, NULL},
     {"solution_fault", 24, 1, NULL},
 };
 static const struct mip_names names_gx5_built_in_test = {
@@ -45,12 +45,18 @@ static const struct mip_names names_gx5_built_in_test = {
 };
 
 static const struct mip_named_bits bits_cv7_built_in_test[] = {
-    {"general_hardware_fault", 0, 1, NULL}, {"general_firmware_fault", 1, 1, NULL},
-    {"timing_overload", 2, 1, NULL},        {"buffer_overrun", 3, 1, NULL},
-    {"accelerometer_fault", 12, 1, NULL},   {"gyroscope_fault", 13, 1, NULL},
-    {"magnetometer_fault", 14, 1, NULL},    {"pressure_sensor_fault", 15, 1, NULL},
-    {"calibration_error", 18, 1, NULL},     {"general_imu_fault", 19, 1, NULL},
-    {"filter_solution_fault", 22, 1, NULL}, {"general_filter_fault", 23, 1, NULL},
+    {"general_hardware_fault", 0, 1, NULL},
+    {"general_firmware_fault", 1, 1, NULL},
+    {"timing_overload", 2, 1, NULL},
+    {"buffer_overrun", 3, 1, NULL},
+    {"accel_fault", 12, 1, NULL},
+    {"gyro_fault", 13, 1, NULL},
+    {"mag_fault", 14, 1, NULL},
+    {"pressure_sensor_fault", 15, 1, NULL},
+    {"calibration_error", 18, 1, NULL},
+    {"general_imu_fault", 19, 1, NULL},
+    {"filter_solution_fault", 22, 1, NULL},
+    {"general_filter_fault", 23, 1, NULL},
 };
 static const struct mip_names names_cv7_built_in_test = {
     "cv7_built_in_test", NULL, bits_cv7_built_in_test, 12, 4,
@@ -75,20 +81,20 @@ static const struct mip_named_bits bits_cv7_continuous_built_in_test[] = {
     {"gnss_main_process_fault", 24, 1, NULL},
     {"gnss_receiver_1_stall", 25, 1, NULL},
     {"gnss_receiver_2_stall", 26, 1, NULL},
-    {"imu_communication_fault", 33, 1, NULL},
+    {"imu_comm_fault", 33, 1, NULL},
     {"imu_timing_overrun", 34, 1, NULL},
-    {"imu_calibration_error_accelerometer", 36, 1, NULL},
-    {"imu_calibration_error_gyroscope", 37, 1, NULL},
-    {"imu_calibration_error_magnetometer", 38, 1, NULL},
-    {"accelerometer_general_fault", 40, 1, NULL},
-    {"accelerometer_over_range", 41, 1, NULL},
-    {"accelerometer_self_test_fail", 42, 1, NULL},
-    {"gyroscope_general_fault", 44, 1, NULL},
-    {"gyroscope_over_range", 45, 1, NULL},
-    {"gyroscope_self_test_fail", 46, 1, NULL},
-    {"magnetometer_general_fault", 48, 1, NULL},
-    {"magnetometer_over_range", 49, 1, NULL},
-    {"magnetometer_self_test_fail", 50, 1, NULL},
+    {"imu_calibration_error_accel", 36, 1, NULL},
+    {"imu_calibration_error_gyro", 37, 1, NULL},
+    {"imu_calibration_error_mag", 38, 1, NULL},
+    {"accel_general_fault", 40, 1, NULL},
+    {"accel_over_range", 41, 1, NULL},
+    {"accel_self_test_fail", 42, 1, NULL},
+    {"gyro_general_fault", 44, 1, NULL},
+    {"gyro_over_range", 45, 1, NULL},
+    {"gyro_self_test_fail", 46, 1, NULL},
+    {"mag_general_fault", 48, 1, NULL},
+    {"mag_over_range", 49, 1, NULL},
+    {"mag_self_test_fail", 50, 1, NULL},
     {"pressure_sensor_general_fault", 52, 1, NULL},
     {"pressure_sensor_over_range", 53, 1, NULL},
     {"pressure_sensor_self_test_fail", 54, 1, NULL},
@@ -353,7 +359,7 @@ static const struct mip_names names_gx5_sensor_gps_timestamp_flags = {
 
 static const struct mip_named_value values_base_gps_time_field[] = {
     {"week_number", 1},
-    {"time_of_week", 2},
+    {"tow", 2},
 };
 static const struct mip_names names_base_gps_time_field = {
     "base.gps_time_field", values_base_gps_time_field, NULL, 2, 1,
@@ -406,12 +412,12 @@ static const struct mip_names names_3dm_pps_source = {
     "3dm.pps_source", values_3dm_pps_source, NULL, 5, 1,
 };
 
-static const struct mip_named_value values_3dm_supported_events_query[] = {
+static const struct mip_named_value values_3dm_event_support_query[] = {
     {"trigger_types", 1},
     {"action_types", 2},
 };
-static const struct mip_names names_3dm_supported_events_query = {
-    "3dm.supported_events_query", values_3dm_supported_events_query, NULL, 2, 1,
+static const struct mip_names names_3dm_event_support_query = {
+    "3dm.event_support_query", values_3dm_event_support_query, NULL, 2, 1,
 };
 
 static const struct mip_named_value values_3dm_odometer_mode[] = {
@@ -423,7 +429,7 @@ static const struct mip_names names_3dm_odometer_mode = {
 };
 
 static const struct mip_named_value values_3dm_sensor_range_type[] = {
-    {"all", 0}, {"accel", 1}, {"gyro", 2}, {"mag", 3}, {"press", 4},
+    {"all", 0}, {"accel", 1}, {"gyro", 2}, {"mag", 3}, {"pressure", 4},
 };
 static const struct mip_names names_3dm_sensor_range_type = {
     "3dm.sensor_range_type", values_3dm_sensor_range_type, NULL, 5, 1,
@@ -465,10 +471,10 @@ static const struct mip_names names_filter_estimated_states = {
 };
 
 static const struct mip_named_value values_filter_gnss_aiding_source[] = {
-    {"all_int", 1},
-    {"ext", 2},
-    {"int_1", 3},
-    {"int_2", 4},
+    {"all_internal", 1},
+    {"external", 2},
+    {"internal_1", 3},
+    {"internal_2", 4},
 };
 static const struct mip_names names_filter_gnss_aiding_source = {
     "filter.gnss_aiding_source", values_filter_gnss_aiding_source, NULL, 4, 1,
@@ -500,8 +506,8 @@ static const struct mip_names names_filter_tare_axes = {
 };
 
 static const struct mip_named_bits bits_filter_measurement_flags[] = {
-    {"accelerometer", 0, 1, NULL},
-    {"magnetometer", 1, 1, NULL},
+    {"accel", 0, 1, NULL},
+    {"mag", 1, 1, NULL},
 };
 static const struct mip_names names_filter_measurement_flags = {
     "filter.measurement_flags", NULL, bits_filter_measurement_flags, 2, 2,
@@ -542,11 +548,16 @@ static const struct mip_names names_filter_pitch_roll_aiding_source = {
 };
 
 static const struct mip_named_value values_filter_aiding_source[] = {
-    {"gnss_pos_vel", 0},       {"gnss_heading", 1},
-    {"altimeter", 2},          {"speed", 3},
-    {"magnetometer", 4},       {"external_heading", 5},
-    {"external_altimeter", 6}, {"external_magnetometer", 7},
-    {"body_frame_vel", 8},     {"all", 0xFFFF},
+    {"gnss_position_velocity", 0},
+    {"gnss_heading", 1},
+    {"altimeter", 2},
+    {"speed", 3},
+    {"mag", 4},
+    {"external_heading", 5},
+    {"external_altimeter", 6},
+    {"external_mag", 7},
+    {"body_frame_velocity", 8},
+    {"all", 0xFFFF},
 };
 static const struct mip_names names_filter_aiding_source = {
     "filter.aiding_source", values_filter_aiding_source, NULL, 10, 2,
@@ -578,9 +589,9 @@ static const struct mip_names names_filter_angular_constraint = {
 };
 
 static const struct mip_named_value values_filter_initial_condition_source[] = {
-    {"auto_pos_vel_att", 0},
-    {"auto_pos_vel_pitch_roll", 1},
-    {"auto_pos_vel", 2},
+    {"auto_position_velocity_attitude", 0},
+    {"auto_position_velocity_pitch_roll", 1},
+    {"auto_position_velocity", 2},
     {"manual", 3},
 };
 static const struct mip_names names_filter_initial_condition_source = {
@@ -590,7 +601,7 @@ static const struct mip_names names_filter_initial_condition_source = {
 static const struct mip_named_bits bits_filter_heading_alignment[] = {
     {"dual_antenna", 0, 1, NULL},
     {"kinematic", 1, 1, NULL},
-    {"magnetometer", 2, 1, NULL},
+    {"mag", 2, 1, NULL},
     {"external", 3, 1, NULL},
 };
 static const struct mip_names names_filter_heading_alignment = {
@@ -624,7 +635,7 @@ static const struct mip_names names_filter_relative_position_source = {
 };
 
 static const struct mip_named_value values_filter_reference_point[] = {
-    {"veh", 1},
+    {"vehicle", 1},
 };
 static const struct mip_names names_filter_reference_point = {
     "filter.reference_point", values_filter_reference_point, NULL, 1, 1,
@@ -751,22 +762,22 @@ static const struct mip_names names_aiding_llh_axis_flags = {
     "aiding.llh_axis_flags", NULL, bits_aiding_llh_axis_flags, 3, 2,
 };
 
-static const struct mip_named_value values_system_comms_interface[] = {
+static const struct mip_named_value values_system_comm_interface[] = {
     {"all", 0},     {"main", 1},   {"uart_1", 17}, {"uart_2", 18},
     {"uart_3", 19}, {"usb_1", 33}, {"usb_2", 34},
 };
-static const struct mip_names names_system_comms_interface = {
-    "system.comms_interface", values_system_comms_interface, NULL, 7, 1,
+static const struct mip_names names_system_comm_interface = {
+    "system.comm_interface", values_system_comm_interface, NULL, 7, 1,
 };
 
-static const struct mip_named_bits bits_system_comms_protocols[] = {
+static const struct mip_named_bits bits_system_comm_protocols[] = {
     {"mip", 0, 1, NULL},
     {"nmea", 8, 1, NULL},
     {"rtcm", 9, 1, NULL},
     {"spartn", 24, 1, NULL},
 };
-static const struct mip_names names_system_comms_protocols = {
-    "system.comms_protocols", NULL, bits_system_comms_protocols, 4, 4,
+static const struct mip_names names_system_comm_protocols = {
+    "system.comm_protocols", NULL, bits_system_comm_protocols, 4, 4,
 };
 
 static const struct mip_named_value values_system_protocol_mode[] = {
@@ -779,10 +790,10 @@ static const struct mip_names names_system_protocol_mode = {
 };
 
 static const struct mip_named_bits bits_sensor_overrange_flags[] = {
-    {"accel_x", 0, 1, NULL}, {"accel_y", 1, 1, NULL}, {"accel_z", 2, 1, NULL},
-    {"gyro_x", 4, 1, NULL},  {"gyro_y", 5, 1, NULL},  {"gyro_z", 6, 1, NULL},
-    {"mag_x", 8, 1, NULL},   {"mag_y", 9, 1, NULL},   {"mag_z", 10, 1, NULL},
-    {"press", 12, 1, NULL},
+    {"accel_x", 0, 1, NULL},   {"accel_y", 1, 1, NULL}, {"accel_z", 2, 1, NULL},
+    {"gyro_x", 4, 1, NULL},    {"gyro_y", 5, 1, NULL},  {"gyro_z", 6, 1, NULL},
+    {"mag_x", 8, 1, NULL},     {"mag_y", 9, 1, NULL},   {"mag_z", 10, 1, NULL},
+    {"pressure", 12, 1, NULL},
 };
 static const struct mip_names names_sensor_overrange_flags = {
     "sensor.overrange_flags", NULL, bits_sensor_overrange_flags, 10, 2,
@@ -812,9 +823,9 @@ static const struct mip_names names_filter_data_heading_source_flags = {
 static const struct mip_named_bits bits_filter_data_gnss_aiding_status[] = {
     {"tight_coupling", 0, 1, NULL}, {"differential", 1, 1, NULL}, {"integer_fix", 2, 1, NULL},
     {"gps_l1", 3, 1, NULL},         {"gps_l2", 4, 1, NULL},       {"gps_l5", 5, 1, NULL},
-    {"glo_l1", 6, 1, NULL},         {"glo_l2", 7, 1, NULL},       {"gal_e1", 8, 1, NULL},
-    {"gal_e5", 9, 1, NULL},         {"gal_e6", 10, 1, NULL},      {"bei_b1", 11, 1, NULL},
-    {"bei_b2", 12, 1, NULL},        {"bei_b3", 13, 1, NULL},      {"no_fix", 14, 1, NULL},
+    {"glonass_l1", 6, 1, NULL},     {"glonass_l2", 7, 1, NULL},   {"galileo_e1", 8, 1, NULL},
+    {"galileo_e5", 9, 1, NULL},     {"galileo_e6", 10, 1, NULL},  {"beidou_b1", 11, 1, NULL},
+    {"beidou_b2", 12, 1, NULL},     {"beidou_b3", 13, 1, NULL},   {"no_fix", 14, 1, NULL},
     {"config_error", 15, 1, NULL},
 };
 static const struct mip_names names_filter_data_gnss_aiding_status = {
@@ -834,15 +845,15 @@ static const struct mip_named_value values_filter_data_aiding_measurement_type[]
     {"dual_antenna", 2},
     {"heading", 3},
     {"pressure", 4},
-    {"magnetometer", 5},
+    {"mag", 5},
     {"speed", 6},
-    {"aiding_pos_ecef", 33},
-    {"aiding_pos_llh", 34},
+    {"aiding_ecef_position", 33},
+    {"aiding_llh_position", 34},
     {"aiding_height_above_ellipsoid", 35},
-    {"aiding_vel_ecef", 40},
-    {"aiding_vel_ned", 41},
-    {"aiding_vel_body_frame", 42},
-    {"aiding_heading_true", 49},
+    {"aiding_ecef_velocity", 40},
+    {"aiding_ned_velocity", 41},
+    {"aiding_body_frame_velocity", 42},
+    {"aiding_true_heading", 49},
     {"aiding_magnetic_field", 50},
     {"aiding_pressure", 51},
 };
@@ -855,8 +866,8 @@ static const struct mip_named_bits bits_filter_data_aiding_measurement_indicator
     {"used", 1, 1, NULL},
     {"residual_high_warning", 2, 1, NULL},
     {"sample_time_warning", 3, 1, NULL},
-    {"configuration_error", 4, 1, NULL},
-    {"max_num_meas_exceeded", 5, 1, NULL},
+    {"config_error", 4, 1, NULL},
+    {"max_measurements_exceeded", 5, 1, NULL},
 };
 static const struct mip_names names_filter_data_aiding_measurement_indicator = {
     "filter_data.aiding_measurement_indicator",
@@ -876,8 +887,8 @@ static const struct mip_names names_filter_data_dual_antenna_fix_type = {
 };
 
 static const struct mip_named_bits bits_filter_data_dual_antenna_status_flags[] = {
-    {"rcv_1_data_valid", 0, 1, NULL},
-    {"rcv_2_data_valid", 1, 1, NULL},
+    {"receiver_1_data_valid", 0, 1, NULL},
+    {"receiver_2_data_valid", 1, 1, NULL},
     {"antenna_offsets_valid", 2, 1, NULL},
 };
 static const struct mip_names names_filter_data_dual_antenna_status_flags = {
@@ -896,7 +907,7 @@ static const struct mip_names names_filter_data_gx5_filter_state = {
 
 static const struct mip_named_value values_filter_data_cv7_filter_state[] = {
     {"init", 1},
-    {"vert_gyro", 2},
+    {"vertical_gyro", 2},
     {"ahrs", 3},
     {"full_nav", 4},
 };
@@ -933,7 +944,7 @@ static const struct mip_named_bits bits_filter_data_gx5_status_flags[] = {
     {"run_gyro_scale_factor_est_high_warning", 10, 1, NULL},
     {"run_accel_scale_factor_est_high_warning", 11, 1, NULL},
     {"run_mag_bias_est_high_warning", 12, 1, NULL},
-    {"run_ant_offset_correction_est_high_warning", 13, 1, NULL},
+    {"run_antenna_offset_correction_est_high_warning", 13, 1, NULL},
     {"run_mag_hard_iron_est_high_warning", 14, 1, NULL},
     {"run_mag_soft_iron_est_high_warning", 15, 1, NULL},
     {"init_no_attitude", 12, 1, NULL},
@@ -959,7 +970,7 @@ static const struct mip_named_bits bits_filter_data_cv7_status_flags[] = {
     {"position_warning", 4, 1, NULL},
     {"velocity_warning", 5, 1, NULL},
     {"imu_bias_warning", 6, 1, NULL},
-    {"gnss_clk_warning", 7, 1, NULL},
+    {"gnss_clock_warning", 7, 1, NULL},
     {"antenna_lever_arm_warning", 8, 1, NULL},
     {"mounting_transform_warning", 9, 1, NULL},
     {"time_sync_warning", 10, 1, NULL},
@@ -969,22 +980,22 @@ static const struct mip_names names_filter_data_cv7_status_flags = {
     "filter_data.cv7_status_flags", NULL, bits_filter_data_cv7_status_flags, 11, 2,
 };
 
-static const struct mip_named_bits bits_gnss_1_gnss_llh_position_flags[] = {
+static const struct mip_named_bits bits_gnss_1_llh_position_flags[] = {
     {"lat_lon", 0, 1, NULL},           {"ellipsoid_height", 1, 1, NULL},
     {"msl_height", 2, 1, NULL},        {"horizontal_accuracy", 3, 1, NULL},
     {"vertical_accuracy", 4, 1, NULL}, {"flags", 0, 5, NULL},
 };
-static const struct mip_names names_gnss_1_gnss_llh_position_flags = {
-    "gnss_1.gnss_llh_position_flags", NULL, bits_gnss_1_gnss_llh_position_flags, 6, 2,
+static const struct mip_names names_gnss_1_llh_position_flags = {
+    "gnss_1.llh_position_flags", NULL, bits_gnss_1_llh_position_flags, 6, 2,
 };
 
-static const struct mip_named_bits bits_gnss_1_gnss_ecef_position_flags[] = {
+static const struct mip_named_bits bits_gnss_1_ecef_position_flags[] = {
     {"position", 0, 1, NULL},
     {"position_accuracy", 1, 1, NULL},
     {"flags", 0, 2, NULL},
 };
-static const struct mip_names names_gnss_1_gnss_ecef_position_flags = {
-    "gnss_1.gnss_ecef_position_flags", NULL, bits_gnss_1_gnss_ecef_position_flags, 3, 2,
+static const struct mip_names names_gnss_1_ecef_position_flags = {
+    "gnss_1.ecef_position_flags", NULL, bits_gnss_1_ecef_position_flags, 3, 2,
 };
 
 static const struct mip_named_bits bits_gnss_1_ned_velocity_flags[] = {
@@ -996,13 +1007,13 @@ static const struct mip_names names_gnss_1_ned_velocity_flags = {
     "gnss_1.ned_velocity_flags", NULL, bits_gnss_1_ned_velocity_flags, 7, 2,
 };
 
-static const struct mip_named_bits bits_gnss_1_gnss_ecef_velocity_flags[] = {
+static const struct mip_named_bits bits_gnss_1_ecef_velocity_flags[] = {
     {"velocity", 0, 1, NULL},
     {"velocity_accuracy", 1, 1, NULL},
     {"flags", 0, 2, NULL},
 };
-static const struct mip_names names_gnss_1_gnss_ecef_velocity_flags = {
-    "gnss_1.gnss_ecef_velocity_flags", NULL, bits_gnss_1_gnss_ecef_velocity_flags, 3, 2,
+static const struct mip_names names_gnss_1_ecef_velocity_flags = {
+    "gnss_1.ecef_velocity_flags", NULL, bits_gnss_1_ecef_velocity_flags, 3, 2,
 };
 
 static const struct mip_named_bits bits_gnss_1_dop_flags[] = {
@@ -1101,14 +1112,14 @@ static const struct mip_names names_gnss_1_antenna_power = {
     "gnss_1.antenna_power", values_gnss_1_antenna_power, NULL, 3, 1,
 };
 
-static const struct mip_named_bits bits_gnss_1_gnss_hardware_status_flags[] = {
+static const struct mip_named_bits bits_gnss_1_hardware_status_flags[] = {
     {"sensor_state", 0, 1, NULL},
     {"antenna_state", 1, 1, NULL},
     {"antenna_power", 2, 1, NULL},
     {"flags", 0, 3, NULL},
 };
-static const struct mip_names names_gnss_1_gnss_hardware_status_flags = {
-    "gnss_1.gnss_hardware_status_flags", NULL, bits_gnss_1_gnss_hardware_status_flags, 4, 2,
+static const struct mip_names names_gnss_1_hardware_status_flags = {
+    "gnss_1.hardware_status_flags", NULL, bits_gnss_1_hardware_status_flags, 4, 2,
 };
 
 static const struct mip_named_bits bits_gnss_1_dgps_info_flags[] = {
@@ -1266,7 +1277,7 @@ static const struct mip_named_bits bits_gnss_1_base_station_indicators[] = {
     {"glonass", 1, 1, NULL},
     {"galileo", 2, 1, NULL},
     {"beidou", 3, 1, NULL},
-    {"ref_station", 4, 1, NULL},
+    {"reference_station", 4, 1, NULL},
     {"single_receiver", 5, 1, NULL},
     {"quarter_cycle_bit1", 6, 1, NULL},
     {"quarter_cycle_bit2", 7, 1, NULL},
@@ -1436,7 +1447,7 @@ const struct mip_names *const mip_all_names[] = {
     &names_3dm_sbas_options,
     &names_3dm_assisted_fix_option,
     &names_3dm_pps_source,
-    &names_3dm_supported_events_query,
+    &names_3dm_event_support_query,
     &names_3dm_odometer_mode,
     &names_3dm_sensor_range_type,
     &names_3dm_device_status_selector,
@@ -1476,8 +1487,8 @@ const struct mip_names *const mip_all_names[] = {
     &names_aiding_timebase,
     &names_aiding_axis_flags,
     &names_aiding_llh_axis_flags,
-    &names_system_comms_interface,
-    &names_system_comms_protocols,
+    &names_system_comm_interface,
+    &names_system_comm_protocols,
     &names_system_protocol_mode,
     &names_sensor_overrange_flags,
     &names_sensor_odometer_flags,
@@ -1496,10 +1507,10 @@ const struct mip_names *const mip_all_names[] = {
     &names_filter_data_gx5_status_flags,
     &names_filter_data_filter_condition,
     &names_filter_data_cv7_status_flags,
-    &names_gnss_1_gnss_llh_position_flags,
-    &names_gnss_1_gnss_ecef_position_flags,
+    &names_gnss_1_llh_position_flags,
+    &names_gnss_1_ecef_position_flags,
     &names_gnss_1_ned_velocity_flags,
-    &names_gnss_1_gnss_ecef_velocity_flags,
+    &names_gnss_1_ecef_velocity_flags,
     &names_gnss_1_dop_flags,
     &names_gnss_1_utc_time_flags,
     &names_gnss_1_gps_time_flags,
@@ -1511,7 +1522,7 @@ const struct mip_names *const mip_all_names[] = {
     &names_gnss_1_receiver_state,
     &names_gnss_1_antenna_state,
     &names_gnss_1_antenna_power,
-    &names_gnss_1_gnss_hardware_status_flags,
+    &names_gnss_1_hardware_status_flags,
     &names_gnss_1_dgps_info_flags,
     &names_gnss_1_dgps_channel_flags,
     &names_gnss_1_clock_info_2_flags,
@@ -1560,10 +1571,10 @@ static const struct mip_record record_event_trigger_gpio = {
 };
 
 static const struct mip_parameter parameters_event_threshold_window[] = {
-    {"low_thres", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_threshold_window, low_thres), 0, NULL, NULL, NULL, NULL, 0},
-    {"high_thres", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_threshold_window, high_thres), 0, NULL, NULL, NULL, NULL, 0},
+    {"low_threshold", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_event_threshold_window, low_threshold), 0, NULL, NULL, NULL, NULL, 0},
+    {"high_threshold", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_event_threshold_window, high_threshold), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_event_threshold_window = {
     parameters_event_threshold_window,
@@ -1572,8 +1583,8 @@ static const struct mip_record record_event_threshold_window = {
 };
 
 static const struct mip_parameter parameters_event_threshold_interval[] = {
-    {"int_thres", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_threshold_interval, int_thres), 0, NULL, NULL, NULL, NULL, 0},
+    {"interval_threshold", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_event_threshold_interval, interval_threshold), 0, NULL, NULL, NULL, NULL, 0},
     {"interval", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_event_threshold_interval, interval), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -1596,12 +1607,12 @@ static const struct mip_case cases_event_trigger_threshold_thresholds[] = {
     {2, &members_event_trigger_threshold_thresholds[1]},
 };
 static const struct mip_parameter parameters_event_trigger_threshold[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_trigger_threshold, desc_set), 0, NULL, NULL, NULL, NULL, 0},
-    {"field_desc", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_trigger_threshold, field_desc), 0, NULL, NULL, NULL, NULL, 0},
-    {"param_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_trigger_threshold, param_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_event_trigger_threshold, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"field_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_event_trigger_threshold, field_descriptor), 0, NULL, NULL, NULL, NULL, 0},
+    {"parameter_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_event_trigger_threshold, parameter_id), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_event_trigger_threshold, type), 0, &names_event_threshold_type, NULL, NULL,
      NULL, 0},
@@ -1641,8 +1652,8 @@ static const struct mip_record record_event_action_gpio = {
 };
 
 static const struct mip_parameter parameters_event_action_message[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_action_message, desc_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_event_action_message, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
     {"decimation", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_event_action_message, decimation), 0, NULL, NULL, NULL, NULL, 0},
     {"num_fields", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 0, 0,
@@ -1661,8 +1672,8 @@ static const struct mip_parameter parameters_nmea_message[] = {
      ONE(struct mip_nmea_message, message_id), 0, &names_nmea_message_id, NULL, NULL, NULL, 0},
     {"talker_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_nmea_message, talker_id), 0, &names_nmea_talker_id, NULL, NULL, NULL, 0},
-    {"source_desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_nmea_message, source_desc_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"source_descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_nmea_message, source_descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
     {"decimation", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_nmea_message, decimation), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -1737,16 +1748,16 @@ static const struct mip_record record_3dm_constellation_settings_entry = {
     sizeof(struct mip_3dm_constellation_settings_entry),
 };
 
-static const struct mip_parameter parameters_3dm_supported_event_info[] = {
+static const struct mip_parameter parameters_3dm_event_support_info[] = {
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_supported_event_info, type), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_event_support_info, type), 0, NULL, NULL, NULL, NULL, 0},
     {"count", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_supported_event_info, count), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_event_support_info, count), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_supported_event_info = {
-    parameters_3dm_supported_event_info,
+static const struct mip_record record_3dm_event_support_info = {
+    parameters_3dm_event_support_info,
     2,
-    sizeof(struct mip_3dm_supported_event_info),
+    sizeof(struct mip_3dm_event_support_info),
 };
 
 static const struct mip_parameter parameters_3dm_event_trigger_status_entry[] = {
@@ -1836,16 +1847,16 @@ static const struct mip_record record_base_ping = {
     sizeof(struct mip_base_ping),
 };
 
-static const struct mip_record record_base_set_to_idle = {
+static const struct mip_record record_base_set_idle = {
     NULL,
     0,
-    sizeof(struct mip_base_set_to_idle),
+    sizeof(struct mip_base_set_idle),
 };
 
-static const struct mip_record record_base_get_device_information = {
+static const struct mip_record record_base_get_device_info = {
     NULL,
     0,
-    sizeof(struct mip_base_get_device_information),
+    sizeof(struct mip_base_get_device_info),
 };
 
 static const struct mip_record record_base_get_device_descriptors = {
@@ -1866,10 +1877,10 @@ static const struct mip_record record_base_resume = {
     sizeof(struct mip_base_resume),
 };
 
-static const struct mip_record record_base_get_device_descriptors_extended = {
+static const struct mip_record record_base_get_extended_descriptors = {
     NULL,
     0,
-    sizeof(struct mip_base_get_device_descriptors_extended),
+    sizeof(struct mip_base_get_extended_descriptors),
 };
 
 static const struct mip_record record_base_continuous_built_in_test = {
@@ -1878,21 +1889,20 @@ static const struct mip_record record_base_continuous_built_in_test = {
     sizeof(struct mip_base_continuous_built_in_test),
 };
 
-static const struct mip_parameter parameters_base_comm_port_speed[] = {
+static const struct mip_parameter parameters_base_comm_speed[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_base_comm_port_speed, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_base_comm_speed, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_base_comm_port_speed, port), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_base_comm_speed, port), 0, NULL, NULL, NULL, NULL, 0},
     {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_base_comm_port_speed, baud), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_base_comm_speed, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_base_comm_port_speed = {
-    parameters_base_comm_port_speed,
+static const struct mip_record record_base_comm_speed = {
+    parameters_base_comm_speed,
     3,
-    sizeof(struct mip_base_comm_port_speed),
+    sizeof(struct mip_base_comm_speed),
 };
-static const uint8_t required_base_comm_port_speed[] = {0, 2, 1, 1, 1, 1};
+static const uint8_t required_base_comm_speed[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_base_gps_time_update[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1911,21 +1921,21 @@ static const struct mip_record record_base_gps_time_update = {
 };
 static const uint8_t required_base_gps_time_update[] = {0, 2, 1, 0, 0, 0, 2};
 
-static const struct mip_record record_base_reset_device = {
+static const struct mip_record record_base_soft_reset = {
     NULL,
     0,
-    sizeof(struct mip_base_reset_device),
+    sizeof(struct mip_base_soft_reset),
 };
 
-static const struct mip_parameter parameters_base_get_device_information_response[] = {
+static const struct mip_parameter parameters_base_get_device_info_response[] = {
     {"device_info", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_base_get_device_information_response, device_info), 0, NULL, NULL,
+     ONE(struct mip_base_get_device_info_response, device_info), 0, NULL, NULL,
      &record_base_device_info, NULL, 0},
 };
-static const struct mip_record record_base_get_device_information_response = {
-    parameters_base_get_device_information_response,
+static const struct mip_record record_base_get_device_info_response = {
+    parameters_base_get_device_info_response,
     1,
-    sizeof(struct mip_base_get_device_information_response),
+    sizeof(struct mip_base_get_device_info_response),
 };
 
 static const struct mip_parameter parameters_base_get_device_descriptors_response[] = {
@@ -1966,27 +1976,26 @@ static const struct mip_record record_base_gps_time_update_week_number_response 
     sizeof(struct mip_base_gps_time_update_week_number_response),
 };
 
-static const struct mip_parameter parameters_base_gps_time_update_time_of_week_response[] = {
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_base_gps_time_update_time_of_week_response, time_of_week), 0, NULL, NULL, NULL,
-     NULL, 0},
+static const struct mip_parameter parameters_base_gps_time_update_tow_response[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_base_gps_time_update_tow_response, tow), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_base_gps_time_update_time_of_week_response = {
-    parameters_base_gps_time_update_time_of_week_response,
+static const struct mip_record record_base_gps_time_update_tow_response = {
+    parameters_base_gps_time_update_tow_response,
     1,
-    sizeof(struct mip_base_gps_time_update_time_of_week_response),
+    sizeof(struct mip_base_gps_time_update_tow_response),
 };
 
-static const struct mip_parameter parameters_base_get_device_descriptors_extended_response[] = {
+static const struct mip_parameter parameters_base_get_extended_descriptors_response[] = {
     {"descriptors", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_REST, 126, 1, 0, 0, 0,
-     MANY(struct mip_base_get_device_descriptors_extended_response, descriptors),
-     offsetof(struct mip_base_get_device_descriptors_extended_response, descriptors_count), NULL,
-     NULL, NULL, NULL, 0},
+     MANY(struct mip_base_get_extended_descriptors_response, descriptors),
+     offsetof(struct mip_base_get_extended_descriptors_response, descriptors_count), NULL, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_base_get_device_descriptors_extended_response = {
-    parameters_base_get_device_descriptors_extended_response,
+static const struct mip_record record_base_get_extended_descriptors_response = {
+    parameters_base_get_extended_descriptors_response,
     1,
-    sizeof(struct mip_base_get_device_descriptors_extended_response),
+    sizeof(struct mip_base_get_extended_descriptors_response),
 };
 
 static const struct mip_reading readings_base_continuous_built_in_test_response_result[] = {
@@ -2003,16 +2012,16 @@ static const struct mip_record record_base_continuous_built_in_test_response = {
     sizeof(struct mip_base_continuous_built_in_test_response),
 };
 
-static const struct mip_parameter parameters_base_comm_port_speed_response[] = {
+static const struct mip_parameter parameters_base_comm_speed_response[] = {
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_base_comm_port_speed_response, port), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_base_comm_speed_response, port), 0, NULL, NULL, NULL, NULL, 0},
     {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_base_comm_port_speed_response, baud), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_base_comm_speed_response, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_base_comm_port_speed_response = {
-    parameters_base_comm_port_speed_response,
+static const struct mip_record record_base_comm_speed_response = {
+    parameters_base_comm_speed_response,
     2,
-    sizeof(struct mip_base_comm_port_speed_response),
+    sizeof(struct mip_base_comm_speed_response),
 };
 
 static const struct mip_parameter parameters_3dm_poll_imu_data[] = {
@@ -2045,20 +2054,19 @@ static const struct mip_record record_3dm_poll_gnss_data = {
     sizeof(struct mip_3dm_poll_gnss_data),
 };
 
-static const struct mip_parameter parameters_3dm_poll_estimation_filter_data[] = {
+static const struct mip_parameter parameters_3dm_poll_filter_data[] = {
     {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_poll_estimation_filter_data, suppress_ack), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_poll_filter_data, suppress_ack), 0, NULL, NULL, NULL, NULL, 0},
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 0, 0,
-     ONE(struct mip_3dm_poll_estimation_filter_data, num_descriptors), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_poll_filter_data, num_descriptors), 0, NULL, NULL, NULL, NULL, 0},
     {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 83, 1, 1, 0, 0,
-     MANY(struct mip_3dm_poll_estimation_filter_data, descriptors), 0, NULL, NULL,
-     &record_3dm_poll_entry, NULL, 0},
+     MANY(struct mip_3dm_poll_filter_data, descriptors), 0, NULL, NULL, &record_3dm_poll_entry,
+     NULL, 0},
 };
-static const struct mip_record record_3dm_poll_estimation_filter_data = {
-    parameters_3dm_poll_estimation_filter_data,
+static const struct mip_record record_3dm_poll_filter_data = {
+    parameters_3dm_poll_filter_data,
     3,
-    sizeof(struct mip_3dm_poll_estimation_filter_data),
+    sizeof(struct mip_3dm_poll_filter_data),
 };
 
 static const struct mip_parameter parameters_3dm_poll_nmea_data[] = {
@@ -2076,16 +2084,16 @@ static const struct mip_record record_3dm_poll_nmea_data = {
     sizeof(struct mip_3dm_poll_nmea_data),
 };
 
-static const struct mip_record record_3dm_get_imu_data_base_rate = {
+static const struct mip_record record_3dm_get_imu_base_rate = {
     NULL,
     0,
-    sizeof(struct mip_3dm_get_imu_data_base_rate),
+    sizeof(struct mip_3dm_get_imu_base_rate),
 };
 
-static const struct mip_record record_3dm_get_gnss_data_base_rate = {
+static const struct mip_record record_3dm_get_gnss_base_rate = {
     NULL,
     0,
-    sizeof(struct mip_3dm_get_gnss_data_base_rate),
+    sizeof(struct mip_3dm_get_gnss_base_rate),
 };
 
 static const struct mip_parameter parameters_3dm_imu_message_format[] = {
@@ -2122,28 +2130,27 @@ static const struct mip_record record_3dm_gnss_message_format = {
 };
 static const uint8_t required_3dm_gnss_message_format[] = {0, 2, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_estimation_filter_message_format[] = {
+static const struct mip_parameter parameters_3dm_filter_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_estimation_filter_message_format, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
-    {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 2, 0,
-     ONE(struct mip_3dm_estimation_filter_message_format, num_descriptors), 0, NULL, NULL, NULL,
+     ONE(struct mip_3dm_filter_message_format, function), 0, &names_function_selector, NULL, NULL,
      NULL, 0},
+    {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 2, 0,
+     ONE(struct mip_3dm_filter_message_format, num_descriptors), 0, NULL, NULL, NULL, NULL, 0},
     {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 83, 1, 1, 2, 0,
-     MANY(struct mip_3dm_estimation_filter_message_format, descriptors), 0, NULL, NULL,
+     MANY(struct mip_3dm_filter_message_format, descriptors), 0, NULL, NULL,
      &record_descriptor_rate, NULL, 0},
 };
-static const struct mip_record record_3dm_estimation_filter_message_format = {
-    parameters_3dm_estimation_filter_message_format,
+static const struct mip_record record_3dm_filter_message_format = {
+    parameters_3dm_filter_message_format,
     3,
-    sizeof(struct mip_3dm_estimation_filter_message_format),
+    sizeof(struct mip_3dm_filter_message_format),
 };
-static const uint8_t required_3dm_estimation_filter_message_format[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_3dm_filter_message_format[] = {0, 2, 0, 0, 0, 0};
 
-static const struct mip_record record_3dm_get_estimation_filter_data_base_rate = {
+static const struct mip_record record_3dm_get_filter_base_rate = {
     NULL,
     0,
-    sizeof(struct mip_3dm_get_estimation_filter_data_base_rate),
+    sizeof(struct mip_3dm_get_filter_base_rate),
 };
 
 static const struct mip_parameter parameters_3dm_nmea_message_format[] = {
@@ -2164,8 +2171,8 @@ static const struct mip_record record_3dm_nmea_message_format = {
 static const uint8_t required_3dm_nmea_message_format[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_poll_data[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_poll_data, desc_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_poll_data, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
     {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_poll_data, suppress_ack), 0, NULL, NULL, NULL, NULL, 0},
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 0, 0,
@@ -2179,22 +2186,22 @@ static const struct mip_record record_3dm_poll_data = {
     sizeof(struct mip_3dm_poll_data),
 };
 
-static const struct mip_parameter parameters_3dm_get_data_base_rate[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_data_base_rate, desc_set), 0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_3dm_get_base_rate[] = {
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_get_base_rate, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_get_data_base_rate = {
-    parameters_3dm_get_data_base_rate,
+static const struct mip_record record_3dm_get_base_rate = {
+    parameters_3dm_get_base_rate,
     1,
-    sizeof(struct mip_3dm_get_data_base_rate),
+    sizeof(struct mip_3dm_get_base_rate),
 };
 
 static const struct mip_parameter parameters_3dm_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_message_format, function), 0, &names_function_selector, NULL, NULL, NULL,
      0},
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_message_format, desc_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_message_format, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 3, 0,
      ONE(struct mip_3dm_message_format, num_descriptors), 0, NULL, NULL, NULL, NULL, 0},
     {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 83, 1, 2, 3, 0,
@@ -2221,16 +2228,16 @@ static const struct mip_record record_3dm_factory_streaming = {
     sizeof(struct mip_3dm_factory_streaming),
 };
 
-static const struct mip_reading readings_3dm_data_stream_control_desc_set[] = {
+static const struct mip_reading readings_3dm_data_stream_control_descriptor_set[] = {
     {"3dm-gx5-15", 0, 0, &names_3dm_legacy_data_stream},
 };
 static const struct mip_parameter parameters_3dm_data_stream_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_data_stream_control, function), 0, &names_function_selector, NULL, NULL,
      NULL, 0},
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_data_stream_control, desc_set), 0, NULL,
-     readings_3dm_data_stream_control_desc_set, NULL, NULL, 1},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_data_stream_control, descriptor_set), 0, NULL,
+     readings_3dm_data_stream_control_descriptor_set, NULL, NULL, 1},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_3dm_data_stream_control, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -2330,15 +2337,15 @@ static const struct mip_record record_3dm_pps_source_control = {
 };
 static const uint8_t required_3dm_pps_source_control[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_get_supported_events[] = {
+static const struct mip_parameter parameters_3dm_get_event_support[] = {
     {"query", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_supported_events, query), 0, &names_3dm_supported_events_query, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_get_event_support, query), 0, &names_3dm_event_support_query, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_3dm_get_supported_events = {
-    parameters_3dm_get_supported_events,
+static const struct mip_record record_3dm_get_event_support = {
+    parameters_3dm_get_event_support,
     1,
-    sizeof(struct mip_3dm_get_supported_events),
+    sizeof(struct mip_3dm_get_event_support),
 };
 
 static const struct mip_parameter parameters_3dm_event_control[] = {
@@ -2382,227 +2389,213 @@ static const struct mip_record record_3dm_get_event_action_status = {
     sizeof(struct mip_3dm_get_event_action_status),
 };
 
-static const struct mip_parameter members_3dm_event_trigger_configuration_parameters[] = {
+static const struct mip_parameter members_3dm_event_trigger_config_parameters[] = {
     {"gpio", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_trigger_configuration_parameters, gpio), 0, NULL, NULL,
+     ONE(union mip_3dm_event_trigger_config_parameters, gpio), 0, NULL, NULL,
      &record_event_trigger_gpio, NULL, 0},
     {"threshold", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_trigger_configuration_parameters, threshold), 0, NULL, NULL,
+     ONE(union mip_3dm_event_trigger_config_parameters, threshold), 0, NULL, NULL,
      &record_event_trigger_threshold, NULL, 0},
     {"combination", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_trigger_configuration_parameters, combination), 0, NULL, NULL,
+     ONE(union mip_3dm_event_trigger_config_parameters, combination), 0, NULL, NULL,
      &record_event_trigger_combination, NULL, 0},
 };
-static const struct mip_case cases_3dm_event_trigger_configuration_parameters[] = {
+static const struct mip_case cases_3dm_event_trigger_config_parameters[] = {
     {0, NULL},
-    {1, &members_3dm_event_trigger_configuration_parameters[0]},
-    {2, &members_3dm_event_trigger_configuration_parameters[1]},
-    {3, &members_3dm_event_trigger_configuration_parameters[2]},
+    {1, &members_3dm_event_trigger_config_parameters[0]},
+    {2, &members_3dm_event_trigger_config_parameters[1]},
+    {3, &members_3dm_event_trigger_config_parameters[2]},
 };
-static const struct mip_parameter parameters_3dm_event_trigger_configuration[] = {
+static const struct mip_parameter parameters_3dm_event_trigger_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_trigger_configuration, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_event_trigger_config, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_event_trigger_configuration, instance), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_event_trigger_config, instance), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_event_trigger_configuration, type), 0, &names_event_trigger_type, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_event_trigger_config, type), 0, &names_event_trigger_type, NULL, NULL, NULL,
+     0},
     {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 3, 0,
-     ONE(struct mip_3dm_event_trigger_configuration, parameters), 0, NULL, NULL, NULL,
-     cases_3dm_event_trigger_configuration_parameters, 4},
+     ONE(struct mip_3dm_event_trigger_config, parameters), 0, NULL, NULL, NULL,
+     cases_3dm_event_trigger_config_parameters, 4},
 };
-static const struct mip_record record_3dm_event_trigger_configuration = {
-    parameters_3dm_event_trigger_configuration,
+static const struct mip_record record_3dm_event_trigger_config = {
+    parameters_3dm_event_trigger_config,
     4,
-    sizeof(struct mip_3dm_event_trigger_configuration),
+    sizeof(struct mip_3dm_event_trigger_config),
 };
-static const uint8_t required_3dm_event_trigger_configuration[] = {0, 3, 1, 1, 1, 1};
+static const uint8_t required_3dm_event_trigger_config[] = {0, 3, 1, 1, 1, 1};
 
-static const struct mip_parameter members_3dm_event_action_configuration_parameters[] = {
+static const struct mip_parameter members_3dm_event_action_config_parameters[] = {
     {"gpio", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_action_configuration_parameters, gpio), 0, NULL, NULL,
+     ONE(union mip_3dm_event_action_config_parameters, gpio), 0, NULL, NULL,
      &record_event_action_gpio, NULL, 0},
     {"message", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_action_configuration_parameters, message), 0, NULL, NULL,
+     ONE(union mip_3dm_event_action_config_parameters, message), 0, NULL, NULL,
      &record_event_action_message, NULL, 0},
 };
-static const struct mip_case cases_3dm_event_action_configuration_parameters[] = {
+static const struct mip_case cases_3dm_event_action_config_parameters[] = {
     {0, NULL},
-    {1, &members_3dm_event_action_configuration_parameters[0]},
-    {2, &members_3dm_event_action_configuration_parameters[1]},
+    {1, &members_3dm_event_action_config_parameters[0]},
+    {2, &members_3dm_event_action_config_parameters[1]},
 };
-static const struct mip_parameter parameters_3dm_event_action_configuration[] = {
+static const struct mip_parameter parameters_3dm_event_action_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_action_configuration, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_event_action_config, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_event_action_configuration, instance), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_event_action_config, instance), 0, NULL, NULL, NULL, NULL, 0},
     {"trigger", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_event_action_configuration, trigger), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_event_action_config, trigger), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_3dm_event_action_configuration, type), 0, &names_event_action_type, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_event_action_config, type), 0, &names_event_action_type, NULL, NULL, NULL,
+     0},
     {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 4, 0,
-     ONE(struct mip_3dm_event_action_configuration, parameters), 0, NULL, NULL, NULL,
-     cases_3dm_event_action_configuration_parameters, 3},
+     ONE(struct mip_3dm_event_action_config, parameters), 0, NULL, NULL, NULL,
+     cases_3dm_event_action_config_parameters, 3},
 };
-static const struct mip_record record_3dm_event_action_configuration = {
-    parameters_3dm_event_action_configuration,
+static const struct mip_record record_3dm_event_action_config = {
+    parameters_3dm_event_action_config,
     5,
-    sizeof(struct mip_3dm_event_action_configuration),
+    sizeof(struct mip_3dm_event_action_config),
 };
-static const uint8_t required_3dm_event_action_configuration[] = {0, 4, 1, 1, 1, 1};
+static const uint8_t required_3dm_event_action_config[] = {0, 4, 1, 1, 1, 1};
 
-static const struct mip_parameter parameters_3dm_device_start_up_settings[] = {
+static const struct mip_parameter parameters_3dm_device_settings[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_start_up_settings, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_device_settings, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
 };
-static const struct mip_record record_3dm_device_start_up_settings = {
-    parameters_3dm_device_start_up_settings,
+static const struct mip_record record_3dm_device_settings = {
+    parameters_3dm_device_settings,
     1,
-    sizeof(struct mip_3dm_device_start_up_settings),
+    sizeof(struct mip_3dm_device_settings),
 };
-static const uint8_t required_3dm_device_start_up_settings[] = {0, 0, 0, 0, 0, 0};
+static const uint8_t required_3dm_device_settings[] = {0, 0, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_frame_transformation_euler[] = {
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_euler[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
-    {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler, roll), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler, pitch), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler, yaw), 0, NULL, NULL, NULL,
-     NULL, 0},
-};
-static const struct mip_record record_3dm_sensor_to_vehicle_frame_transformation_euler = {
-    parameters_3dm_sensor_to_vehicle_frame_transformation_euler,
-    4,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler),
-};
-static const uint8_t required_3dm_sensor_to_vehicle_frame_transformation_euler[] = {0, 3, 0,
-                                                                                    0, 0, 0};
-
-static const struct mip_parameter
-    parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion[] = {
-        {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion, function), 0,
-         &names_function_selector, NULL, NULL, NULL, 0},
-        {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 1, 0,
-         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion, q), 0, NULL, NULL,
-         NULL, NULL, 0},
-};
-static const struct mip_record record_3dm_sensor_to_vehicle_frame_transformation_quaternion = {
-    parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion,
-    2,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion),
-};
-static const uint8_t required_3dm_sensor_to_vehicle_frame_transformation_quaternion[] = {0, 1, 0,
-                                                                                         0, 0, 0};
-
-static const struct mip_parameter
-    parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix[] = {
-        {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-             function),
-         0, &names_function_selector, NULL, NULL, NULL, 0},
-        {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
-         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, dcm), 0,
-         NULL, NULL, NULL, NULL, 0},
-};
-static const struct mip_record
-    record_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix = {
-        parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-        2,
-        sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix),
-};
-static const uint8_t required_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix[] =
-    {0, 1, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_3dm_accelerometer_bias_configuration[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_accelerometer_bias_configuration, function), 0, &names_function_selector,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, function), 0, &names_function_selector,
      NULL, NULL, NULL, 0},
+    {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, roll), 0, NULL, NULL, NULL, NULL, 0},
+    {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, pitch), 0, NULL, NULL, NULL, NULL, 0},
+    {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, yaw), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_euler = {
+    parameters_3dm_sensor_to_vehicle_transform_euler,
+    4,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler),
+};
+static const uint8_t required_3dm_sensor_to_vehicle_transform_euler[] = {0, 3, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_quaternion[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion, function), 0,
+     &names_function_selector, NULL, NULL, NULL, 0},
+    {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 1, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_quaternion = {
+    parameters_3dm_sensor_to_vehicle_transform_quaternion,
+    2,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion),
+};
+static const uint8_t required_3dm_sensor_to_vehicle_transform_quaternion[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_dcm[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm, function), 0, &names_function_selector,
+     NULL, NULL, NULL, 0},
+    {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_dcm = {
+    parameters_3dm_sensor_to_vehicle_transform_dcm,
+    2,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm),
+};
+static const uint8_t required_3dm_sensor_to_vehicle_transform_dcm[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_3dm_accel_bias[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_accel_bias, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
     {"bias", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_3dm_accelerometer_bias_configuration, bias), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_accel_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_accelerometer_bias_configuration = {
-    parameters_3dm_accelerometer_bias_configuration,
+static const struct mip_record record_3dm_accel_bias = {
+    parameters_3dm_accel_bias,
     2,
-    sizeof(struct mip_3dm_accelerometer_bias_configuration),
+    sizeof(struct mip_3dm_accel_bias),
 };
-static const uint8_t required_3dm_accelerometer_bias_configuration[] = {0, 1, 0, 0, 0, 0, 1};
+static const uint8_t required_3dm_accel_bias[] = {0, 1, 0, 0, 0, 0, 1};
 
-static const struct mip_parameter parameters_3dm_gyroscope_bias_configuration[] = {
+static const struct mip_parameter parameters_3dm_gyro_bias[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gyroscope_bias_configuration, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_gyro_bias, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
     {"bias", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_3dm_gyroscope_bias_configuration, bias), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_gyro_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_gyroscope_bias_configuration = {
-    parameters_3dm_gyroscope_bias_configuration,
+static const struct mip_record record_3dm_gyro_bias = {
+    parameters_3dm_gyro_bias,
     2,
-    sizeof(struct mip_3dm_gyroscope_bias_configuration),
+    sizeof(struct mip_3dm_gyro_bias),
 };
-static const uint8_t required_3dm_gyroscope_bias_configuration[] = {0, 1, 0, 0, 0, 0, 1};
+static const uint8_t required_3dm_gyro_bias[] = {0, 1, 0, 0, 0, 0, 1};
 
-static const struct mip_parameter parameters_3dm_capture_gyroscope_bias[] = {
+static const struct mip_parameter parameters_3dm_capture_gyro_bias[] = {
     {"averaging_time_ms", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_capture_gyroscope_bias, averaging_time_ms), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_capture_gyro_bias, averaging_time_ms), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_capture_gyroscope_bias = {
-    parameters_3dm_capture_gyroscope_bias,
+static const struct mip_record record_3dm_capture_gyro_bias = {
+    parameters_3dm_capture_gyro_bias,
     1,
-    sizeof(struct mip_3dm_capture_gyroscope_bias),
+    sizeof(struct mip_3dm_capture_gyro_bias),
 };
 
-static const struct mip_parameter parameters_3dm_magnetometer_hard_iron_offset[] = {
+static const struct mip_parameter parameters_3dm_mag_hard_iron_offset[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_magnetometer_hard_iron_offset, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_mag_hard_iron_offset, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"offset", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_3dm_magnetometer_hard_iron_offset, offset), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_mag_hard_iron_offset, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_magnetometer_hard_iron_offset = {
-    parameters_3dm_magnetometer_hard_iron_offset,
+static const struct mip_record record_3dm_mag_hard_iron_offset = {
+    parameters_3dm_mag_hard_iron_offset,
     2,
-    sizeof(struct mip_3dm_magnetometer_hard_iron_offset),
+    sizeof(struct mip_3dm_mag_hard_iron_offset),
 };
-static const uint8_t required_3dm_magnetometer_hard_iron_offset[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_3dm_mag_hard_iron_offset[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_magnetometer_soft_iron_matrix[] = {
+static const struct mip_parameter parameters_3dm_mag_soft_iron_matrix[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_magnetometer_soft_iron_matrix, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
-    {"offset", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
-     ONE(struct mip_3dm_magnetometer_soft_iron_matrix, offset), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_mag_soft_iron_matrix, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"matrix", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
+     ONE(struct mip_3dm_mag_soft_iron_matrix, matrix), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_magnetometer_soft_iron_matrix = {
-    parameters_3dm_magnetometer_soft_iron_matrix,
+static const struct mip_record record_3dm_mag_soft_iron_matrix = {
+    parameters_3dm_mag_soft_iron_matrix,
     2,
-    sizeof(struct mip_3dm_magnetometer_soft_iron_matrix),
+    sizeof(struct mip_3dm_mag_soft_iron_matrix),
 };
-static const uint8_t required_3dm_magnetometer_soft_iron_matrix[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_3dm_mag_soft_iron_matrix[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_coning_and_sculling_enable[] = {
+static const struct mip_parameter parameters_3dm_coning_sculling_enable[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_coning_and_sculling_enable, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_coning_sculling_enable, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_coning_and_sculling_enable, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_coning_sculling_enable, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_coning_and_sculling_enable = {
-    parameters_3dm_coning_and_sculling_enable,
+static const struct mip_record record_3dm_coning_sculling_enable = {
+    parameters_3dm_coning_sculling_enable,
     2,
-    sizeof(struct mip_3dm_coning_and_sculling_enable),
+    sizeof(struct mip_3dm_coning_sculling_enable),
 };
-static const uint8_t required_3dm_coning_and_sculling_enable[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_3dm_coning_sculling_enable[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_uart_baud_rate[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2618,32 +2611,30 @@ static const struct mip_record record_3dm_uart_baud_rate = {
 };
 static const uint8_t required_3dm_uart_baud_rate[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_reading readings_3dm_gpio_configuration_behavior[] = {
+static const struct mip_reading readings_3dm_gpio_config_behavior[] = {
     {NULL, 2, 0, &names_gpio_unused_behavior},    {NULL, 2, 1, &names_gpio_behavior},
     {NULL, 2, 2, &names_gpio_pps_behavior},       {NULL, 2, 3, &names_gpio_encoder_behavior},
     {NULL, 2, 4, &names_gpio_timestamp_behavior}, {NULL, 2, 5, &names_gpio_uart_behavior},
 };
-static const struct mip_parameter parameters_3dm_gpio_configuration[] = {
+static const struct mip_parameter parameters_3dm_gpio_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gpio_configuration, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_gpio_config, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_gpio_configuration, pin), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_gpio_config, pin), 0, NULL, NULL, NULL, NULL, 0},
     {"feature", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_gpio_configuration, feature), 0, &names_gpio_feature, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_gpio_config, feature), 0, &names_gpio_feature, NULL, NULL, NULL, 0},
     {"behavior", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_3dm_gpio_configuration, behavior), 0, NULL,
-     readings_3dm_gpio_configuration_behavior, NULL, NULL, 6},
+     ONE(struct mip_3dm_gpio_config, behavior), 0, NULL, readings_3dm_gpio_config_behavior, NULL,
+     NULL, 6},
     {"pin_mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_3dm_gpio_configuration, pin_mode), 0, &names_gpio_pin_mode, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_gpio_config, pin_mode), 0, &names_gpio_pin_mode, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_gpio_configuration = {
-    parameters_3dm_gpio_configuration,
+static const struct mip_record record_3dm_gpio_config = {
+    parameters_3dm_gpio_config,
     5,
-    sizeof(struct mip_3dm_gpio_configuration),
+    sizeof(struct mip_3dm_gpio_config),
 };
-static const uint8_t required_3dm_gpio_configuration[] = {0, 4, 1, 1, 1, 1};
+static const uint8_t required_3dm_gpio_config[] = {0, 4, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_gpio_state[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2660,72 +2651,66 @@ static const struct mip_record record_3dm_gpio_state = {
 };
 static const uint8_t required_3dm_gpio_state[] = {0, 2, 1};
 
-static const struct mip_parameter parameters_3dm_odometer_configuration[] = {
+static const struct mip_parameter parameters_3dm_odometer_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_odometer_configuration, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
-    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_odometer_configuration, mode), 0, &names_3dm_odometer_mode, NULL, NULL,
-     NULL, 0},
-    {"scaling", "pulse/m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_odometer_configuration, scaling), 0, NULL, NULL, NULL, NULL, 0},
-    {"uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_3dm_odometer_configuration, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_3dm_odometer_configuration = {
-    parameters_3dm_odometer_configuration,
-    4,
-    sizeof(struct mip_3dm_odometer_configuration),
-};
-static const uint8_t required_3dm_odometer_configuration[] = {0, 3, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_3dm_advanced_low_pass_filter_settings[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
-    {"target_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings, target_descriptor), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings, enable), 0, NULL, NULL, NULL, NULL, 0},
-    {"manual", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings, manual), 0, NULL, NULL, NULL, NULL, 0},
-    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings, frequency), 0, NULL, NULL, NULL, NULL,
+     ONE(struct mip_3dm_odometer_config, function), 0, &names_function_selector, NULL, NULL, NULL,
      0},
-    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings, reserved), 0, NULL, NULL, NULL, NULL, 0},
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_odometer_config, mode), 0, &names_3dm_odometer_mode, NULL, NULL, NULL, 0},
+    {"scaling", "pulse/m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_odometer_config, scaling), 0, NULL, NULL, NULL, NULL, 0},
+    {"uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_3dm_odometer_config, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_advanced_low_pass_filter_settings = {
-    parameters_3dm_advanced_low_pass_filter_settings,
-    6,
-    sizeof(struct mip_3dm_advanced_low_pass_filter_settings),
+static const struct mip_record record_3dm_odometer_config = {
+    parameters_3dm_odometer_config,
+    4,
+    sizeof(struct mip_3dm_odometer_config),
 };
-static const uint8_t required_3dm_advanced_low_pass_filter_settings[] = {0, 5, 1, 1, 1, 1};
+static const uint8_t required_3dm_odometer_config[] = {0, 3, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_complementary_filter_configuration[] = {
+static const struct mip_parameter parameters_3dm_imu_low_pass_filter[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_complementary_filter_configuration, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_imu_low_pass_filter, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"target_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_imu_low_pass_filter, target_descriptor), 0, NULL, NULL, NULL, NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_imu_low_pass_filter, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"manual", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_3dm_imu_low_pass_filter, manual), 0, NULL, NULL, NULL, NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+     ONE(struct mip_3dm_imu_low_pass_filter, frequency), 0, NULL, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
+     ONE(struct mip_3dm_imu_low_pass_filter, reserved), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_imu_low_pass_filter = {
+    parameters_3dm_imu_low_pass_filter,
+    6,
+    sizeof(struct mip_3dm_imu_low_pass_filter),
+};
+static const uint8_t required_3dm_imu_low_pass_filter[] = {0, 5, 1, 1, 1, 1};
+
+static const struct mip_parameter parameters_3dm_complementary_filter[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_complementary_filter, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"pitch_roll_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_complementary_filter_configuration, pitch_roll_enable), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_complementary_filter, pitch_roll_enable), 0, NULL, NULL, NULL, NULL, 0},
     {"heading_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_complementary_filter_configuration, heading_enable), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_complementary_filter, heading_enable), 0, NULL, NULL, NULL, NULL, 0},
     {"pitch_roll_time_constant", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3,
-     0, ONE(struct mip_3dm_complementary_filter_configuration, pitch_roll_time_constant), 0, NULL,
-     NULL, NULL, NULL, 0},
+     0, ONE(struct mip_3dm_complementary_filter, pitch_roll_time_constant), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"heading_time_constant", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_3dm_complementary_filter_configuration, heading_time_constant), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_complementary_filter, heading_time_constant), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_complementary_filter_configuration = {
-    parameters_3dm_complementary_filter_configuration,
+static const struct mip_record record_3dm_complementary_filter = {
+    parameters_3dm_complementary_filter,
     5,
-    sizeof(struct mip_3dm_complementary_filter_configuration),
+    sizeof(struct mip_3dm_complementary_filter),
 };
-static const uint8_t required_3dm_complementary_filter_configuration[] = {0, 4, 0, 0, 0, 0};
+static const uint8_t required_3dm_complementary_filter[] = {0, 4, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_sensor_range[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2754,27 +2739,27 @@ static const struct mip_record record_3dm_get_calibrated_sensor_ranges = {
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
 };
 
-static const struct mip_parameter parameters_3dm_low_pass_anti_aliasing_filter[] = {
+static const struct mip_parameter parameters_3dm_low_pass_filter[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter, desc_set), 0, NULL, NULL, NULL, NULL, 0},
-    {"field_desc", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter, field_desc), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_low_pass_filter, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_low_pass_filter, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"field_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_low_pass_filter, field_descriptor), 0, NULL, NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_low_pass_filter, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"manual", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter, manual), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_low_pass_filter, manual), 0, NULL, NULL, NULL, NULL, 0},
     {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter, frequency), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_low_pass_filter, frequency), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_low_pass_anti_aliasing_filter = {
-    parameters_3dm_low_pass_anti_aliasing_filter,
+static const struct mip_record record_3dm_low_pass_filter = {
+    parameters_3dm_low_pass_filter,
     6,
-    sizeof(struct mip_3dm_low_pass_anti_aliasing_filter),
+    sizeof(struct mip_3dm_low_pass_filter),
 };
-static const uint8_t required_3dm_low_pass_anti_aliasing_filter[] = {0, 5, 2, 2, 2, 2};
+static const uint8_t required_3dm_low_pass_filter[] = {0, 5, 2, 2, 2, 2};
 
 static const struct mip_parameter parameters_3dm_device_status[] = {
     {"model_number", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2817,47 +2802,47 @@ static const struct mip_record record_3dm_gnss_message_format_response = {
     sizeof(struct mip_3dm_gnss_message_format_response),
 };
 
-static const struct mip_parameter parameters_3dm_estimation_filter_message_format_response[] = {
+static const struct mip_parameter parameters_3dm_filter_message_format_response[] = {
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
-     ONE(struct mip_3dm_estimation_filter_message_format_response, num_descriptors), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_filter_message_format_response, num_descriptors), 0, NULL, NULL, NULL, NULL,
+     0},
     {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 84, 1, 0, 0, 0,
-     MANY(struct mip_3dm_estimation_filter_message_format_response, descriptors), 0, NULL, NULL,
+     MANY(struct mip_3dm_filter_message_format_response, descriptors), 0, NULL, NULL,
      &record_descriptor_rate, NULL, 0},
 };
-static const struct mip_record record_3dm_estimation_filter_message_format_response = {
-    parameters_3dm_estimation_filter_message_format_response,
+static const struct mip_record record_3dm_filter_message_format_response = {
+    parameters_3dm_filter_message_format_response,
     2,
-    sizeof(struct mip_3dm_estimation_filter_message_format_response),
+    sizeof(struct mip_3dm_filter_message_format_response),
 };
 
-static const struct mip_parameter parameters_3dm_get_imu_data_base_rate_response[] = {
+static const struct mip_parameter parameters_3dm_get_imu_base_rate_response[] = {
     {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_imu_data_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_get_imu_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_get_imu_data_base_rate_response = {
-    parameters_3dm_get_imu_data_base_rate_response,
+static const struct mip_record record_3dm_get_imu_base_rate_response = {
+    parameters_3dm_get_imu_base_rate_response,
     1,
-    sizeof(struct mip_3dm_get_imu_data_base_rate_response),
+    sizeof(struct mip_3dm_get_imu_base_rate_response),
 };
 
-static const struct mip_parameter parameters_3dm_get_gnss_data_base_rate_response[] = {
+static const struct mip_parameter parameters_3dm_get_gnss_base_rate_response[] = {
     {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_gnss_data_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_get_gnss_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_get_gnss_data_base_rate_response = {
-    parameters_3dm_get_gnss_data_base_rate_response,
+static const struct mip_record record_3dm_get_gnss_base_rate_response = {
+    parameters_3dm_get_gnss_base_rate_response,
     1,
-    sizeof(struct mip_3dm_get_gnss_data_base_rate_response),
+    sizeof(struct mip_3dm_get_gnss_base_rate_response),
 };
 
-static const struct mip_reading readings_3dm_data_stream_control_response_desc_set[] = {
+static const struct mip_reading readings_3dm_data_stream_control_response_descriptor_set[] = {
     {"3dm-gx5-15", 0, 0, &names_3dm_legacy_data_stream},
 };
 static const struct mip_parameter parameters_3dm_data_stream_control_response[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_data_stream_control_response, desc_set), 0, NULL,
-     readings_3dm_data_stream_control_response_desc_set, NULL, NULL, 1},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_data_stream_control_response, descriptor_set), 0, NULL,
+     readings_3dm_data_stream_control_response_descriptor_set, NULL, NULL, 1},
     {"enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_data_stream_control_response, enabled), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -2877,38 +2862,33 @@ static const struct mip_record record_3dm_uart_baud_rate_response = {
     sizeof(struct mip_3dm_uart_baud_rate_response),
 };
 
-static const struct mip_parameter parameters_3dm_get_estimation_filter_data_base_rate_response[] = {
+static const struct mip_parameter parameters_3dm_get_filter_base_rate_response[] = {
     {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_estimation_filter_data_base_rate_response, rate), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_get_filter_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_get_estimation_filter_data_base_rate_response = {
-    parameters_3dm_get_estimation_filter_data_base_rate_response,
+static const struct mip_record record_3dm_get_filter_base_rate_response = {
+    parameters_3dm_get_filter_base_rate_response,
     1,
-    sizeof(struct mip_3dm_get_estimation_filter_data_base_rate_response),
+    sizeof(struct mip_3dm_get_filter_base_rate_response),
 };
 
-static const struct mip_parameter parameters_3dm_advanced_low_pass_filter_settings_response[] = {
+static const struct mip_parameter parameters_3dm_imu_low_pass_filter_response[] = {
     {"target_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings_response, target_descriptor), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_imu_low_pass_filter_response, target_descriptor), 0, NULL, NULL, NULL, NULL,
+     0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings_response, enable), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_imu_low_pass_filter_response, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"manual", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings_response, manual), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_imu_low_pass_filter_response, manual), 0, NULL, NULL, NULL, NULL, 0},
     {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings_response, frequency), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_imu_low_pass_filter_response, frequency), 0, NULL, NULL, NULL, NULL, 0},
     {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_advanced_low_pass_filter_settings_response, reserved), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_imu_low_pass_filter_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_advanced_low_pass_filter_settings_response = {
-    parameters_3dm_advanced_low_pass_filter_settings_response,
+static const struct mip_record record_3dm_imu_low_pass_filter_response = {
+    parameters_3dm_imu_low_pass_filter_response,
     5,
-    sizeof(struct mip_3dm_advanced_low_pass_filter_settings_response),
+    sizeof(struct mip_3dm_imu_low_pass_filter_response),
 };
 
 static const struct mip_parameter parameters_3dm_nmea_message_format_response[] = {
@@ -2924,21 +2904,21 @@ static const struct mip_record record_3dm_nmea_message_format_response = {
     sizeof(struct mip_3dm_nmea_message_format_response),
 };
 
-static const struct mip_parameter parameters_3dm_get_data_base_rate_response[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_data_base_rate_response, desc_set), 0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_3dm_get_base_rate_response[] = {
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_get_base_rate_response, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
     {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_data_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_get_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_get_data_base_rate_response = {
-    parameters_3dm_get_data_base_rate_response,
+static const struct mip_record record_3dm_get_base_rate_response = {
+    parameters_3dm_get_base_rate_response,
     2,
-    sizeof(struct mip_3dm_get_data_base_rate_response),
+    sizeof(struct mip_3dm_get_base_rate_response),
 };
 
 static const struct mip_parameter parameters_3dm_message_format_response[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_message_format_response, desc_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_message_format_response, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 0, 0,
      ONE(struct mip_3dm_message_format_response, num_descriptors), 0, NULL, NULL, NULL, NULL, 0},
     {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 83, 1, 1, 0, 0,
@@ -3015,17 +2995,17 @@ static const struct mip_parameter parameters_3dm_device_status_diagnostic_respon
     {"filter_dropped_packets", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_response, filter_dropped_packets), 0, NULL, NULL,
      NULL, NULL, 0},
-    {"com_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0, ONE(struct mip_3dm_device_status_diagnostic_response, com_port_bytes_written), 0, NULL,
+    {"comm_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_response, comm_port_bytes_written), 0, NULL,
      NULL, NULL, NULL, 0},
-    {"com_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_response, com_port_bytes_read), 0, NULL, NULL,
+    {"comm_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_response, comm_port_bytes_read), 0, NULL, NULL,
      NULL, NULL, 0},
-    {"com_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_response, com_port_write_overruns), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"com_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_response, com_port_read_overruns), 0, NULL, NULL,
+    {"comm_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_response, comm_port_write_overruns), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"comm_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_response, comm_port_read_overruns), 0, NULL, NULL,
      NULL, NULL, 0},
     {"imu_parser_errors", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_response, imu_parser_errors), 0, NULL, NULL, NULL,
@@ -3085,17 +3065,17 @@ static const struct mip_parameter parameters_3dm_device_status_diagnostic_gnss_r
     {"filter_dropped_packets", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_gnss_response, filter_dropped_packets), 0, NULL,
      NULL, NULL, NULL, 0},
-    {"com_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0, ONE(struct mip_3dm_device_status_diagnostic_gnss_response, com_port_bytes_written), 0, NULL,
+    {"comm_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_gnss_response, comm_port_bytes_written), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"comm_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gnss_response, comm_port_bytes_read), 0, NULL,
      NULL, NULL, NULL, 0},
-    {"com_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_gnss_response, com_port_bytes_read), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"com_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_gnss_response, com_port_write_overruns), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"com_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_gnss_response, com_port_read_overruns), 0, NULL,
+    {"comm_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_gnss_response, comm_port_write_overruns), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"comm_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gnss_response, comm_port_read_overruns), 0, NULL,
      NULL, NULL, NULL, 0},
     {"imu_parser_errors", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_gnss_response, imu_parser_errors), 0, NULL, NULL,
@@ -3164,17 +3144,17 @@ static const struct mip_parameter parameters_3dm_device_status_diagnostic_gq4_45
     {"filter_dropped_packets", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_gq4_45_response, filter_dropped_packets), 0, NULL,
      NULL, NULL, NULL, 0},
-    {"com_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0, ONE(struct mip_3dm_device_status_diagnostic_gq4_45_response, com_port_bytes_written), 0,
+    {"comm_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_gq4_45_response, comm_port_bytes_written), 0,
      NULL, NULL, NULL, NULL, 0},
-    {"com_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_gq4_45_response, com_port_bytes_read), 0, NULL,
+    {"comm_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gq4_45_response, comm_port_bytes_read), 0, NULL,
      NULL, NULL, NULL, 0},
-    {"com_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_gq4_45_response, com_port_write_overruns), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"com_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_gq4_45_response, com_port_read_overruns), 0, NULL,
+    {"comm_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_gq4_45_response, comm_port_write_overruns), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"comm_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gq4_45_response, comm_port_read_overruns), 0, NULL,
      NULL, NULL, NULL, 0},
     {"imu_parser_errors", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_gq4_45_response, imu_parser_errors), 0, NULL, NULL,
@@ -3194,9 +3174,9 @@ static const struct mip_parameter parameters_3dm_device_status_diagnostic_gq4_45
     {"gnss_last_message_time", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_gq4_45_response, gnss_last_message_time), 0, NULL,
      NULL, NULL, NULL, 0},
-    {"magnetometer_init_failed", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0, ONE(struct mip_3dm_device_status_diagnostic_gq4_45_response, magnetometer_init_failed), 0,
-     NULL, NULL, NULL, NULL, 0},
+    {"mag_init_failed", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gq4_45_response, mag_init_failed), 0, NULL, NULL,
+     NULL, NULL, 0},
     {"pressure_init_failed", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_gq4_45_response, pressure_init_failed), 0, NULL,
      NULL, NULL, NULL, 0},
@@ -3261,17 +3241,17 @@ static const struct mip_parameter parameters_3dm_device_status_diagnostic_rq1_45
     {"filter_dropped_packets", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_rq1_45_response, filter_dropped_packets), 0, NULL,
      NULL, NULL, NULL, 0},
-    {"com_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0, ONE(struct mip_3dm_device_status_diagnostic_rq1_45_response, com_port_bytes_written), 0,
+    {"comm_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_rq1_45_response, comm_port_bytes_written), 0,
      NULL, NULL, NULL, NULL, 0},
-    {"com_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_rq1_45_response, com_port_bytes_read), 0, NULL,
+    {"comm_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_45_response, comm_port_bytes_read), 0, NULL,
      NULL, NULL, NULL, 0},
-    {"com_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_rq1_45_response, com_port_write_overruns), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"com_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_rq1_45_response, com_port_read_overruns), 0, NULL,
+    {"comm_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_rq1_45_response, comm_port_write_overruns), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"comm_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_rq1_45_response, comm_port_read_overruns), 0, NULL,
      NULL, NULL, NULL, 0},
     {"imu_parser_errors", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_rq1_45_response, imu_parser_errors), 0, NULL, NULL,
@@ -3328,17 +3308,17 @@ static const struct mip_parameter parameters_3dm_device_status_diagnostic_gx4_re
     {"filter_dropped_packets", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_gx4_response, filter_dropped_packets), 0, NULL,
      NULL, NULL, NULL, 0},
-    {"com_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0, ONE(struct mip_3dm_device_status_diagnostic_gx4_response, com_port_bytes_written), 0, NULL,
+    {"comm_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_gx4_response, comm_port_bytes_written), 0, NULL,
      NULL, NULL, NULL, 0},
-    {"com_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_gx4_response, com_port_bytes_read), 0, NULL, NULL,
+    {"comm_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_response, comm_port_bytes_read), 0, NULL, NULL,
      NULL, NULL, 0},
-    {"com_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_gx4_response, com_port_write_overruns), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"com_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_gx4_response, com_port_read_overruns), 0, NULL,
+    {"comm_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_gx4_response, comm_port_write_overruns), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"comm_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_gx4_response, comm_port_read_overruns), 0, NULL,
      NULL, NULL, NULL, 0},
     {"usb_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_gx4_response, usb_bytes_written), 0, NULL, NULL,
@@ -3380,9 +3360,9 @@ static const struct mip_parameter parameters_3dm_device_status_diagnostic_imu_re
     {"system_timer", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_imu_response, system_timer), 0, NULL, NULL, NULL,
      NULL, 0},
-    {"has_magnetometer", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_imu_response, has_magnetometer), 0, NULL, NULL,
-     NULL, NULL, 0},
+    {"has_mag", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_imu_response, has_mag), 0, NULL, NULL, NULL, NULL,
+     0},
     {"has_pressure", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_imu_response, has_pressure), 0, NULL, NULL, NULL,
      NULL, 0},
@@ -3419,17 +3399,17 @@ static const struct mip_parameter parameters_3dm_device_status_diagnostic_imu_re
     {"imu_dropped_packets", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status_diagnostic_imu_response, imu_dropped_packets), 0, NULL, NULL,
      NULL, NULL, 0},
-    {"com_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0, ONE(struct mip_3dm_device_status_diagnostic_imu_response, com_port_bytes_written), 0, NULL,
+    {"comm_port_bytes_written", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_imu_response, comm_port_bytes_written), 0, NULL,
      NULL, NULL, NULL, 0},
-    {"com_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_imu_response, com_port_bytes_read), 0, NULL, NULL,
+    {"comm_port_bytes_read", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_imu_response, comm_port_bytes_read), 0, NULL, NULL,
      NULL, NULL, 0},
-    {"com_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_imu_response, com_port_write_overruns), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"com_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_diagnostic_imu_response, com_port_read_overruns), 0, NULL,
+    {"comm_port_write_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_3dm_device_status_diagnostic_imu_response, comm_port_write_overruns), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"comm_port_read_overruns", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_device_status_diagnostic_imu_response, comm_port_read_overruns), 0, NULL,
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_device_status_diagnostic_imu_response = {
@@ -3438,77 +3418,74 @@ static const struct mip_record record_3dm_device_status_diagnostic_imu_response 
     sizeof(struct mip_3dm_device_status_diagnostic_imu_response),
 };
 
-static const struct mip_parameter parameters_3dm_complementary_filter_configuration_response[] = {
+static const struct mip_parameter parameters_3dm_complementary_filter_response[] = {
     {"pitch_roll_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_complementary_filter_configuration_response, pitch_roll_enable), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_complementary_filter_response, pitch_roll_enable), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"heading_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_complementary_filter_configuration_response, heading_enable), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_complementary_filter_response, heading_enable), 0, NULL, NULL, NULL, NULL,
+     0},
     {"pitch_roll_time_constant", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0, ONE(struct mip_3dm_complementary_filter_configuration_response, pitch_roll_time_constant),
-     0, NULL, NULL, NULL, NULL, 0},
+     0, ONE(struct mip_3dm_complementary_filter_response, pitch_roll_time_constant), 0, NULL, NULL,
+     NULL, NULL, 0},
     {"heading_time_constant", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_complementary_filter_configuration_response, heading_time_constant), 0,
-     NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_complementary_filter_response, heading_time_constant), 0, NULL, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_3dm_complementary_filter_configuration_response = {
-    parameters_3dm_complementary_filter_configuration_response,
+static const struct mip_record record_3dm_complementary_filter_response = {
+    parameters_3dm_complementary_filter_response,
     4,
-    sizeof(struct mip_3dm_complementary_filter_configuration_response),
+    sizeof(struct mip_3dm_complementary_filter_response),
 };
 
-static const struct mip_parameter parameters_3dm_accelerometer_bias_configuration_response[] = {
+static const struct mip_parameter parameters_3dm_accel_bias_response[] = {
     {"bias", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_3dm_accelerometer_bias_configuration_response, bias), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_accel_bias_response, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_accelerometer_bias_configuration_response = {
-    parameters_3dm_accelerometer_bias_configuration_response,
+static const struct mip_record record_3dm_accel_bias_response = {
+    parameters_3dm_accel_bias_response,
     1,
-    sizeof(struct mip_3dm_accelerometer_bias_configuration_response),
+    sizeof(struct mip_3dm_accel_bias_response),
 };
 
-static const struct mip_parameter parameters_3dm_gyroscope_bias_configuration_response[] = {
+static const struct mip_parameter parameters_3dm_gyro_bias_response[] = {
     {"bias", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_3dm_gyroscope_bias_configuration_response, bias), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_gyro_bias_response, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_gyroscope_bias_configuration_response = {
-    parameters_3dm_gyroscope_bias_configuration_response,
+static const struct mip_record record_3dm_gyro_bias_response = {
+    parameters_3dm_gyro_bias_response,
     1,
-    sizeof(struct mip_3dm_gyroscope_bias_configuration_response),
+    sizeof(struct mip_3dm_gyro_bias_response),
 };
 
-static const struct mip_parameter parameters_3dm_magnetometer_hard_iron_offset_response[] = {
+static const struct mip_parameter parameters_3dm_mag_hard_iron_offset_response[] = {
     {"offset", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_3dm_magnetometer_hard_iron_offset_response, offset), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_mag_hard_iron_offset_response, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_magnetometer_hard_iron_offset_response = {
-    parameters_3dm_magnetometer_hard_iron_offset_response,
+static const struct mip_record record_3dm_mag_hard_iron_offset_response = {
+    parameters_3dm_mag_hard_iron_offset_response,
     1,
-    sizeof(struct mip_3dm_magnetometer_hard_iron_offset_response),
+    sizeof(struct mip_3dm_mag_hard_iron_offset_response),
 };
 
-static const struct mip_parameter parameters_3dm_magnetometer_soft_iron_matrix_response[] = {
-    {"offset", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
-     ONE(struct mip_3dm_magnetometer_soft_iron_matrix_response, offset), 0, NULL, NULL, NULL, NULL,
-     0},
+static const struct mip_parameter parameters_3dm_mag_soft_iron_matrix_response[] = {
+    {"matrix", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_3dm_mag_soft_iron_matrix_response, matrix), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_magnetometer_soft_iron_matrix_response = {
-    parameters_3dm_magnetometer_soft_iron_matrix_response,
+static const struct mip_record record_3dm_mag_soft_iron_matrix_response = {
+    parameters_3dm_mag_soft_iron_matrix_response,
     1,
-    sizeof(struct mip_3dm_magnetometer_soft_iron_matrix_response),
+    sizeof(struct mip_3dm_mag_soft_iron_matrix_response),
 };
 
-static const struct mip_parameter parameters_3dm_coning_and_sculling_enable_response[] = {
+static const struct mip_parameter parameters_3dm_coning_sculling_enable_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_coning_and_sculling_enable_response, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_coning_sculling_enable_response, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_coning_and_sculling_enable_response = {
-    parameters_3dm_coning_and_sculling_enable_response,
+static const struct mip_record record_3dm_coning_sculling_enable_response = {
+    parameters_3dm_coning_sculling_enable_response,
     1,
-    sizeof(struct mip_3dm_coning_and_sculling_enable_response),
+    sizeof(struct mip_3dm_coning_sculling_enable_response),
 };
 
 static const struct mip_parameter parameters_3dm_constellation_settings_response[] = {
@@ -3587,69 +3564,62 @@ static const struct mip_record record_3dm_pps_source_control_response = {
     sizeof(struct mip_3dm_pps_source_control_response),
 };
 
-static const struct mip_parameter
-    parameters_3dm_sensor_to_vehicle_frame_transformation_euler_response[] = {
-        {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response, roll), 0, NULL,
-         NULL, NULL, NULL, 0},
-        {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response, pitch), 0, NULL,
-         NULL, NULL, NULL, 0},
-        {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response, yaw), 0, NULL,
-         NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_3dm_sensor_to_vehicle_frame_transformation_euler_response = {
-    parameters_3dm_sensor_to_vehicle_frame_transformation_euler_response,
-    3,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response),
-};
-
-static const struct mip_parameter
-    parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion_response[] = {
-        {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response, q), 0, NULL,
-         NULL, NULL, NULL, 0},
-};
-static const struct mip_record
-    record_3dm_sensor_to_vehicle_frame_transformation_quaternion_response = {
-        parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion_response,
-        1,
-        sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response),
-};
-
-static const struct mip_parameter
-    parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response[] = {
-        {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
-         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
-             dcm),
-         0, NULL, NULL, NULL, NULL, 0},
-};
-static const struct mip_record
-    record_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response = {
-        parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
-        1,
-        sizeof(
-            struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response),
-};
-
-static const struct mip_parameter parameters_3dm_get_supported_events_response[] = {
-    {"query", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_supported_events_response, query), 0, &names_3dm_supported_events_query,
-     NULL, NULL, NULL, 0},
-    {"max_instances", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_supported_events_response, max_instances), 0, NULL, NULL, NULL, NULL,
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_euler_response[] = {
+    {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler_response, roll), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler_response, pitch), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler_response, yaw), 0, NULL, NULL, NULL, NULL,
      0},
-    {"num_entries", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 0, 0,
-     ONE(struct mip_3dm_get_supported_events_response, num_entries), 0, NULL, NULL, NULL, NULL, 0},
-    {"entries", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 125, 1, 2, 0, 0,
-     MANY(struct mip_3dm_get_supported_events_response, entries), 0, NULL, NULL,
-     &record_3dm_supported_event_info, NULL, 0},
 };
-static const struct mip_record record_3dm_get_supported_events_response = {
-    parameters_3dm_get_supported_events_response,
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_euler_response = {
+    parameters_3dm_sensor_to_vehicle_transform_euler_response,
+    3,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler_response),
+};
+
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_quaternion_response[] =
+    {
+        {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+         ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response, q), 0, NULL, NULL,
+         NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_quaternion_response = {
+    parameters_3dm_sensor_to_vehicle_transform_quaternion_response,
+    1,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response),
+};
+
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_dcm_response[] = {
+    {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm_response, dcm), 0, NULL, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_3dm_sensor_to_vehicle_transform_dcm_response = {
+    parameters_3dm_sensor_to_vehicle_transform_dcm_response,
+    1,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm_response),
+};
+
+static const struct mip_parameter parameters_3dm_get_event_support_response[] = {
+    {"query", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_get_event_support_response, query), 0, &names_3dm_event_support_query, NULL,
+     NULL, NULL, 0},
+    {"max_instances", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_get_event_support_response, max_instances), 0, NULL, NULL, NULL, NULL, 0},
+    {"num_entries", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 0, 0,
+     ONE(struct mip_3dm_get_event_support_response, num_entries), 0, NULL, NULL, NULL, NULL, 0},
+    {"entries", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 125, 1, 2, 0, 0,
+     MANY(struct mip_3dm_get_event_support_response, entries), 0, NULL, NULL,
+     &record_3dm_event_support_info, NULL, 0},
+};
+static const struct mip_record record_3dm_get_event_support_response = {
+    parameters_3dm_get_event_support_response,
     4,
-    sizeof(struct mip_3dm_get_supported_events_response),
+    sizeof(struct mip_3dm_get_event_support_response),
 };
 
 static const struct mip_parameter parameters_3dm_event_control_response[] = {
@@ -3691,95 +3661,92 @@ static const struct mip_record record_3dm_get_event_action_status_response = {
     sizeof(struct mip_3dm_get_event_action_status_response),
 };
 
-static const struct mip_parameter members_3dm_event_trigger_configuration_response_parameters[] = {
+static const struct mip_parameter members_3dm_event_trigger_config_response_parameters[] = {
     {"gpio", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_trigger_configuration_response_parameters, gpio), 0, NULL, NULL,
+     ONE(union mip_3dm_event_trigger_config_response_parameters, gpio), 0, NULL, NULL,
      &record_event_trigger_gpio, NULL, 0},
     {"threshold", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_trigger_configuration_response_parameters, threshold), 0, NULL, NULL,
+     ONE(union mip_3dm_event_trigger_config_response_parameters, threshold), 0, NULL, NULL,
      &record_event_trigger_threshold, NULL, 0},
     {"combination", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_trigger_configuration_response_parameters, combination), 0, NULL, NULL,
+     ONE(union mip_3dm_event_trigger_config_response_parameters, combination), 0, NULL, NULL,
      &record_event_trigger_combination, NULL, 0},
 };
-static const struct mip_case cases_3dm_event_trigger_configuration_response_parameters[] = {
+static const struct mip_case cases_3dm_event_trigger_config_response_parameters[] = {
     {0, NULL},
-    {1, &members_3dm_event_trigger_configuration_response_parameters[0]},
-    {2, &members_3dm_event_trigger_configuration_response_parameters[1]},
-    {3, &members_3dm_event_trigger_configuration_response_parameters[2]},
+    {1, &members_3dm_event_trigger_config_response_parameters[0]},
+    {2, &members_3dm_event_trigger_config_response_parameters[1]},
+    {3, &members_3dm_event_trigger_config_response_parameters[2]},
 };
-static const struct mip_parameter parameters_3dm_event_trigger_configuration_response[] = {
+static const struct mip_parameter parameters_3dm_event_trigger_config_response[] = {
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_trigger_configuration_response, instance), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_event_trigger_config_response, instance), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_trigger_configuration_response, type), 0, &names_event_trigger_type,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_event_trigger_config_response, type), 0, &names_event_trigger_type, NULL,
+     NULL, NULL, 0},
     {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
-     ONE(struct mip_3dm_event_trigger_configuration_response, parameters), 0, NULL, NULL, NULL,
-     cases_3dm_event_trigger_configuration_response_parameters, 4},
+     ONE(struct mip_3dm_event_trigger_config_response, parameters), 0, NULL, NULL, NULL,
+     cases_3dm_event_trigger_config_response_parameters, 4},
 };
-static const struct mip_record record_3dm_event_trigger_configuration_response = {
-    parameters_3dm_event_trigger_configuration_response,
+static const struct mip_record record_3dm_event_trigger_config_response = {
+    parameters_3dm_event_trigger_config_response,
     3,
-    sizeof(struct mip_3dm_event_trigger_configuration_response),
+    sizeof(struct mip_3dm_event_trigger_config_response),
 };
 
-static const struct mip_parameter members_3dm_event_action_configuration_response_parameters[] = {
+static const struct mip_parameter members_3dm_event_action_config_response_parameters[] = {
     {"gpio", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_action_configuration_response_parameters, gpio), 0, NULL, NULL,
+     ONE(union mip_3dm_event_action_config_response_parameters, gpio), 0, NULL, NULL,
      &record_event_action_gpio, NULL, 0},
     {"message", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_3dm_event_action_configuration_response_parameters, message), 0, NULL, NULL,
+     ONE(union mip_3dm_event_action_config_response_parameters, message), 0, NULL, NULL,
      &record_event_action_message, NULL, 0},
 };
-static const struct mip_case cases_3dm_event_action_configuration_response_parameters[] = {
+static const struct mip_case cases_3dm_event_action_config_response_parameters[] = {
     {0, NULL},
-    {1, &members_3dm_event_action_configuration_response_parameters[0]},
-    {2, &members_3dm_event_action_configuration_response_parameters[1]},
+    {1, &members_3dm_event_action_config_response_parameters[0]},
+    {2, &members_3dm_event_action_config_response_parameters[1]},
 };
-static const struct mip_parameter parameters_3dm_event_action_configuration_response[] = {
+static const struct mip_parameter parameters_3dm_event_action_config_response[] = {
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_action_configuration_response, instance), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_event_action_config_response, instance), 0, NULL, NULL, NULL, NULL, 0},
     {"trigger", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_action_configuration_response, trigger), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_event_action_config_response, trigger), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_action_configuration_response, type), 0, &names_event_action_type,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_event_action_config_response, type), 0, &names_event_action_type, NULL,
+     NULL, NULL, 0},
     {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 0, 0,
-     ONE(struct mip_3dm_event_action_configuration_response, parameters), 0, NULL, NULL, NULL,
-     cases_3dm_event_action_configuration_response_parameters, 3},
+     ONE(struct mip_3dm_event_action_config_response, parameters), 0, NULL, NULL, NULL,
+     cases_3dm_event_action_config_response_parameters, 3},
 };
-static const struct mip_record record_3dm_event_action_configuration_response = {
-    parameters_3dm_event_action_configuration_response,
+static const struct mip_record record_3dm_event_action_config_response = {
+    parameters_3dm_event_action_config_response,
     4,
-    sizeof(struct mip_3dm_event_action_configuration_response),
+    sizeof(struct mip_3dm_event_action_config_response),
 };
 
-static const struct mip_reading readings_3dm_gpio_configuration_response_behavior[] = {
+static const struct mip_reading readings_3dm_gpio_config_response_behavior[] = {
     {NULL, 1, 0, &names_gpio_unused_behavior},    {NULL, 1, 1, &names_gpio_behavior},
     {NULL, 1, 2, &names_gpio_pps_behavior},       {NULL, 1, 3, &names_gpio_encoder_behavior},
     {NULL, 1, 4, &names_gpio_timestamp_behavior}, {NULL, 1, 5, &names_gpio_uart_behavior},
 };
-static const struct mip_parameter parameters_3dm_gpio_configuration_response[] = {
+static const struct mip_parameter parameters_3dm_gpio_config_response[] = {
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gpio_configuration_response, pin), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_gpio_config_response, pin), 0, NULL, NULL, NULL, NULL, 0},
     {"feature", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gpio_configuration_response, feature), 0, &names_gpio_feature, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_gpio_config_response, feature), 0, &names_gpio_feature, NULL, NULL, NULL,
+     0},
     {"behavior", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gpio_configuration_response, behavior), 0, NULL,
-     readings_3dm_gpio_configuration_response_behavior, NULL, NULL, 6},
+     ONE(struct mip_3dm_gpio_config_response, behavior), 0, NULL,
+     readings_3dm_gpio_config_response_behavior, NULL, NULL, 6},
     {"pin_mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gpio_configuration_response, pin_mode), 0, &names_gpio_pin_mode, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_gpio_config_response, pin_mode), 0, &names_gpio_pin_mode, NULL, NULL, NULL,
+     0},
 };
-static const struct mip_record record_3dm_gpio_configuration_response = {
-    parameters_3dm_gpio_configuration_response,
+static const struct mip_record record_3dm_gpio_config_response = {
+    parameters_3dm_gpio_config_response,
     4,
-    sizeof(struct mip_3dm_gpio_configuration_response),
+    sizeof(struct mip_3dm_gpio_config_response),
 };
 
 static const struct mip_parameter parameters_3dm_gpio_state_response[] = {
@@ -3794,20 +3761,19 @@ static const struct mip_record record_3dm_gpio_state_response = {
     sizeof(struct mip_3dm_gpio_state_response),
 };
 
-static const struct mip_parameter parameters_3dm_odometer_configuration_response[] = {
+static const struct mip_parameter parameters_3dm_odometer_config_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_odometer_configuration_response, mode), 0, &names_3dm_odometer_mode, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_odometer_config_response, mode), 0, &names_3dm_odometer_mode, NULL, NULL,
+     NULL, 0},
     {"scaling", "pulse/m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_odometer_configuration_response, scaling), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_odometer_config_response, scaling), 0, NULL, NULL, NULL, NULL, 0},
     {"uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_odometer_configuration_response, uncertainty), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_odometer_config_response, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_odometer_configuration_response = {
-    parameters_3dm_odometer_configuration_response,
+static const struct mip_record record_3dm_odometer_config_response = {
+    parameters_3dm_odometer_config_response,
     3,
-    sizeof(struct mip_3dm_odometer_configuration_response),
+    sizeof(struct mip_3dm_odometer_config_response),
 };
 
 static const struct mip_parameter parameters_3dm_sensor_range_response[] = {
@@ -3840,33 +3806,28 @@ static const struct mip_record record_3dm_get_calibrated_sensor_ranges_response 
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
 };
 
-static const struct mip_parameter parameters_3dm_low_pass_anti_aliasing_filter_response[] = {
-    {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter_response, desc_set), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"field_desc", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter_response, field_desc), 0, NULL, NULL, NULL,
-     NULL, 0},
+static const struct mip_parameter parameters_3dm_low_pass_filter_response[] = {
+    {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_low_pass_filter_response, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
+    {"field_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_low_pass_filter_response, field_descriptor), 0, NULL, NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter_response, enable), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_low_pass_filter_response, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"manual", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter_response, manual), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_low_pass_filter_response, manual), 0, NULL, NULL, NULL, NULL, 0},
     {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_low_pass_anti_aliasing_filter_response, frequency), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_low_pass_filter_response, frequency), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_low_pass_anti_aliasing_filter_response = {
-    parameters_3dm_low_pass_anti_aliasing_filter_response,
+static const struct mip_record record_3dm_low_pass_filter_response = {
+    parameters_3dm_low_pass_filter_response,
     5,
-    sizeof(struct mip_3dm_low_pass_anti_aliasing_filter_response),
+    sizeof(struct mip_3dm_low_pass_filter_response),
 };
 
-static const struct mip_record record_filter_reset_navigation_filter = {
+static const struct mip_record record_filter_reset = {
     NULL,
     0,
-    sizeof(struct mip_filter_reset_navigation_filter),
+    sizeof(struct mip_filter_reset),
 };
 
 static const struct mip_parameter parameters_filter_set_initial_attitude[] = {
@@ -3883,20 +3844,20 @@ static const struct mip_record record_filter_set_initial_attitude = {
     sizeof(struct mip_filter_set_initial_attitude),
 };
 
-static const struct mip_parameter parameters_filter_set_initial_heading_control[] = {
+static const struct mip_parameter parameters_filter_set_initial_heading[] = {
     {"heading", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_set_initial_heading_control, heading), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_set_initial_heading, heading), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_set_initial_heading_control = {
-    parameters_filter_set_initial_heading_control,
+static const struct mip_record record_filter_set_initial_heading = {
+    parameters_filter_set_initial_heading,
     1,
-    sizeof(struct mip_filter_set_initial_heading_control),
+    sizeof(struct mip_filter_set_initial_heading),
 };
 
-static const struct mip_record record_filter_run_navigation_filter = {
+static const struct mip_record record_filter_run = {
     NULL,
     0,
-    sizeof(struct mip_filter_run_navigation_filter),
+    sizeof(struct mip_filter_run),
 };
 
 static const struct mip_parameter parameters_filter_vehicle_dynamics_mode[] = {
@@ -3914,26 +3875,23 @@ static const struct mip_record record_filter_vehicle_dynamics_mode = {
 };
 static const uint8_t required_filter_vehicle_dynamics_mode[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_sensor_to_vehicle_frame_transformation[] = {
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_euler[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_frame_transformation, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, function), 0, &names_function_selector,
+     NULL, NULL, NULL, 0},
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_frame_transformation, roll), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, roll), 0, NULL, NULL, NULL, NULL, 0},
     {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_frame_transformation, pitch), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, pitch), 0, NULL, NULL, NULL, NULL, 0},
     {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_frame_transformation, yaw), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, yaw), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_sensor_to_vehicle_frame_transformation = {
-    parameters_filter_sensor_to_vehicle_frame_transformation,
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_euler = {
+    parameters_filter_sensor_to_vehicle_rotation_euler,
     4,
-    sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation),
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler),
 };
-static const uint8_t required_filter_sensor_to_vehicle_frame_transformation[] = {0, 3, 0, 0, 0, 0};
+static const uint8_t required_filter_sensor_to_vehicle_rotation_euler[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_offset[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3949,49 +3907,49 @@ static const struct mip_record record_filter_sensor_to_vehicle_offset = {
 };
 static const uint8_t required_filter_sensor_to_vehicle_offset[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gnss_antenna_offset_control[] = {
+static const struct mip_parameter parameters_filter_antenna_offset[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_control, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_antenna_offset, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
     {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_control, offset), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_antenna_offset, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gnss_antenna_offset_control = {
-    parameters_filter_gnss_antenna_offset_control,
+static const struct mip_record record_filter_antenna_offset = {
+    parameters_filter_antenna_offset,
     2,
-    sizeof(struct mip_filter_gnss_antenna_offset_control),
+    sizeof(struct mip_filter_antenna_offset),
 };
-static const uint8_t required_filter_gnss_antenna_offset_control[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_filter_antenna_offset[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_estimation_control_flags[] = {
+static const struct mip_parameter parameters_filter_estimation_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_estimation_control_flags, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_estimation_control, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_estimation_control_flags, flags), 0, &names_filter_estimated_states,
-     NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_filter_estimation_control_flags = {
-    parameters_filter_estimation_control_flags,
-    2,
-    sizeof(struct mip_filter_estimation_control_flags),
-};
-static const uint8_t required_filter_estimation_control_flags[] = {0, 1, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_filter_gnss_aiding_source_control[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_aiding_source_control, function), 0, &names_function_selector, NULL,
+     ONE(struct mip_filter_estimation_control, flags), 0, &names_filter_estimated_states, NULL,
      NULL, NULL, 0},
-    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_gnss_aiding_source_control, source), 0, &names_filter_gnss_aiding_source,
-     NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gnss_aiding_source_control = {
-    parameters_filter_gnss_aiding_source_control,
+static const struct mip_record record_filter_estimation_control = {
+    parameters_filter_estimation_control,
     2,
-    sizeof(struct mip_filter_gnss_aiding_source_control),
+    sizeof(struct mip_filter_estimation_control),
 };
-static const uint8_t required_filter_gnss_aiding_source_control[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_filter_estimation_control[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_gnss_source[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_gnss_source, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_gnss_source, source), 0, &names_filter_gnss_aiding_source, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_gnss_source = {
+    parameters_filter_gnss_source,
+    2,
+    sizeof(struct mip_filter_gnss_source),
+};
+static const uint8_t required_filter_gnss_source[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_external_gnss_update[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4035,20 +3993,20 @@ static const struct mip_record record_filter_external_heading_update = {
     sizeof(struct mip_filter_external_heading_update),
 };
 
-static const struct mip_parameter parameters_filter_heading_update_control[] = {
+static const struct mip_parameter parameters_filter_heading_source[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_heading_update_control, function), 0, &names_function_selector, NULL,
+     ONE(struct mip_filter_heading_source, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_heading_source, source), 0, &names_filter_heading_update_source, NULL,
      NULL, NULL, 0},
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_heading_update_control, enable), 0, &names_filter_heading_update_source,
-     NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_heading_update_control = {
-    parameters_filter_heading_update_control,
+static const struct mip_record record_filter_heading_source = {
+    parameters_filter_heading_source,
     2,
-    sizeof(struct mip_filter_heading_update_control),
+    sizeof(struct mip_filter_heading_source),
 };
-static const uint8_t required_filter_heading_update_control[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_filter_heading_source[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_auto_initialization_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4064,69 +4022,64 @@ static const struct mip_record record_filter_auto_initialization_control = {
 };
 static const uint8_t required_filter_auto_initialization_control[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_accelerometer_noise_standard_deviation[] = {
+static const struct mip_parameter parameters_filter_accel_noise[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_accelerometer_noise_standard_deviation, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_accel_noise, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
     {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_filter_accelerometer_noise_standard_deviation, noise), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_accel_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_accelerometer_noise_standard_deviation = {
-    parameters_filter_accelerometer_noise_standard_deviation,
+static const struct mip_record record_filter_accel_noise = {
+    parameters_filter_accel_noise,
     2,
-    sizeof(struct mip_filter_accelerometer_noise_standard_deviation),
+    sizeof(struct mip_filter_accel_noise),
 };
-static const uint8_t required_filter_accelerometer_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_filter_accel_noise[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gyroscope_noise_standard_deviation[] = {
+static const struct mip_parameter parameters_filter_gyro_noise[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gyroscope_noise_standard_deviation, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gyro_noise, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
     {"noise", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_filter_gyroscope_noise_standard_deviation, noise), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_gyro_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gyroscope_noise_standard_deviation = {
-    parameters_filter_gyroscope_noise_standard_deviation,
+static const struct mip_record record_filter_gyro_noise = {
+    parameters_filter_gyro_noise,
     2,
-    sizeof(struct mip_filter_gyroscope_noise_standard_deviation),
+    sizeof(struct mip_filter_gyro_noise),
 };
-static const uint8_t required_filter_gyroscope_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_filter_gyro_noise[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_accelerometer_bias_model_parameters[] = {
+static const struct mip_parameter parameters_filter_accel_bias_model[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_accelerometer_bias_model_parameters, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_accel_bias_model, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_filter_accelerometer_bias_model_parameters, beta), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_accel_bias_model, beta), 0, NULL, NULL, NULL, NULL, 0},
     {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 2, 0,
-     ONE(struct mip_filter_accelerometer_bias_model_parameters, noise), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_accel_bias_model, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_accelerometer_bias_model_parameters = {
-    parameters_filter_accelerometer_bias_model_parameters,
+static const struct mip_record record_filter_accel_bias_model = {
+    parameters_filter_accel_bias_model,
     3,
-    sizeof(struct mip_filter_accelerometer_bias_model_parameters),
+    sizeof(struct mip_filter_accel_bias_model),
 };
-static const uint8_t required_filter_accelerometer_bias_model_parameters[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_filter_accel_bias_model[] = {0, 2, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gyroscope_bias_model_parameters[] = {
+static const struct mip_parameter parameters_filter_gyro_bias_model[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gyroscope_bias_model_parameters, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gyro_bias_model, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_filter_gyroscope_bias_model_parameters, beta), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gyro_bias_model, beta), 0, NULL, NULL, NULL, NULL, 0},
     {"noise", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 2, 0,
-     ONE(struct mip_filter_gyroscope_bias_model_parameters, noise), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gyro_bias_model, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gyroscope_bias_model_parameters = {
-    parameters_filter_gyroscope_bias_model_parameters,
+static const struct mip_record record_filter_gyro_bias_model = {
+    parameters_filter_gyro_bias_model,
     3,
-    sizeof(struct mip_filter_gyroscope_bias_model_parameters),
+    sizeof(struct mip_filter_gyro_bias_model),
 };
-static const uint8_t required_filter_gyroscope_bias_model_parameters[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_filter_gyro_bias_model[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_auto_zupt[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4144,12 +4097,11 @@ static const struct mip_record record_filter_auto_zupt = {
 static const uint8_t required_filter_auto_zupt[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_external_heading_update_with_time[] = {
-    {"gps_time", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_external_heading_update_with_time, gps_time), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"gps_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_external_heading_update_with_time, gps_week), 0, NULL, NULL, NULL, NULL,
-     0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_external_heading_update_with_time, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_external_heading_update_with_time, week_number), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"heading", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_external_heading_update_with_time, heading), 0, NULL, NULL, NULL, NULL,
      0},
@@ -4166,22 +4118,21 @@ static const struct mip_record record_filter_external_heading_update_with_time =
     sizeof(struct mip_filter_external_heading_update_with_time),
 };
 
-static const struct mip_parameter parameters_filter_zero_angular_rate_update_control[] = {
+static const struct mip_parameter parameters_filter_auto_angular_zupt[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_zero_angular_rate_update_control, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_auto_angular_zupt, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_zero_angular_rate_update_control, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_auto_angular_zupt, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"threshold", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_zero_angular_rate_update_control, threshold), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_auto_angular_zupt, threshold), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_zero_angular_rate_update_control = {
-    parameters_filter_zero_angular_rate_update_control,
+static const struct mip_record record_filter_auto_angular_zupt = {
+    parameters_filter_auto_angular_zupt,
     3,
-    sizeof(struct mip_filter_zero_angular_rate_update_control),
+    sizeof(struct mip_filter_auto_angular_zupt),
 };
-static const uint8_t required_filter_zero_angular_rate_update_control[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_filter_auto_angular_zupt[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_tare_orientation[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4204,57 +4155,57 @@ static const struct mip_record record_filter_commanded_zupt = {
     sizeof(struct mip_filter_commanded_zupt),
 };
 
-static const struct mip_record record_filter_commanded_zero_angular_rate_update = {
+static const struct mip_record record_filter_commanded_angular_zupt = {
     NULL,
     0,
-    sizeof(struct mip_filter_commanded_zero_angular_rate_update),
+    sizeof(struct mip_filter_commanded_angular_zupt),
 };
 
-static const struct mip_parameter parameters_filter_set_reference_position[] = {
+static const struct mip_parameter parameters_filter_reference_position[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_set_reference_position, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_set_reference_position, enable), 0, NULL, NULL, NULL, NULL, 0},
-    {"latitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_set_reference_position, latitude), 0, NULL, NULL, NULL, NULL, 0},
-    {"longitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_filter_set_reference_position, longitude), 0, NULL, NULL, NULL, NULL, 0},
-    {"altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_filter_set_reference_position, altitude), 0, NULL, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_filter_set_reference_position = {
-    parameters_filter_set_reference_position,
-    5,
-    sizeof(struct mip_filter_set_reference_position),
-};
-static const uint8_t required_filter_set_reference_position[] = {0, 4, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_filter_mag_capture_auto_cal[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_capture_auto_cal, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_filter_reference_position, function), 0, &names_function_selector, NULL, NULL,
      NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_reference_position, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"latitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_reference_position, latitude), 0, NULL, NULL, NULL, NULL, 0},
+    {"longitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_filter_reference_position, longitude), 0, NULL, NULL, NULL, NULL, 0},
+    {"altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+     ONE(struct mip_filter_reference_position, altitude), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_mag_capture_auto_cal = {
-    parameters_filter_mag_capture_auto_cal,
-    1,
-    sizeof(struct mip_filter_mag_capture_auto_cal),
+static const struct mip_record record_filter_reference_position = {
+    parameters_filter_reference_position,
+    5,
+    sizeof(struct mip_filter_reference_position),
 };
-static const uint8_t required_filter_mag_capture_auto_cal[] = {0, 0, 0, 0};
+static const uint8_t required_filter_reference_position[] = {0, 4, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gravity_noise_standard_deviation[] = {
+static const struct mip_parameter parameters_filter_mag_capture_auto_calibration[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gravity_noise_standard_deviation, function), 0, &names_function_selector,
+     ONE(struct mip_filter_mag_capture_auto_calibration, function), 0, &names_function_selector,
      NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_mag_capture_auto_calibration = {
+    parameters_filter_mag_capture_auto_calibration,
+    1,
+    sizeof(struct mip_filter_mag_capture_auto_calibration),
+};
+static const uint8_t required_filter_mag_capture_auto_calibration[] = {0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_gravity_noise[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_gravity_noise, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
     {"noise", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
-     ONE(struct mip_filter_gravity_noise_standard_deviation, noise), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gravity_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gravity_noise_standard_deviation = {
-    parameters_filter_gravity_noise_standard_deviation,
+static const struct mip_record record_filter_gravity_noise = {
+    parameters_filter_gravity_noise,
     2,
-    sizeof(struct mip_filter_gravity_noise_standard_deviation),
+    sizeof(struct mip_filter_gravity_noise),
 };
-static const uint8_t required_filter_gravity_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_filter_gravity_noise[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_pressure_altitude_noise[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4298,20 +4249,20 @@ static const struct mip_record record_filter_soft_iron_matrix_noise = {
 };
 static const uint8_t required_filter_soft_iron_matrix_noise[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_enable_disable_measurements[] = {
+static const struct mip_parameter parameters_filter_enable_measurements[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_enable_disable_measurements, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_enable_measurements, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"control", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_enable_disable_measurements, control), 0,
-     &names_filter_measurement_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_enable_measurements, control), 0, &names_filter_measurement_flags, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_filter_enable_disable_measurements = {
-    parameters_filter_enable_disable_measurements,
+static const struct mip_record record_filter_enable_measurements = {
+    parameters_filter_enable_measurements,
     2,
-    sizeof(struct mip_filter_enable_disable_measurements),
+    sizeof(struct mip_filter_enable_measurements),
 };
-static const uint8_t required_filter_enable_disable_measurements[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_filter_enable_measurements[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_mag_noise[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4326,63 +4277,57 @@ static const struct mip_record record_filter_mag_noise = {
 };
 static const uint8_t required_filter_mag_noise[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_magnetic_field_declination_source_control[] = {
+static const struct mip_parameter parameters_filter_magnetic_declination_source[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_magnetic_field_declination_source_control, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_magnetic_declination_source, function), 0, &names_function_selector,
+     NULL, NULL, NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_magnetic_field_declination_source_control, source), 0,
+     ONE(struct mip_filter_magnetic_declination_source, source), 0,
      &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
     {"declination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_magnetic_field_declination_source_control, declination), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_magnetic_declination_source, declination), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_magnetic_field_declination_source_control = {
-    parameters_filter_magnetic_field_declination_source_control,
+static const struct mip_record record_filter_magnetic_declination_source = {
+    parameters_filter_magnetic_declination_source,
     3,
-    sizeof(struct mip_filter_magnetic_field_declination_source_control),
+    sizeof(struct mip_filter_magnetic_declination_source),
 };
-static const uint8_t required_filter_magnetic_field_declination_source_control[] = {0, 2, 0,
-                                                                                    0, 0, 0};
+static const uint8_t required_filter_magnetic_declination_source[] = {0, 2, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gravity_magnitude_error_adaptive_measurement[] =
-    {
-        {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, function), 0,
-         &names_function_selector, NULL, NULL, NULL, 0},
-        {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, adaptive_measurement),
-         0, &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
-        {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, frequency), 0, NULL,
-         NULL, NULL, NULL, 0},
-        {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, low_limit), 0, NULL,
-         NULL, NULL, NULL, 0},
-        {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, high_limit), 0, NULL,
-         NULL, NULL, NULL, 0},
-        {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
-         0, 5, 0,
-         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, low_limit_uncertainty),
-         0, NULL, NULL, NULL, NULL, 0},
-        {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
-         0, 6, 0,
-         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement,
-             high_limit_uncertainty),
-         0, NULL, NULL, NULL, NULL, 0},
-        {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-         7, 0,
-         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, minimum_uncertainty),
-         0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_accel_magnitude_error_adaptive_measurement[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, function), 0,
+     &names_function_selector, NULL, NULL, NULL, 0},
+    {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, adaptive_measurement), 0,
+     &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, frequency), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, low_limit), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, high_limit), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     5, 0, ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, low_limit_uncertainty),
+     0, NULL, NULL, NULL, NULL, 0},
+    {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     6, 0,
+     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, high_limit_uncertainty), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 7,
+     0, ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, minimum_uncertainty), 0,
+     NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gravity_magnitude_error_adaptive_measurement = {
-    parameters_filter_gravity_magnitude_error_adaptive_measurement,
+static const struct mip_record record_filter_accel_magnitude_error_adaptive_measurement = {
+    parameters_filter_accel_magnitude_error_adaptive_measurement,
     8,
-    sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement),
+    sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement),
 };
-static const uint8_t required_filter_gravity_magnitude_error_adaptive_measurement[] = {0, 1, 0,
-                                                                                       0, 0, 0};
+static const uint8_t required_filter_accel_magnitude_error_adaptive_measurement[] = {0, 1, 0,
+                                                                                     0, 0, 0};
 
 static const struct mip_parameter parameters_filter_mag_magnitude_error_adaptive_measurement[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4461,54 +4406,54 @@ static const struct mip_record record_filter_altitude_aiding = {
 };
 static const uint8_t required_filter_altitude_aiding[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_pitch_roll_aiding_control[] = {
+static const struct mip_parameter parameters_filter_pitch_roll_aiding[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_pitch_roll_aiding_control, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
-    {"aiding", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_pitch_roll_aiding_control, aiding), 0,
-     &names_filter_pitch_roll_aiding_source, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_filter_pitch_roll_aiding_control = {
-    parameters_filter_pitch_roll_aiding_control,
-    2,
-    sizeof(struct mip_filter_pitch_roll_aiding_control),
-};
-static const uint8_t required_filter_pitch_roll_aiding_control[] = {0, 1, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_filter_inclination_source[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_inclination_source, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_filter_pitch_roll_aiding, function), 0, &names_function_selector, NULL, NULL,
      NULL, 0},
-    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_inclination_source, source), 0, &names_filter_mag_parameter_source, NULL,
-     NULL, NULL, 0},
-    {"inclination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_inclination_source, inclination), 0, NULL, NULL, NULL, NULL, 0},
+    {"aiding", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_pitch_roll_aiding, aiding), 0, &names_filter_pitch_roll_aiding_source,
+     NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_inclination_source = {
-    parameters_filter_inclination_source,
-    3,
-    sizeof(struct mip_filter_inclination_source),
+static const struct mip_record record_filter_pitch_roll_aiding = {
+    parameters_filter_pitch_roll_aiding,
+    2,
+    sizeof(struct mip_filter_pitch_roll_aiding),
 };
-static const uint8_t required_filter_inclination_source[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_filter_pitch_roll_aiding[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_mag_field_magnitude_source[] = {
+static const struct mip_parameter parameters_filter_magnetic_inclination_source[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_field_magnitude_source, function), 0, &names_function_selector, NULL,
+     ONE(struct mip_filter_magnetic_inclination_source, function), 0, &names_function_selector,
+     NULL, NULL, NULL, 0},
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_magnetic_inclination_source, source), 0,
+     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+    {"inclination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_magnetic_inclination_source, inclination), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_magnetic_inclination_source = {
+    parameters_filter_magnetic_inclination_source,
+    3,
+    sizeof(struct mip_filter_magnetic_inclination_source),
+};
+static const uint8_t required_filter_magnetic_inclination_source[] = {0, 2, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_magnetic_magnitude_source[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_magnetic_magnitude_source, function), 0, &names_function_selector, NULL,
      NULL, NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_mag_field_magnitude_source, source), 0,
+     ONE(struct mip_filter_magnetic_magnitude_source, source), 0,
      &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
     {"magnitude", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_mag_field_magnitude_source, magnitude), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_magnetic_magnitude_source, magnitude), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_mag_field_magnitude_source = {
-    parameters_filter_mag_field_magnitude_source,
+static const struct mip_record record_filter_magnetic_magnitude_source = {
+    parameters_filter_magnetic_magnitude_source,
     3,
-    sizeof(struct mip_filter_mag_field_magnitude_source),
+    sizeof(struct mip_filter_magnetic_magnitude_source),
 };
-static const uint8_t required_filter_mag_field_magnitude_source[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_filter_magnetic_magnitude_source[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_dcm[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4528,9 +4473,8 @@ static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_q
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion, function), 0,
      &names_function_selector, NULL, NULL, NULL, 0},
-    {"quat", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 1, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion, quat), 0, NULL, NULL, NULL, NULL,
-     0},
+    {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 1, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_sensor_to_vehicle_rotation_quaternion = {
     parameters_filter_sensor_to_vehicle_rotation_quaternion,
@@ -4539,22 +4483,22 @@ static const struct mip_record record_filter_sensor_to_vehicle_rotation_quaterni
 };
 static const uint8_t required_filter_sensor_to_vehicle_rotation_quaternion[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_aiding_measurement_control[] = {
+static const struct mip_parameter parameters_filter_aiding_measurement_enable[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_aiding_measurement_control, function), 0, &names_function_selector, NULL,
+     ONE(struct mip_filter_aiding_measurement_enable, function), 0, &names_function_selector, NULL,
      NULL, NULL, 0},
     {"aiding_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_aiding_measurement_control, aiding_source), 0,
+     ONE(struct mip_filter_aiding_measurement_enable, aiding_source), 0,
      &names_filter_aiding_source, NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_aiding_measurement_control, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_aiding_measurement_enable, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_aiding_measurement_control = {
-    parameters_filter_aiding_measurement_control,
+static const struct mip_record record_filter_aiding_measurement_enable = {
+    parameters_filter_aiding_measurement_enable,
     3,
-    sizeof(struct mip_filter_aiding_measurement_control),
+    sizeof(struct mip_filter_aiding_measurement_enable),
 };
-static const uint8_t required_filter_aiding_measurement_control[] = {0, 2, 1, 1, 1, 1};
+static const uint8_t required_filter_aiding_measurement_enable[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_filter_kinematic_constraint[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4577,107 +4521,100 @@ static const struct mip_record record_filter_kinematic_constraint = {
 };
 static const uint8_t required_filter_kinematic_constraint[] = {0, 3, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_navigation_filter_initialization[] = {
+static const struct mip_parameter parameters_filter_initialization_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
-    {"wait_for_run_command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, wait_for_run_command), 0, NULL, NULL,
+     ONE(struct mip_filter_initialization_config, function), 0, &names_function_selector, NULL,
      NULL, NULL, 0},
-    {"initial_cond_src", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, initial_cond_src), 0,
+    {"wait_for_run_command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_initialization_config, wait_for_run_command), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"initial_condition_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_initialization_config, initial_condition_source), 0,
      &names_filter_initial_condition_source, NULL, NULL, NULL, 0},
     {"auto_heading_alignment_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0,
-     3, 0, ONE(struct mip_filter_navigation_filter_initialization, auto_heading_alignment_selector),
-     0, &names_filter_heading_alignment, NULL, NULL, NULL, 0},
+     3, 0, ONE(struct mip_filter_initialization_config, auto_heading_alignment_selector), 0,
+     &names_filter_heading_alignment, NULL, NULL, NULL, 0},
     {"initial_heading", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, initial_heading), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_initialization_config, initial_heading), 0, NULL, NULL, NULL, NULL, 0},
     {"initial_pitch", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, initial_pitch), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_initialization_config, initial_pitch), 0, NULL, NULL, NULL, NULL, 0},
     {"initial_roll", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 6, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, initial_roll), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_initialization_config, initial_roll), 0, NULL, NULL, NULL, NULL, 0},
     {"initial_position", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 7, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, initial_position), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_initialization_config, initial_position), 0, NULL, NULL, NULL, NULL, 0},
     {"initial_velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 8, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, initial_velocity), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_initialization_config, initial_velocity), 0, NULL, NULL, NULL, NULL, 0},
     {"reference_frame_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 9, 0,
-     ONE(struct mip_filter_navigation_filter_initialization, reference_frame_selector), 0,
+     ONE(struct mip_filter_initialization_config, reference_frame_selector), 0,
      &names_filter_reference_frame, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_navigation_filter_initialization = {
-    parameters_filter_navigation_filter_initialization,
+static const struct mip_record record_filter_initialization_config = {
+    parameters_filter_initialization_config,
     10,
-    sizeof(struct mip_filter_navigation_filter_initialization),
+    sizeof(struct mip_filter_initialization_config),
 };
-static const uint8_t required_filter_navigation_filter_initialization[] = {0, 9, 0, 0, 0, 0};
+static const uint8_t required_filter_initialization_config[] = {0, 9, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_adaptive_filter_control[] = {
+static const struct mip_parameter parameters_filter_adaptive_filter_options[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_adaptive_filter_control, function), 0, &names_function_selector, NULL,
+     ONE(struct mip_filter_adaptive_filter_options, function), 0, &names_function_selector, NULL,
      NULL, NULL, 0},
     {"level", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_adaptive_filter_control, level), 0, &names_filter_adaptive_level, NULL,
+     ONE(struct mip_filter_adaptive_filter_options, level), 0, &names_filter_adaptive_level, NULL,
      NULL, NULL, 0},
     {"time_limit", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_adaptive_filter_control, time_limit), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_adaptive_filter_options, time_limit), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_adaptive_filter_control = {
-    parameters_filter_adaptive_filter_control,
+static const struct mip_record record_filter_adaptive_filter_options = {
+    parameters_filter_adaptive_filter_options,
     3,
-    sizeof(struct mip_filter_adaptive_filter_control),
+    sizeof(struct mip_filter_adaptive_filter_options),
 };
-static const uint8_t required_filter_adaptive_filter_control[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_filter_adaptive_filter_options[] = {0, 2, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gnss_multi_antenna_offset_control[] = {
+static const struct mip_parameter parameters_filter_multi_antenna_offset[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_multi_antenna_offset_control, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_multi_antenna_offset, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_gnss_multi_antenna_offset_control, receiver_id), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_multi_antenna_offset, receiver_id), 0, NULL, NULL, NULL, NULL, 0},
     {"antenna_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 2, 0,
-     ONE(struct mip_filter_gnss_multi_antenna_offset_control, antenna_offset), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_multi_antenna_offset, antenna_offset), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gnss_multi_antenna_offset_control = {
-    parameters_filter_gnss_multi_antenna_offset_control,
+static const struct mip_record record_filter_multi_antenna_offset = {
+    parameters_filter_multi_antenna_offset,
     3,
-    sizeof(struct mip_filter_gnss_multi_antenna_offset_control),
+    sizeof(struct mip_filter_multi_antenna_offset),
 };
-static const uint8_t required_filter_gnss_multi_antenna_offset_control[] = {0, 2, 1, 1, 1, 1};
+static const uint8_t required_filter_multi_antenna_offset[] = {0, 2, 1, 1, 1, 1};
 
-static const struct mip_parameter parameters_filter_relative_position_configuration[] = {
+static const struct mip_parameter parameters_filter_relative_position_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_relative_position_configuration, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_relative_position_config, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_relative_position_configuration, source), 0,
+     ONE(struct mip_filter_relative_position_config, source), 0,
      &names_filter_relative_position_source, NULL, NULL, NULL, 0},
     {"reference_frame_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_relative_position_configuration, reference_frame_selector), 0,
+     ONE(struct mip_filter_relative_position_config, reference_frame_selector), 0,
      &names_filter_reference_frame, NULL, NULL, NULL, 0},
     {"reference_coordinates", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 3, 0,
-     ONE(struct mip_filter_relative_position_configuration, reference_coordinates), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_relative_position_config, reference_coordinates), 0, NULL, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_filter_relative_position_configuration = {
-    parameters_filter_relative_position_configuration,
+static const struct mip_record record_filter_relative_position_config = {
+    parameters_filter_relative_position_config,
     4,
-    sizeof(struct mip_filter_relative_position_configuration),
+    sizeof(struct mip_filter_relative_position_config),
 };
-static const uint8_t required_filter_relative_position_configuration[] = {0, 3, 0, 0, 0, 0};
+static const uint8_t required_filter_relative_position_config[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_reference_point_lever_arm[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_reference_point_lever_arm, function), 0, &names_function_selector, NULL,
      NULL, NULL, 0},
-    {"ref_point_sel", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_reference_point_lever_arm, ref_point_sel), 0,
+    {"reference_point", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_reference_point_lever_arm, reference_point), 0,
      &names_filter_reference_point, NULL, NULL, NULL, 0},
     {"lever_arm_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 2, 0,
      ONE(struct mip_filter_reference_point_lever_arm, lever_arm_offset), 0, NULL, NULL, NULL, NULL,
@@ -4706,22 +4643,21 @@ static const struct mip_record record_filter_speed_measurement = {
     sizeof(struct mip_filter_speed_measurement),
 };
 
-static const struct mip_parameter parameters_filter_measurement_speed_lever_arm[] = {
+static const struct mip_parameter parameters_filter_speed_lever_arm[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_measurement_speed_lever_arm, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
-    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_measurement_speed_lever_arm, source), 0, NULL, NULL, NULL, NULL, 0},
-    {"lever_arm_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 2, 0,
-     ONE(struct mip_filter_measurement_speed_lever_arm, lever_arm_offset), 0, NULL, NULL, NULL,
+     ONE(struct mip_filter_speed_lever_arm, function), 0, &names_function_selector, NULL, NULL,
      NULL, 0},
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_speed_lever_arm, source), 0, NULL, NULL, NULL, NULL, 0},
+    {"lever_arm_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 2, 0,
+     ONE(struct mip_filter_speed_lever_arm, lever_arm_offset), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_measurement_speed_lever_arm = {
-    parameters_filter_measurement_speed_lever_arm,
+static const struct mip_record record_filter_speed_lever_arm = {
+    parameters_filter_speed_lever_arm,
     3,
-    sizeof(struct mip_filter_measurement_speed_lever_arm),
+    sizeof(struct mip_filter_speed_lever_arm),
 };
-static const uint8_t required_filter_measurement_speed_lever_arm[] = {0, 2, 1, 1, 1, 1};
+static const uint8_t required_filter_speed_lever_arm[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_filter_vertical_gyro_constraint_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4752,23 +4688,22 @@ static const struct mip_record record_filter_wheeled_vehicle_constraint_control 
 };
 static const uint8_t required_filter_wheeled_vehicle_constraint_control[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gnss_antenna_offset_calibration_control[] = {
+static const struct mip_parameter parameters_filter_gnss_antenna_calibration_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_calibration_control, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gnss_antenna_calibration_control, function), 0, &names_function_selector,
+     NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_calibration_control, enable), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_gnss_antenna_calibration_control, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"max_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_calibration_control, max_offset), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_gnss_antenna_calibration_control, max_offset), 0, NULL, NULL, NULL, NULL,
+     0},
 };
-static const struct mip_record record_filter_gnss_antenna_offset_calibration_control = {
-    parameters_filter_gnss_antenna_offset_calibration_control,
+static const struct mip_record record_filter_gnss_antenna_calibration_control = {
+    parameters_filter_gnss_antenna_calibration_control,
     3,
-    sizeof(struct mip_filter_gnss_antenna_offset_calibration_control),
+    sizeof(struct mip_filter_gnss_antenna_calibration_control),
 };
-static const uint8_t required_filter_gnss_antenna_offset_calibration_control[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_filter_gnss_antenna_calibration_control[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_vehicle_dynamics_mode_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4781,22 +4716,21 @@ static const struct mip_record record_filter_vehicle_dynamics_mode_response = {
     sizeof(struct mip_filter_vehicle_dynamics_mode_response),
 };
 
-static const struct mip_parameter
-    parameters_filter_sensor_to_vehicle_frame_transformation_response[] = {
-        {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_sensor_to_vehicle_frame_transformation_response, roll), 0, NULL,
-         NULL, NULL, NULL, 0},
-        {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_sensor_to_vehicle_frame_transformation_response, pitch), 0, NULL,
-         NULL, NULL, NULL, 0},
-        {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_sensor_to_vehicle_frame_transformation_response, yaw), 0, NULL, NULL,
-         NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_euler_response[] = {
+    {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler_response, roll), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler_response, pitch), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler_response, yaw), 0, NULL, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_filter_sensor_to_vehicle_frame_transformation_response = {
-    parameters_filter_sensor_to_vehicle_frame_transformation_response,
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_euler_response = {
+    parameters_filter_sensor_to_vehicle_rotation_euler_response,
     3,
-    sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation_response),
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler_response),
 };
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_offset_response[] = {
@@ -4810,48 +4744,47 @@ static const struct mip_record record_filter_sensor_to_vehicle_offset_response =
     sizeof(struct mip_filter_sensor_to_vehicle_offset_response),
 };
 
-static const struct mip_parameter parameters_filter_gnss_antenna_offset_control_response[] = {
+static const struct mip_parameter parameters_filter_antenna_offset_response[] = {
     {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_control_response, offset), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_antenna_offset_response, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gnss_antenna_offset_control_response = {
-    parameters_filter_gnss_antenna_offset_control_response,
+static const struct mip_record record_filter_antenna_offset_response = {
+    parameters_filter_antenna_offset_response,
     1,
-    sizeof(struct mip_filter_gnss_antenna_offset_control_response),
+    sizeof(struct mip_filter_antenna_offset_response),
 };
 
-static const struct mip_parameter parameters_filter_estimation_control_flags_response[] = {
+static const struct mip_parameter parameters_filter_estimation_control_response[] = {
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_estimation_control_flags_response, flags), 0,
-     &names_filter_estimated_states, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_estimation_control_response, flags), 0, &names_filter_estimated_states,
+     NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_estimation_control_flags_response = {
-    parameters_filter_estimation_control_flags_response,
+static const struct mip_record record_filter_estimation_control_response = {
+    parameters_filter_estimation_control_response,
     1,
-    sizeof(struct mip_filter_estimation_control_flags_response),
+    sizeof(struct mip_filter_estimation_control_response),
 };
 
-static const struct mip_parameter parameters_filter_gnss_aiding_source_control_response[] = {
+static const struct mip_parameter parameters_filter_gnss_source_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_aiding_source_control_response, source), 0,
-     &names_filter_gnss_aiding_source, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gnss_source_response, source), 0, &names_filter_gnss_aiding_source, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gnss_aiding_source_control_response = {
-    parameters_filter_gnss_aiding_source_control_response,
+static const struct mip_record record_filter_gnss_source_response = {
+    parameters_filter_gnss_source_response,
     1,
-    sizeof(struct mip_filter_gnss_aiding_source_control_response),
+    sizeof(struct mip_filter_gnss_source_response),
 };
 
-static const struct mip_parameter parameters_filter_heading_update_control_response[] = {
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_heading_update_control_response, enable), 0,
-     &names_filter_heading_update_source, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_heading_source_response[] = {
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_heading_source_response, source), 0, &names_filter_heading_update_source,
+     NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_heading_update_control_response = {
-    parameters_filter_heading_update_control_response,
+static const struct mip_record record_filter_heading_source_response = {
+    parameters_filter_heading_source_response,
     1,
-    sizeof(struct mip_filter_heading_update_control_response),
+    sizeof(struct mip_filter_heading_source_response),
 };
 
 static const struct mip_parameter parameters_filter_auto_initialization_control_response[] = {
@@ -4865,57 +4798,48 @@ static const struct mip_record record_filter_auto_initialization_control_respons
     sizeof(struct mip_filter_auto_initialization_control_response),
 };
 
-static const struct mip_parameter
-    parameters_filter_accelerometer_noise_standard_deviation_response[] = {
-        {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-         ONE(struct mip_filter_accelerometer_noise_standard_deviation_response, noise), 0, NULL,
-         NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_accel_noise_response[] = {
+    {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_accel_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_accelerometer_noise_standard_deviation_response = {
-    parameters_filter_accelerometer_noise_standard_deviation_response,
+static const struct mip_record record_filter_accel_noise_response = {
+    parameters_filter_accel_noise_response,
     1,
-    sizeof(struct mip_filter_accelerometer_noise_standard_deviation_response),
+    sizeof(struct mip_filter_accel_noise_response),
 };
 
-static const struct mip_parameter parameters_filter_gyroscope_noise_standard_deviation_response[] =
-    {
-        {"noise", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-         ONE(struct mip_filter_gyroscope_noise_standard_deviation_response, noise), 0, NULL, NULL,
-         NULL, NULL, 0},
-};
-static const struct mip_record record_filter_gyroscope_noise_standard_deviation_response = {
-    parameters_filter_gyroscope_noise_standard_deviation_response,
-    1,
-    sizeof(struct mip_filter_gyroscope_noise_standard_deviation_response),
-};
-
-static const struct mip_parameter parameters_filter_accelerometer_bias_model_parameters_response[] =
-    {
-        {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-         ONE(struct mip_filter_accelerometer_bias_model_parameters_response, beta), 0, NULL, NULL,
-         NULL, NULL, 0},
-        {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-         ONE(struct mip_filter_accelerometer_bias_model_parameters_response, noise), 0, NULL, NULL,
-         NULL, NULL, 0},
-};
-static const struct mip_record record_filter_accelerometer_bias_model_parameters_response = {
-    parameters_filter_accelerometer_bias_model_parameters_response,
-    2,
-    sizeof(struct mip_filter_accelerometer_bias_model_parameters_response),
-};
-
-static const struct mip_parameter parameters_filter_gyroscope_bias_model_parameters_response[] = {
-    {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_gyroscope_bias_model_parameters_response, beta), 0, NULL, NULL, NULL,
-     NULL, 0},
+static const struct mip_parameter parameters_filter_gyro_noise_response[] = {
     {"noise", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_gyroscope_bias_model_parameters_response, noise), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_gyro_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gyroscope_bias_model_parameters_response = {
-    parameters_filter_gyroscope_bias_model_parameters_response,
+static const struct mip_record record_filter_gyro_noise_response = {
+    parameters_filter_gyro_noise_response,
+    1,
+    sizeof(struct mip_filter_gyro_noise_response),
+};
+
+static const struct mip_parameter parameters_filter_accel_bias_model_response[] = {
+    {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_accel_bias_model_response, beta), 0, NULL, NULL, NULL, NULL, 0},
+    {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_accel_bias_model_response, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_accel_bias_model_response = {
+    parameters_filter_accel_bias_model_response,
     2,
-    sizeof(struct mip_filter_gyroscope_bias_model_parameters_response),
+    sizeof(struct mip_filter_accel_bias_model_response),
+};
+
+static const struct mip_parameter parameters_filter_gyro_bias_model_response[] = {
+    {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_gyro_bias_model_response, beta), 0, NULL, NULL, NULL, NULL, 0},
+    {"noise", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_gyro_bias_model_response, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_gyro_bias_model_response = {
+    parameters_filter_gyro_bias_model_response,
+    2,
+    sizeof(struct mip_filter_gyro_bias_model_response),
 };
 
 static const struct mip_parameter parameters_filter_auto_zupt_response[] = {
@@ -4930,48 +4854,42 @@ static const struct mip_record record_filter_auto_zupt_response = {
     sizeof(struct mip_filter_auto_zupt_response),
 };
 
-static const struct mip_parameter parameters_filter_zero_angular_rate_update_control_response[] = {
+static const struct mip_parameter parameters_filter_auto_angular_zupt_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_zero_angular_rate_update_control_response, enable), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_auto_angular_zupt_response, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"threshold", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_zero_angular_rate_update_control_response, threshold), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_auto_angular_zupt_response, threshold), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_zero_angular_rate_update_control_response = {
-    parameters_filter_zero_angular_rate_update_control_response,
+static const struct mip_record record_filter_auto_angular_zupt_response = {
+    parameters_filter_auto_angular_zupt_response,
     2,
-    sizeof(struct mip_filter_zero_angular_rate_update_control_response),
+    sizeof(struct mip_filter_auto_angular_zupt_response),
 };
 
-static const struct mip_parameter parameters_filter_set_reference_position_response[] = {
+static const struct mip_parameter parameters_filter_reference_position_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_set_reference_position_response, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_reference_position_response, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"latitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_set_reference_position_response, latitude), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_reference_position_response, latitude), 0, NULL, NULL, NULL, NULL, 0},
     {"longitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_set_reference_position_response, longitude), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_reference_position_response, longitude), 0, NULL, NULL, NULL, NULL, 0},
     {"altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_set_reference_position_response, altitude), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_reference_position_response, altitude), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_set_reference_position_response = {
-    parameters_filter_set_reference_position_response,
+static const struct mip_record record_filter_reference_position_response = {
+    parameters_filter_reference_position_response,
     4,
-    sizeof(struct mip_filter_set_reference_position_response),
+    sizeof(struct mip_filter_reference_position_response),
 };
 
-static const struct mip_parameter parameters_filter_gravity_noise_standard_deviation_response[] = {
+static const struct mip_parameter parameters_filter_gravity_noise_response[] = {
     {"noise", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_gravity_noise_standard_deviation_response, noise), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_gravity_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gravity_noise_standard_deviation_response = {
-    parameters_filter_gravity_noise_standard_deviation_response,
+static const struct mip_record record_filter_gravity_noise_response = {
+    parameters_filter_gravity_noise_response,
     1,
-    sizeof(struct mip_filter_gravity_noise_standard_deviation_response),
+    sizeof(struct mip_filter_gravity_noise_response),
 };
 
 static const struct mip_parameter parameters_filter_pressure_altitude_noise_response[] = {
@@ -5015,15 +4933,15 @@ static const struct mip_record record_filter_tare_orientation_response = {
     sizeof(struct mip_filter_tare_orientation_response),
 };
 
-static const struct mip_parameter parameters_filter_enable_disable_measurements_response[] = {
+static const struct mip_parameter parameters_filter_enable_measurements_response[] = {
     {"control", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_enable_disable_measurements_response, control), 0,
+     ONE(struct mip_filter_enable_measurements_response, control), 0,
      &names_filter_measurement_flags, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_enable_disable_measurements_response = {
-    parameters_filter_enable_disable_measurements_response,
+static const struct mip_record record_filter_enable_measurements_response = {
+    parameters_filter_enable_measurements_response,
     1,
-    sizeof(struct mip_filter_enable_disable_measurements_response),
+    sizeof(struct mip_filter_enable_measurements_response),
 };
 
 static const struct mip_parameter parameters_filter_mag_noise_response[] = {
@@ -5036,57 +4954,55 @@ static const struct mip_record record_filter_mag_noise_response = {
     sizeof(struct mip_filter_mag_noise_response),
 };
 
-static const struct mip_parameter
-    parameters_filter_magnetic_field_declination_source_control_response[] = {
-        {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_magnetic_field_declination_source_control_response, source), 0,
-         &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
-        {"declination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_magnetic_field_declination_source_control_response, declination), 0,
-         NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_magnetic_declination_source_response[] = {
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_magnetic_declination_source_response, source), 0,
+     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+    {"declination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_magnetic_declination_source_response, declination), 0, NULL, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_filter_magnetic_field_declination_source_control_response = {
-    parameters_filter_magnetic_field_declination_source_control_response,
+static const struct mip_record record_filter_magnetic_declination_source_response = {
+    parameters_filter_magnetic_declination_source_response,
     2,
-    sizeof(struct mip_filter_magnetic_field_declination_source_control_response),
+    sizeof(struct mip_filter_magnetic_declination_source_response),
 };
 
 static const struct mip_parameter
-    parameters_filter_gravity_magnitude_error_adaptive_measurement_response[] = {
+    parameters_filter_accel_magnitude_error_adaptive_measurement_response[] = {
         {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
              adaptive_measurement),
          0, &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
         {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, frequency), 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, frequency), 0,
          NULL, NULL, NULL, NULL, 0},
         {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, low_limit), 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, low_limit), 0,
          NULL, NULL, NULL, NULL, 0},
         {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, high_limit),
-         0, NULL, NULL, NULL, NULL, 0},
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, high_limit), 0,
+         NULL, NULL, NULL, NULL, 0},
         {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
          0, 0, 0,
-         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
              low_limit_uncertainty),
          0, NULL, NULL, NULL, NULL, 0},
         {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
          0, 0, 0,
-         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
              high_limit_uncertainty),
          0, NULL, NULL, NULL, NULL, 0},
         {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
          0, 0,
-         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
              minimum_uncertainty),
          0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gravity_magnitude_error_adaptive_measurement_response =
-    {
-        parameters_filter_gravity_magnitude_error_adaptive_measurement_response,
-        7,
-        sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response),
+static const struct mip_record record_filter_accel_magnitude_error_adaptive_measurement_response = {
+    parameters_filter_accel_magnitude_error_adaptive_measurement_response,
+    7,
+    sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement_response),
 };
 
 static const struct mip_parameter
@@ -5165,42 +5081,43 @@ static const struct mip_record record_filter_altitude_aiding_response = {
     sizeof(struct mip_filter_altitude_aiding_response),
 };
 
-static const struct mip_parameter parameters_filter_pitch_roll_aiding_control_response[] = {
+static const struct mip_parameter parameters_filter_pitch_roll_aiding_response[] = {
     {"aiding", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_pitch_roll_aiding_control_response, aiding), 0,
+     ONE(struct mip_filter_pitch_roll_aiding_response, aiding), 0,
      &names_filter_pitch_roll_aiding_source, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_pitch_roll_aiding_control_response = {
-    parameters_filter_pitch_roll_aiding_control_response,
+static const struct mip_record record_filter_pitch_roll_aiding_response = {
+    parameters_filter_pitch_roll_aiding_response,
     1,
-    sizeof(struct mip_filter_pitch_roll_aiding_control_response),
+    sizeof(struct mip_filter_pitch_roll_aiding_response),
 };
 
-static const struct mip_parameter parameters_filter_inclination_source_response[] = {
+static const struct mip_parameter parameters_filter_magnetic_inclination_source_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_inclination_source_response, source), 0,
+     ONE(struct mip_filter_magnetic_inclination_source_response, source), 0,
      &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
     {"inclination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_inclination_source_response, inclination), 0, NULL, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_filter_inclination_source_response = {
-    parameters_filter_inclination_source_response,
-    2,
-    sizeof(struct mip_filter_inclination_source_response),
-};
-
-static const struct mip_parameter parameters_filter_mag_field_magnitude_source_response[] = {
-    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_field_magnitude_source_response, source), 0,
-     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
-    {"magnitude", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_field_magnitude_source_response, magnitude), 0, NULL, NULL, NULL,
+     ONE(struct mip_filter_magnetic_inclination_source_response, inclination), 0, NULL, NULL, NULL,
      NULL, 0},
 };
-static const struct mip_record record_filter_mag_field_magnitude_source_response = {
-    parameters_filter_mag_field_magnitude_source_response,
+static const struct mip_record record_filter_magnetic_inclination_source_response = {
+    parameters_filter_magnetic_inclination_source_response,
     2,
-    sizeof(struct mip_filter_mag_field_magnitude_source_response),
+    sizeof(struct mip_filter_magnetic_inclination_source_response),
+};
+
+static const struct mip_parameter parameters_filter_magnetic_magnitude_source_response[] = {
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_magnetic_magnitude_source_response, source), 0,
+     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+    {"magnitude", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_magnetic_magnitude_source_response, magnitude), 0, NULL, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_magnetic_magnitude_source_response = {
+    parameters_filter_magnetic_magnitude_source_response,
+    2,
+    sizeof(struct mip_filter_magnetic_magnitude_source_response),
 };
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_dcm_response[] = {
@@ -5216,8 +5133,8 @@ static const struct mip_record record_filter_sensor_to_vehicle_rotation_dcm_resp
 
 static const struct mip_parameter
     parameters_filter_sensor_to_vehicle_rotation_quaternion_response[] = {
-        {"quat", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-         ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response, quat), 0, NULL, NULL,
+        {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+         ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response, q), 0, NULL, NULL,
          NULL, NULL, 0},
 };
 static const struct mip_record record_filter_sensor_to_vehicle_rotation_quaternion_response = {
@@ -5226,18 +5143,18 @@ static const struct mip_record record_filter_sensor_to_vehicle_rotation_quaterni
     sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response),
 };
 
-static const struct mip_parameter parameters_filter_aiding_measurement_control_response[] = {
+static const struct mip_parameter parameters_filter_aiding_measurement_enable_response[] = {
     {"aiding_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_aiding_measurement_control_response, aiding_source), 0,
+     ONE(struct mip_filter_aiding_measurement_enable_response, aiding_source), 0,
      &names_filter_aiding_source, NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_aiding_measurement_control_response, enable), 0, NULL, NULL, NULL, NULL,
+     ONE(struct mip_filter_aiding_measurement_enable_response, enable), 0, NULL, NULL, NULL, NULL,
      0},
 };
-static const struct mip_record record_filter_aiding_measurement_control_response = {
-    parameters_filter_aiding_measurement_control_response,
+static const struct mip_record record_filter_aiding_measurement_enable_response = {
+    parameters_filter_aiding_measurement_enable_response,
     2,
-    sizeof(struct mip_filter_aiding_measurement_control_response),
+    sizeof(struct mip_filter_aiding_measurement_enable_response),
 };
 
 static const struct mip_parameter parameters_filter_kinematic_constraint_response[] = {
@@ -5257,91 +5174,89 @@ static const struct mip_record record_filter_kinematic_constraint_response = {
     sizeof(struct mip_filter_kinematic_constraint_response),
 };
 
-static const struct mip_parameter parameters_filter_navigation_filter_initialization_response[] = {
+static const struct mip_parameter parameters_filter_initialization_config_response[] = {
     {"wait_for_run_command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, wait_for_run_command), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"initial_cond_src", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, initial_cond_src), 0,
+     ONE(struct mip_filter_initialization_config_response, wait_for_run_command), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"initial_condition_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_initialization_config_response, initial_condition_source), 0,
      &names_filter_initial_condition_source, NULL, NULL, NULL, 0},
     {"auto_heading_alignment_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response,
-         auto_heading_alignment_selector),
+     0, 0, ONE(struct mip_filter_initialization_config_response, auto_heading_alignment_selector),
      0, &names_filter_heading_alignment, NULL, NULL, NULL, 0},
     {"initial_heading", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, initial_heading), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_initialization_config_response, initial_heading), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"initial_pitch", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, initial_pitch), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_initialization_config_response, initial_pitch), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"initial_roll", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, initial_roll), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_initialization_config_response, initial_roll), 0, NULL, NULL, NULL, NULL,
+     0},
     {"initial_position", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, initial_position), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_initialization_config_response, initial_position), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"initial_velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, initial_velocity), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_initialization_config_response, initial_velocity), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"reference_frame_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, reference_frame_selector), 0,
+     ONE(struct mip_filter_initialization_config_response, reference_frame_selector), 0,
      &names_filter_reference_frame, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_navigation_filter_initialization_response = {
-    parameters_filter_navigation_filter_initialization_response,
+static const struct mip_record record_filter_initialization_config_response = {
+    parameters_filter_initialization_config_response,
     9,
-    sizeof(struct mip_filter_navigation_filter_initialization_response),
+    sizeof(struct mip_filter_initialization_config_response),
 };
 
-static const struct mip_parameter parameters_filter_adaptive_filter_control_response[] = {
+static const struct mip_parameter parameters_filter_adaptive_filter_options_response[] = {
     {"level", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_adaptive_filter_control_response, level), 0,
+     ONE(struct mip_filter_adaptive_filter_options_response, level), 0,
      &names_filter_adaptive_level, NULL, NULL, NULL, 0},
     {"time_limit", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_adaptive_filter_control_response, time_limit), 0, NULL, NULL, NULL, NULL,
+     ONE(struct mip_filter_adaptive_filter_options_response, time_limit), 0, NULL, NULL, NULL, NULL,
      0},
 };
-static const struct mip_record record_filter_adaptive_filter_control_response = {
-    parameters_filter_adaptive_filter_control_response,
+static const struct mip_record record_filter_adaptive_filter_options_response = {
+    parameters_filter_adaptive_filter_options_response,
     2,
-    sizeof(struct mip_filter_adaptive_filter_control_response),
+    sizeof(struct mip_filter_adaptive_filter_options_response),
 };
 
-static const struct mip_parameter parameters_filter_gnss_multi_antenna_offset_control_response[] = {
+static const struct mip_parameter parameters_filter_multi_antenna_offset_response[] = {
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_multi_antenna_offset_control_response, receiver_id), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_multi_antenna_offset_response, receiver_id), 0, NULL, NULL, NULL, NULL,
+     0},
     {"antenna_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_gnss_multi_antenna_offset_control_response, antenna_offset), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_multi_antenna_offset_response, antenna_offset), 0, NULL, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_filter_gnss_multi_antenna_offset_control_response = {
-    parameters_filter_gnss_multi_antenna_offset_control_response,
+static const struct mip_record record_filter_multi_antenna_offset_response = {
+    parameters_filter_multi_antenna_offset_response,
     2,
-    sizeof(struct mip_filter_gnss_multi_antenna_offset_control_response),
+    sizeof(struct mip_filter_multi_antenna_offset_response),
 };
 
-static const struct mip_parameter parameters_filter_relative_position_configuration_response[] = {
+static const struct mip_parameter parameters_filter_relative_position_config_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_relative_position_configuration_response, source), 0,
+     ONE(struct mip_filter_relative_position_config_response, source), 0,
      &names_filter_relative_position_source, NULL, NULL, NULL, 0},
     {"reference_frame_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_relative_position_configuration_response, reference_frame_selector), 0,
+     ONE(struct mip_filter_relative_position_config_response, reference_frame_selector), 0,
      &names_filter_reference_frame, NULL, NULL, NULL, 0},
     {"reference_coordinates", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_relative_position_configuration_response, reference_coordinates), 0,
-     NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_relative_position_config_response, reference_coordinates), 0, NULL, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_filter_relative_position_configuration_response = {
-    parameters_filter_relative_position_configuration_response,
+static const struct mip_record record_filter_relative_position_config_response = {
+    parameters_filter_relative_position_config_response,
     3,
-    sizeof(struct mip_filter_relative_position_configuration_response),
+    sizeof(struct mip_filter_relative_position_config_response),
 };
 
 static const struct mip_parameter parameters_filter_reference_point_lever_arm_response[] = {
-    {"ref_point_sel", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_reference_point_lever_arm_response, ref_point_sel), 0,
+    {"reference_point", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_reference_point_lever_arm_response, reference_point), 0,
      &names_filter_reference_point, NULL, NULL, NULL, 0},
     {"lever_arm_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_reference_point_lever_arm_response, lever_arm_offset), 0, NULL, NULL,
@@ -5353,18 +5268,17 @@ static const struct mip_record record_filter_reference_point_lever_arm_response 
     sizeof(struct mip_filter_reference_point_lever_arm_response),
 };
 
-static const struct mip_parameter parameters_filter_measurement_speed_lever_arm_response[] = {
+static const struct mip_parameter parameters_filter_speed_lever_arm_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_measurement_speed_lever_arm_response, source), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_speed_lever_arm_response, source), 0, NULL, NULL, NULL, NULL, 0},
     {"lever_arm_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_measurement_speed_lever_arm_response, lever_arm_offset), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_speed_lever_arm_response, lever_arm_offset), 0, NULL, NULL, NULL, NULL,
+     0},
 };
-static const struct mip_record record_filter_measurement_speed_lever_arm_response = {
-    parameters_filter_measurement_speed_lever_arm_response,
+static const struct mip_record record_filter_speed_lever_arm_response = {
+    parameters_filter_speed_lever_arm_response,
     2,
-    sizeof(struct mip_filter_measurement_speed_lever_arm_response),
+    sizeof(struct mip_filter_speed_lever_arm_response),
 };
 
 static const struct mip_parameter parameters_filter_vertical_gyro_constraint_control_response[] = {
@@ -5390,19 +5304,18 @@ static const struct mip_record record_filter_wheeled_vehicle_constraint_control_
     sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response),
 };
 
-static const struct mip_parameter
-    parameters_filter_gnss_antenna_offset_calibration_control_response[] = {
-        {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_gnss_antenna_offset_calibration_control_response, enable), 0, NULL,
-         NULL, NULL, NULL, 0},
-        {"max_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_gnss_antenna_offset_calibration_control_response, max_offset), 0,
-         NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_gnss_antenna_calibration_control_response[] = {
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_gnss_antenna_calibration_control_response, enable), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"max_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_gnss_antenna_calibration_control_response, max_offset), 0, NULL, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gnss_antenna_offset_calibration_control_response = {
-    parameters_filter_gnss_antenna_offset_calibration_control_response,
+static const struct mip_record record_filter_gnss_antenna_calibration_control_response = {
+    parameters_filter_gnss_antenna_calibration_control_response,
     2,
-    sizeof(struct mip_filter_gnss_antenna_offset_calibration_control_response),
+    sizeof(struct mip_filter_gnss_antenna_calibration_control_response),
 };
 
 static const struct mip_record record_gnss_receiver_info = {
@@ -5411,76 +5324,76 @@ static const struct mip_record record_gnss_receiver_info = {
     sizeof(struct mip_gnss_receiver_info),
 };
 
-static const struct mip_parameter parameters_gnss_signal_configuration[] = {
+static const struct mip_parameter parameters_gnss_signal_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_signal_configuration, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_gnss_signal_config, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
     {"gps_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_gnss_signal_configuration, gps_enable), 0, &names_gnss_gps_signals, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_gnss_signal_config, gps_enable), 0, &names_gnss_gps_signals, NULL, NULL, NULL,
+     0},
     {"glonass_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_gnss_signal_configuration, glonass_enable), 0, &names_gnss_glonass_signals,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_signal_config, glonass_enable), 0, &names_gnss_glonass_signals, NULL, NULL,
+     NULL, 0},
     {"galileo_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_gnss_signal_configuration, galileo_enable), 0, &names_gnss_galileo_signals,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_signal_config, galileo_enable), 0, &names_gnss_galileo_signals, NULL, NULL,
+     NULL, 0},
     {"beidou_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_gnss_signal_configuration, beidou_enable), 0, &names_gnss_beidou_signals, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_gnss_signal_config, beidou_enable), 0, &names_gnss_beidou_signals, NULL, NULL,
+     NULL, 0},
     {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 5, 0,
-     MANY(struct mip_gnss_signal_configuration, reserved), 0, NULL, NULL, NULL, NULL, 0},
+     MANY(struct mip_gnss_signal_config, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_gnss_signal_configuration = {
-    parameters_gnss_signal_configuration,
+static const struct mip_record record_gnss_signal_config = {
+    parameters_gnss_signal_config,
     6,
-    sizeof(struct mip_gnss_signal_configuration),
+    sizeof(struct mip_gnss_signal_config),
 };
-static const uint8_t required_gnss_signal_configuration[] = {0, 5, 0, 0, 0, 0};
+static const uint8_t required_gnss_signal_config[] = {0, 5, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_gnss_rtk_dongle_configuration[] = {
+static const struct mip_parameter parameters_gnss_rtk_dongle_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_rtk_dongle_configuration, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_gnss_rtk_dongle_config, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_gnss_rtk_dongle_configuration, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_rtk_dongle_config, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 2, 0,
-     MANY(struct mip_gnss_rtk_dongle_configuration, reserved), 0, NULL, NULL, NULL, NULL, 0},
+     MANY(struct mip_gnss_rtk_dongle_config, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_gnss_rtk_dongle_configuration = {
-    parameters_gnss_rtk_dongle_configuration,
+static const struct mip_record record_gnss_rtk_dongle_config = {
+    parameters_gnss_rtk_dongle_config,
     3,
-    sizeof(struct mip_gnss_rtk_dongle_configuration),
+    sizeof(struct mip_gnss_rtk_dongle_config),
 };
-static const uint8_t required_gnss_rtk_dongle_configuration[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_gnss_rtk_dongle_config[] = {0, 2, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_gnss_spartn_configuration[] = {
+static const struct mip_parameter parameters_gnss_spartn_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_configuration, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_gnss_spartn_config, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_gnss_spartn_configuration, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_spartn_config, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_gnss_spartn_configuration, type), 0, &names_gnss_spartn_connection, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_gnss_spartn_config, type), 0, &names_gnss_spartn_connection, NULL, NULL, NULL,
+     0},
     {"current_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_gnss_spartn_configuration, current_key_tow), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_spartn_config, current_key_tow), 0, NULL, NULL, NULL, NULL, 0},
     {"current_key_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_gnss_spartn_configuration, current_key_week), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_spartn_config, current_key_week), 0, NULL, NULL, NULL, NULL, 0},
     {"current_key", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 5, 0,
-     MANY(struct mip_gnss_spartn_configuration, current_key), 0, NULL, NULL, NULL, NULL, 0},
+     MANY(struct mip_gnss_spartn_config, current_key), 0, NULL, NULL, NULL, NULL, 0},
     {"next_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 6, 0,
-     ONE(struct mip_gnss_spartn_configuration, next_key_tow), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_spartn_config, next_key_tow), 0, NULL, NULL, NULL, NULL, 0},
     {"next_key_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 7, 0,
-     ONE(struct mip_gnss_spartn_configuration, next_key_week), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_spartn_config, next_key_week), 0, NULL, NULL, NULL, NULL, 0},
     {"next_key", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 8, 0,
-     MANY(struct mip_gnss_spartn_configuration, next_key), 0, NULL, NULL, NULL, NULL, 0},
+     MANY(struct mip_gnss_spartn_config, next_key), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_gnss_spartn_configuration = {
-    parameters_gnss_spartn_configuration,
+static const struct mip_record record_gnss_spartn_config = {
+    parameters_gnss_spartn_config,
     9,
-    sizeof(struct mip_gnss_spartn_configuration),
+    sizeof(struct mip_gnss_spartn_config),
 };
-static const uint8_t required_gnss_spartn_configuration[] = {0, 8, 0, 0, 0, 0};
+static const uint8_t required_gnss_spartn_config[] = {0, 8, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_gnss_receiver_info_response[] = {
     {"num_receivers", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -5495,69 +5408,63 @@ static const struct mip_record record_gnss_receiver_info_response = {
     sizeof(struct mip_gnss_receiver_info_response),
 };
 
-static const struct mip_parameter parameters_gnss_signal_configuration_response[] = {
+static const struct mip_parameter parameters_gnss_signal_config_response[] = {
     {"gps_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_signal_configuration_response, gps_enable), 0, &names_gnss_gps_signals,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_signal_config_response, gps_enable), 0, &names_gnss_gps_signals, NULL,
+     NULL, NULL, 0},
     {"glonass_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_signal_configuration_response, glonass_enable), 0,
-     &names_gnss_glonass_signals, NULL, NULL, NULL, 0},
-    {"galileo_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_signal_configuration_response, galileo_enable), 0,
-     &names_gnss_galileo_signals, NULL, NULL, NULL, 0},
-    {"beidou_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_signal_configuration_response, beidou_enable), 0,
-     &names_gnss_beidou_signals, NULL, NULL, NULL, 0},
-    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
-     MANY(struct mip_gnss_signal_configuration_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_gnss_signal_configuration_response = {
-    parameters_gnss_signal_configuration_response,
-    5,
-    sizeof(struct mip_gnss_signal_configuration_response),
-};
-
-static const struct mip_parameter parameters_gnss_rtk_dongle_configuration_response[] = {
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_rtk_dongle_configuration_response, enable), 0, NULL, NULL, NULL, NULL, 0},
-    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 0, 0,
-     MANY(struct mip_gnss_rtk_dongle_configuration_response, reserved), 0, NULL, NULL, NULL, NULL,
-     0},
-};
-static const struct mip_record record_gnss_rtk_dongle_configuration_response = {
-    parameters_gnss_rtk_dongle_configuration_response,
-    2,
-    sizeof(struct mip_gnss_rtk_dongle_configuration_response),
-};
-
-static const struct mip_parameter parameters_gnss_spartn_configuration_response[] = {
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_configuration_response, enable), 0, NULL, NULL, NULL, NULL, 0},
-    {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_configuration_response, type), 0, &names_gnss_spartn_connection,
+     ONE(struct mip_gnss_signal_config_response, glonass_enable), 0, &names_gnss_glonass_signals,
      NULL, NULL, NULL, 0},
-    {"current_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_configuration_response, current_key_tow), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"current_key_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_configuration_response, current_key_week), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"current_key", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
-     MANY(struct mip_gnss_spartn_configuration_response, current_key), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"next_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_configuration_response, next_key_tow), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"next_key_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_configuration_response, next_key_week), 0, NULL, NULL, NULL, NULL,
-     0},
-    {"next_key", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
-     MANY(struct mip_gnss_spartn_configuration_response, next_key), 0, NULL, NULL, NULL, NULL, 0},
+    {"galileo_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_signal_config_response, galileo_enable), 0, &names_gnss_galileo_signals,
+     NULL, NULL, NULL, 0},
+    {"beidou_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_signal_config_response, beidou_enable), 0, &names_gnss_beidou_signals,
+     NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_signal_config_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_gnss_spartn_configuration_response = {
-    parameters_gnss_spartn_configuration_response,
+static const struct mip_record record_gnss_signal_config_response = {
+    parameters_gnss_signal_config_response,
+    5,
+    sizeof(struct mip_gnss_signal_config_response),
+};
+
+static const struct mip_parameter parameters_gnss_rtk_dongle_config_response[] = {
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_rtk_dongle_config_response, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 0, 0,
+     MANY(struct mip_gnss_rtk_dongle_config_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_rtk_dongle_config_response = {
+    parameters_gnss_rtk_dongle_config_response,
+    2,
+    sizeof(struct mip_gnss_rtk_dongle_config_response),
+};
+
+static const struct mip_parameter parameters_gnss_spartn_config_response[] = {
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_spartn_config_response, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_spartn_config_response, type), 0, &names_gnss_spartn_connection, NULL,
+     NULL, NULL, 0},
+    {"current_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_spartn_config_response, current_key_tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"current_key_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_spartn_config_response, current_key_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"current_key", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
+     MANY(struct mip_gnss_spartn_config_response, current_key), 0, NULL, NULL, NULL, NULL, 0},
+    {"next_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_spartn_config_response, next_key_tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"next_key_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_spartn_config_response, next_key_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"next_key", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
+     MANY(struct mip_gnss_spartn_config_response, next_key), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_spartn_config_response = {
+    parameters_gnss_spartn_config_response,
     8,
-    sizeof(struct mip_gnss_spartn_configuration_response),
+    sizeof(struct mip_gnss_spartn_config_response),
 };
 
 static const struct mip_record record_rtk_get_status_flags = {
@@ -5766,39 +5673,39 @@ static const struct mip_record record_rtk_service_status_response = {
     sizeof(struct mip_rtk_service_status_response),
 };
 
-static const struct mip_parameter members_aiding_frame_configuration_rotation[] = {
+static const struct mip_parameter members_aiding_frame_config_rotation[] = {
     {"euler", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(union mip_aiding_frame_configuration_rotation, euler), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(union mip_aiding_frame_config_rotation, euler), 0, NULL, NULL, NULL, NULL, 0},
     {"quaternion", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-     ONE(union mip_aiding_frame_configuration_rotation, quaternion), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(union mip_aiding_frame_config_rotation, quaternion), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_case cases_aiding_frame_configuration_rotation[] = {
-    {1, &members_aiding_frame_configuration_rotation[0]},
-    {2, &members_aiding_frame_configuration_rotation[1]},
+static const struct mip_case cases_aiding_frame_config_rotation[] = {
+    {1, &members_aiding_frame_config_rotation[0]},
+    {2, &members_aiding_frame_config_rotation[1]},
 };
-static const struct mip_parameter parameters_aiding_frame_configuration[] = {
+static const struct mip_parameter parameters_aiding_frame_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_frame_configuration, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_aiding_frame_config, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
     {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_aiding_frame_configuration, frame_id), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_aiding_frame_config, frame_id), 0, NULL, NULL, NULL, NULL, 0},
     {"format", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_aiding_frame_configuration, format), 0, &names_aiding_frame_format, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_aiding_frame_config, format), 0, &names_aiding_frame_format, NULL, NULL, NULL,
+     0},
     {"tracking_enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_aiding_frame_configuration, tracking_enabled), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_aiding_frame_config, tracking_enabled), 0, NULL, NULL, NULL, NULL, 0},
     {"translation", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 4, 0,
-     ONE(struct mip_aiding_frame_configuration, translation), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_aiding_frame_config, translation), 0, NULL, NULL, NULL, NULL, 0},
     {"rotation", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 5, 0,
-     ONE(struct mip_aiding_frame_configuration, rotation), 0, NULL, NULL, NULL,
-     cases_aiding_frame_configuration_rotation, 2},
+     ONE(struct mip_aiding_frame_config, rotation), 0, NULL, NULL, NULL,
+     cases_aiding_frame_config_rotation, 2},
 };
-static const struct mip_record record_aiding_frame_configuration = {
-    parameters_aiding_frame_configuration,
+static const struct mip_record record_aiding_frame_config = {
+    parameters_aiding_frame_config,
     6,
-    sizeof(struct mip_aiding_frame_configuration),
+    sizeof(struct mip_aiding_frame_config),
 };
-static const uint8_t required_aiding_frame_configuration[] = {0, 5, 2, 1, 1, 1};
+static const uint8_t required_aiding_frame_config[] = {0, 5, 2, 1, 1, 1};
 
 static const struct mip_parameter parameters_aiding_echo_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5995,38 +5902,35 @@ static const struct mip_record record_aiding_pressure = {
     sizeof(struct mip_aiding_pressure),
 };
 
-static const struct mip_parameter members_aiding_frame_configuration_response_rotation[] = {
+static const struct mip_parameter members_aiding_frame_config_response_rotation[] = {
     {"euler", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(union mip_aiding_frame_configuration_response_rotation, euler), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(union mip_aiding_frame_config_response_rotation, euler), 0, NULL, NULL, NULL, NULL, 0},
     {"quaternion", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-     ONE(union mip_aiding_frame_configuration_response_rotation, quaternion), 0, NULL, NULL, NULL,
-     NULL, 0},
-};
-static const struct mip_case cases_aiding_frame_configuration_response_rotation[] = {
-    {1, &members_aiding_frame_configuration_response_rotation[0]},
-    {2, &members_aiding_frame_configuration_response_rotation[1]},
-};
-static const struct mip_parameter parameters_aiding_frame_configuration_response[] = {
-    {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_frame_configuration_response, frame_id), 0, NULL, NULL, NULL, NULL, 0},
-    {"format", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_frame_configuration_response, format), 0, &names_aiding_frame_format,
-     NULL, NULL, NULL, 0},
-    {"tracking_enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_frame_configuration_response, tracking_enabled), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"translation", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_aiding_frame_configuration_response, translation), 0, NULL, NULL, NULL, NULL,
+     ONE(union mip_aiding_frame_config_response_rotation, quaternion), 0, NULL, NULL, NULL, NULL,
      0},
-    {"rotation", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
-     ONE(struct mip_aiding_frame_configuration_response, rotation), 0, NULL, NULL, NULL,
-     cases_aiding_frame_configuration_response_rotation, 2},
 };
-static const struct mip_record record_aiding_frame_configuration_response = {
-    parameters_aiding_frame_configuration_response,
+static const struct mip_case cases_aiding_frame_config_response_rotation[] = {
+    {1, &members_aiding_frame_config_response_rotation[0]},
+    {2, &members_aiding_frame_config_response_rotation[1]},
+};
+static const struct mip_parameter parameters_aiding_frame_config_response[] = {
+    {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_aiding_frame_config_response, frame_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"format", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_aiding_frame_config_response, format), 0, &names_aiding_frame_format, NULL,
+     NULL, NULL, 0},
+    {"tracking_enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_aiding_frame_config_response, tracking_enabled), 0, NULL, NULL, NULL, NULL, 0},
+    {"translation", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_aiding_frame_config_response, translation), 0, NULL, NULL, NULL, NULL, 0},
+    {"rotation", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
+     ONE(struct mip_aiding_frame_config_response, rotation), 0, NULL, NULL, NULL,
+     cases_aiding_frame_config_response_rotation, 2},
+};
+static const struct mip_record record_aiding_frame_config_response = {
+    parameters_aiding_frame_config_response,
     5,
-    sizeof(struct mip_aiding_frame_configuration_response),
+    sizeof(struct mip_aiding_frame_config_response),
 };
 
 static const struct mip_parameter parameters_aiding_echo_control_response[] = {
@@ -6045,13 +5949,13 @@ static const struct mip_parameter parameters_system_interface_control[] = {
      ONE(struct mip_system_interface_control, function), 0, &names_function_selector, NULL, NULL,
      NULL, 0},
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_system_interface_control, port), 0, &names_system_comms_interface, NULL, NULL,
+     ONE(struct mip_system_interface_control, port), 0, &names_system_comm_interface, NULL, NULL,
      NULL, 0},
     {"protocols_incoming", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_system_interface_control, protocols_incoming), 0, &names_system_comms_protocols,
+     ONE(struct mip_system_interface_control, protocols_incoming), 0, &names_system_comm_protocols,
      NULL, NULL, NULL, 0},
     {"protocols_outgoing", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_system_interface_control, protocols_outgoing), 0, &names_system_comms_protocols,
+     ONE(struct mip_system_interface_control, protocols_outgoing), 0, &names_system_comm_protocols,
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_system_interface_control = {
@@ -6061,31 +5965,29 @@ static const struct mip_record record_system_interface_control = {
 };
 static const uint8_t required_system_interface_control[] = {0, 3, 1, 1, 1, 1};
 
-static const struct mip_parameter parameters_system_communication_mode[] = {
+static const struct mip_parameter parameters_system_comm_mode[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_system_communication_mode, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_system_comm_mode, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_system_communication_mode, mode), 0, &names_system_protocol_mode, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_system_comm_mode, mode), 0, &names_system_protocol_mode, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_system_communication_mode = {
-    parameters_system_communication_mode,
+static const struct mip_record record_system_comm_mode = {
+    parameters_system_comm_mode,
     2,
-    sizeof(struct mip_system_communication_mode),
+    sizeof(struct mip_system_comm_mode),
 };
-static const uint8_t required_system_communication_mode[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_system_comm_mode[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_system_interface_control_response[] = {
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_system_interface_control_response, port), 0, &names_system_comms_interface,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_system_interface_control_response, port), 0, &names_system_comm_interface, NULL,
+     NULL, NULL, 0},
     {"protocols_incoming", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_system_interface_control_response, protocols_incoming), 0,
-     &names_system_comms_protocols, NULL, NULL, NULL, 0},
+     &names_system_comm_protocols, NULL, NULL, NULL, 0},
     {"protocols_outgoing", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_system_interface_control_response, protocols_outgoing), 0,
-     &names_system_comms_protocols, NULL, NULL, NULL, 0},
+     &names_system_comm_protocols, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_system_interface_control_response = {
     parameters_system_interface_control_response,
@@ -6093,15 +5995,15 @@ static const struct mip_record record_system_interface_control_response = {
     sizeof(struct mip_system_interface_control_response),
 };
 
-static const struct mip_parameter parameters_system_communication_mode_response[] = {
+static const struct mip_parameter parameters_system_comm_mode_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_system_communication_mode_response, mode), 0, &names_system_protocol_mode, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_system_comm_mode_response, mode), 0, &names_system_protocol_mode, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_system_communication_mode_response = {
-    parameters_system_communication_mode_response,
+static const struct mip_record record_system_comm_mode_response = {
+    parameters_system_comm_mode_response,
     1,
-    sizeof(struct mip_system_communication_mode_response),
+    sizeof(struct mip_system_comm_mode_response),
 };
 
 static const struct mip_parameter parameters_sensor_raw_accel[] = {
@@ -6184,25 +6086,24 @@ static const struct mip_record record_sensor_delta_velocity = {
     sizeof(struct mip_sensor_delta_velocity),
 };
 
-static const struct mip_parameter parameters_sensor_complementary_filter_orientation_matrix[] = {
+static const struct mip_parameter parameters_sensor_comp_orientation_matrix[] = {
     {"m", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
-     ONE(struct mip_sensor_complementary_filter_orientation_matrix, m), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_sensor_comp_orientation_matrix, m), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_sensor_complementary_filter_orientation_matrix = {
-    parameters_sensor_complementary_filter_orientation_matrix,
+static const struct mip_record record_sensor_comp_orientation_matrix = {
+    parameters_sensor_comp_orientation_matrix,
     1,
-    sizeof(struct mip_sensor_complementary_filter_orientation_matrix),
+    sizeof(struct mip_sensor_comp_orientation_matrix),
 };
 
-static const struct mip_parameter parameters_sensor_complementary_filter_quaternion[] = {
+static const struct mip_parameter parameters_sensor_comp_quaternion[] = {
     {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-     ONE(struct mip_sensor_complementary_filter_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_sensor_comp_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_sensor_complementary_filter_quaternion = {
-    parameters_sensor_complementary_filter_quaternion,
+static const struct mip_record record_sensor_comp_quaternion = {
+    parameters_sensor_comp_quaternion,
     1,
-    sizeof(struct mip_sensor_complementary_filter_quaternion),
+    sizeof(struct mip_sensor_comp_quaternion),
 };
 
 static const struct mip_parameter parameters_sensor_comp_orientation_update_matrix[] = {
@@ -6215,28 +6116,29 @@ static const struct mip_record record_sensor_comp_orientation_update_matrix = {
     sizeof(struct mip_sensor_comp_orientation_update_matrix),
 };
 
-static const struct mip_parameter parameters_sensor_complementary_filter_euler_angles[] = {
+static const struct mip_parameter parameters_sensor_comp_euler_angles[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_complementary_filter_euler_angles, roll), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_sensor_comp_euler_angles, roll), 0, NULL, NULL, NULL, NULL, 0},
     {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_complementary_filter_euler_angles, pitch), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_sensor_comp_euler_angles, pitch), 0, NULL, NULL, NULL, NULL, 0},
     {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_complementary_filter_euler_angles, yaw), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_sensor_comp_euler_angles, yaw), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_sensor_complementary_filter_euler_angles = {
-    parameters_sensor_complementary_filter_euler_angles,
+static const struct mip_record record_sensor_comp_euler_angles = {
+    parameters_sensor_comp_euler_angles,
     3,
-    sizeof(struct mip_sensor_complementary_filter_euler_angles),
+    sizeof(struct mip_sensor_comp_euler_angles),
 };
 
-static const struct mip_parameter parameters_sensor_orientation_raw_temp[] = {
-    {"raw_temp", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
-     MANY(struct mip_sensor_orientation_raw_temp, raw_temp), 0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_sensor_orientation_raw_temperature[] = {
+    {"raw_temperature", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_sensor_orientation_raw_temperature, raw_temperature), 0, NULL, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_sensor_orientation_raw_temp = {
-    parameters_sensor_orientation_raw_temp,
+static const struct mip_record record_sensor_orientation_raw_temperature = {
+    parameters_sensor_orientation_raw_temperature,
     1,
-    sizeof(struct mip_sensor_orientation_raw_temp),
+    sizeof(struct mip_sensor_orientation_raw_temperature),
 };
 
 static const struct mip_parameter parameters_sensor_internal_timestamp[] = {
@@ -6261,27 +6163,24 @@ static const struct mip_record record_sensor_pps_timestamp = {
     sizeof(struct mip_sensor_pps_timestamp),
 };
 
-static const struct mip_parameter parameters_sensor_complementary_filter_stabilized_north_vector[] =
-    {
-        {"stabilized_mag", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
-         0, ONE(struct mip_sensor_complementary_filter_stabilized_north_vector, stabilized_mag), 0,
-         NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_sensor_north_vector[] = {
+    {"stabilized_mag", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_sensor_north_vector, stabilized_mag), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_sensor_complementary_filter_stabilized_north_vector = {
-    parameters_sensor_complementary_filter_stabilized_north_vector,
+static const struct mip_record record_sensor_north_vector = {
+    parameters_sensor_north_vector,
     1,
-    sizeof(struct mip_sensor_complementary_filter_stabilized_north_vector),
+    sizeof(struct mip_sensor_north_vector),
 };
 
-static const struct mip_parameter parameters_sensor_complementary_filter_stabilized_up_vector[] = {
+static const struct mip_parameter parameters_sensor_up_vector[] = {
     {"stabilized_accel", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_sensor_complementary_filter_stabilized_up_vector, stabilized_accel), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_sensor_up_vector, stabilized_accel), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_sensor_complementary_filter_stabilized_up_vector = {
-    parameters_sensor_complementary_filter_stabilized_up_vector,
+static const struct mip_record record_sensor_up_vector = {
+    parameters_sensor_up_vector,
     1,
-    sizeof(struct mip_sensor_complementary_filter_stabilized_up_vector),
+    sizeof(struct mip_sensor_up_vector),
 };
 
 static const struct mip_reading readings_sensor_gps_timestamp_valid_flags[] = {
@@ -6303,12 +6202,12 @@ static const struct mip_record record_sensor_gps_timestamp = {
 };
 
 static const struct mip_parameter parameters_sensor_temperature_statistics[] = {
-    {"min_temp", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_temperature_statistics, min_temp), 0, NULL, NULL, NULL, NULL, 0},
-    {"max_temp", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_temperature_statistics, max_temp), 0, NULL, NULL, NULL, NULL, 0},
-    {"mean_temp", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_temperature_statistics, mean_temp), 0, NULL, NULL, NULL, NULL, 0},
+    {"min_temperature", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_temperature_statistics, min_temperature), 0, NULL, NULL, NULL, NULL, 0},
+    {"max_temperature", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_temperature_statistics, max_temperature), 0, NULL, NULL, NULL, NULL, 0},
+    {"mean_temperature", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_temperature_statistics, mean_temperature), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_temperature_statistics = {
     parameters_sensor_temperature_statistics,
@@ -6379,21 +6278,21 @@ static const struct mip_record record_filter_data_llh_position = {
     sizeof(struct mip_filter_data_llh_position),
 };
 
-static const struct mip_parameter parameters_filter_data_velocity_ned[] = {
+static const struct mip_parameter parameters_filter_data_ned_velocity[] = {
     {"north", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_velocity_ned, north), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_data_ned_velocity, north), 0, NULL, NULL, NULL, NULL, 0},
     {"east", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_velocity_ned, east), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_data_ned_velocity, east), 0, NULL, NULL, NULL, NULL, 0},
     {"down", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_velocity_ned, down), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_data_ned_velocity, down), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_velocity_ned, valid_flags), 0, &names_filter_data_valid_flags, NULL,
+     ONE(struct mip_filter_data_ned_velocity, valid_flags), 0, &names_filter_data_valid_flags, NULL,
      NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_velocity_ned = {
-    parameters_filter_data_velocity_ned,
+static const struct mip_record record_filter_data_ned_velocity = {
+    parameters_filter_data_ned_velocity,
     4,
-    sizeof(struct mip_filter_data_velocity_ned),
+    sizeof(struct mip_filter_data_ned_velocity),
 };
 
 static const struct mip_parameter parameters_filter_data_attitude_quaternion[] = {
@@ -6517,8 +6416,9 @@ static const struct mip_record record_filter_data_euler_angles_uncertainty = {
 };
 
 static const struct mip_parameter parameters_filter_data_gyro_bias_uncertainty[] = {
-    {"bias_uncert", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_gyro_bias_uncertainty, bias_uncert), 0, NULL, NULL, NULL, NULL, 0},
+    {"bias_uncertainty", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_gyro_bias_uncertainty, bias_uncertainty), 0, NULL, NULL, NULL, NULL,
+     0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gyro_bias_uncertainty, valid_flags), 0,
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
@@ -6530,8 +6430,9 @@ static const struct mip_record record_filter_data_gyro_bias_uncertainty = {
 };
 
 static const struct mip_parameter parameters_filter_data_accel_bias_uncertainty[] = {
-    {"bias_uncert", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_accel_bias_uncertainty, bias_uncert), 0, NULL, NULL, NULL, NULL, 0},
+    {"bias_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_accel_bias_uncertainty, bias_uncertainty), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_accel_bias_uncertainty, valid_flags), 0,
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
@@ -6568,18 +6469,18 @@ static const struct mip_record record_filter_data_comp_angular_rate = {
     sizeof(struct mip_filter_data_comp_angular_rate),
 };
 
-static const struct mip_parameter parameters_filter_data_wgs84_local_gravity_magnitude[] = {
+static const struct mip_parameter parameters_filter_data_wgs84_gravity_magnitude[] = {
     {"gravity_magnitude", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_wgs84_local_gravity_magnitude, gravity_magnitude), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_wgs84_gravity_magnitude, gravity_magnitude), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_wgs84_local_gravity_magnitude, valid_flags), 0,
+     ONE(struct mip_filter_data_wgs84_gravity_magnitude, valid_flags), 0,
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_wgs84_local_gravity_magnitude = {
-    parameters_filter_data_wgs84_local_gravity_magnitude,
+static const struct mip_record record_filter_data_wgs84_gravity_magnitude = {
+    parameters_filter_data_wgs84_gravity_magnitude,
     2,
-    sizeof(struct mip_filter_data_wgs84_local_gravity_magnitude),
+    sizeof(struct mip_filter_data_wgs84_gravity_magnitude),
 };
 
 static const struct mip_reading readings_filter_data_status_filter_state[] = {
@@ -6652,24 +6553,23 @@ static const struct mip_record record_filter_data_gravity_vector = {
     sizeof(struct mip_filter_data_gravity_vector),
 };
 
-static const struct mip_parameter parameters_filter_data_heading_update_source_state[] = {
+static const struct mip_parameter parameters_filter_data_heading_update_state[] = {
     {"heading", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_heading_update_source_state, heading), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_data_heading_update_state, heading), 0, NULL, NULL, NULL, NULL, 0},
     {"heading_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_heading_update_source_state, heading_uncertainty), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_heading_update_state, heading_uncertainty), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_heading_update_source_state, source), 0,
+     ONE(struct mip_filter_data_heading_update_state, source), 0,
      &names_filter_data_heading_source_flags, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_heading_update_source_state, valid_flags), 0,
+     ONE(struct mip_filter_data_heading_update_state, valid_flags), 0,
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_heading_update_source_state = {
-    parameters_filter_data_heading_update_source_state,
+static const struct mip_record record_filter_data_heading_update_state = {
+    parameters_filter_data_heading_update_state,
     4,
-    sizeof(struct mip_filter_data_heading_update_source_state),
+    sizeof(struct mip_filter_data_heading_update_state),
 };
 
 static const struct mip_parameter parameters_filter_data_magnetic_model[] = {
@@ -6774,17 +6674,17 @@ static const struct mip_record record_filter_data_mag_bias_uncertainty = {
     sizeof(struct mip_filter_data_mag_bias_uncertainty),
 };
 
-static const struct mip_parameter parameters_filter_data_compensated_acceleration[] = {
+static const struct mip_parameter parameters_filter_data_comp_accel[] = {
     {"accel", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_compensated_acceleration, accel), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_data_comp_accel, accel), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_compensated_acceleration, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_data_comp_accel, valid_flags), 0, &names_filter_data_valid_flags, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_compensated_acceleration = {
-    parameters_filter_data_compensated_acceleration,
+static const struct mip_record record_filter_data_comp_accel = {
+    parameters_filter_data_comp_accel,
     2,
-    sizeof(struct mip_filter_data_compensated_acceleration),
+    sizeof(struct mip_filter_data_comp_accel),
 };
 
 static const struct mip_parameter parameters_filter_data_standard_atmosphere[] = {
@@ -7006,9 +6906,11 @@ static const struct mip_parameter
         {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
          ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, receiver_id), 0,
          NULL, NULL, NULL, NULL, 0},
-        {"offset_uncert", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-         ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, offset_uncert), 0,
-         NULL, NULL, NULL, NULL, 0},
+        {"offset_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+         0,
+         ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty,
+             offset_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
         {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
          ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, valid_flags), 0,
          &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
@@ -7020,9 +6922,9 @@ static const struct mip_record record_filter_data_multi_antenna_offset_correctio
 };
 
 static const struct mip_parameter parameters_filter_data_ecef_position_uncertainty[] = {
-    {"pos_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_ecef_position_uncertainty, pos_uncertainty), 0, NULL, NULL, NULL,
-     NULL, 0},
+    {"position_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_ecef_position_uncertainty, position_uncertainty), 0, NULL, NULL,
+     NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_ecef_position_uncertainty, valid_flags), 0,
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
@@ -7034,9 +6936,9 @@ static const struct mip_record record_filter_data_ecef_position_uncertainty = {
 };
 
 static const struct mip_parameter parameters_filter_data_ecef_velocity_uncertainty[] = {
-    {"vel_uncertainty", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_ecef_velocity_uncertainty, vel_uncertainty), 0, NULL, NULL, NULL,
-     NULL, 0},
+    {"velocity_uncertainty", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+     0, ONE(struct mip_filter_data_ecef_velocity_uncertainty, velocity_uncertainty), 0, NULL, NULL,
+     NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_ecef_velocity_uncertainty, valid_flags), 0,
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
@@ -7048,8 +6950,8 @@ static const struct mip_record record_filter_data_ecef_velocity_uncertainty = {
 };
 
 static const struct mip_parameter parameters_filter_data_ecef_position[] = {
-    {"position_ecef", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_ecef_position, position_ecef), 0, NULL, NULL, NULL, NULL, 0},
+    {"position", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_ecef_position, position), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_ecef_position, valid_flags), 0, &names_filter_data_valid_flags,
      NULL, NULL, NULL, 0},
@@ -7061,8 +6963,8 @@ static const struct mip_record record_filter_data_ecef_position = {
 };
 
 static const struct mip_parameter parameters_filter_data_ecef_velocity[] = {
-    {"velocity_ecef", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_ecef_velocity, velocity_ecef), 0, NULL, NULL, NULL, NULL, 0},
+    {"velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_ecef_velocity, velocity), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_ecef_velocity, valid_flags), 0, &names_filter_data_valid_flags,
      NULL, NULL, NULL, 0},
@@ -7091,9 +6993,8 @@ static const struct mip_parameter parameters_filter_data_gnss_position_aiding_st
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gnss_position_aiding_status, receiver_id), 0, NULL, NULL, NULL,
      NULL, 0},
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_gnss_position_aiding_status, time_of_week), 0, NULL, NULL, NULL,
-     NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_gnss_position_aiding_status, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gnss_position_aiding_status, status), 0,
      &names_filter_data_gnss_aiding_status, NULL, NULL, NULL, 0},
@@ -7139,9 +7040,8 @@ static const struct mip_record record_filter_data_heading_aiding_status = {
 };
 
 static const struct mip_parameter parameters_filter_data_aiding_measurement_summary[] = {
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_measurement_summary, time_of_week), 0, NULL, NULL, NULL,
-     NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_aiding_measurement_summary, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_aiding_measurement_summary, source), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -7189,14 +7089,13 @@ static const struct mip_record record_filter_data_odometer_scale_factor_error_un
 };
 
 static const struct mip_parameter parameters_filter_data_gnss_dual_antenna_status[] = {
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_gnss_dual_antenna_status, time_of_week), 0, NULL, NULL, NULL, NULL,
-     0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_gnss_dual_antenna_status, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"heading", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gnss_dual_antenna_status, heading), 0, NULL, NULL, NULL, NULL, 0},
-    {"heading_unc", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_gnss_dual_antenna_status, heading_unc), 0, NULL, NULL, NULL, NULL,
-     0},
+    {"heading_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_gnss_dual_antenna_status, heading_uncertainty), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"fix_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gnss_dual_antenna_status, fix_type), 0,
      &names_filter_data_dual_antenna_fix_type, NULL, NULL, NULL, 0},
@@ -7213,82 +7112,79 @@ static const struct mip_record record_filter_data_gnss_dual_antenna_status = {
     sizeof(struct mip_filter_data_gnss_dual_antenna_status),
 };
 
-static const struct mip_parameter parameters_filter_data_aiding_frame_configuration_error[] = {
+static const struct mip_parameter parameters_filter_data_aiding_frame_config_error[] = {
     {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_frame_configuration_error, frame_id), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_data_aiding_frame_config_error, frame_id), 0, NULL, NULL, NULL, NULL, 0},
     {"translation", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_frame_configuration_error, translation), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_data_aiding_frame_config_error, translation), 0, NULL, NULL, NULL, NULL,
+     0},
     {"attitude", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_frame_configuration_error, attitude), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_data_aiding_frame_config_error, attitude), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_aiding_frame_configuration_error = {
-    parameters_filter_data_aiding_frame_configuration_error,
+static const struct mip_record record_filter_data_aiding_frame_config_error = {
+    parameters_filter_data_aiding_frame_config_error,
     3,
-    sizeof(struct mip_filter_data_aiding_frame_configuration_error),
+    sizeof(struct mip_filter_data_aiding_frame_config_error),
 };
 
-static const struct mip_parameter
-    parameters_filter_data_aiding_frame_configuration_error_uncertainty[] = {
-        {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_data_aiding_frame_configuration_error_uncertainty, frame_id), 0,
-         NULL, NULL, NULL, NULL, 0},
-        {"translation_unc", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-         ONE(struct mip_filter_data_aiding_frame_configuration_error_uncertainty, translation_unc),
-         0, NULL, NULL, NULL, NULL, 0},
-        {"attitude_unc", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-         ONE(struct mip_filter_data_aiding_frame_configuration_error_uncertainty, attitude_unc), 0,
-         NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_data_aiding_frame_config_error_uncertainty[] = {
+    {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_aiding_frame_config_error_uncertainty, frame_id), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"translation_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+     0, ONE(struct mip_filter_data_aiding_frame_config_error_uncertainty, translation_uncertainty),
+     0, NULL, NULL, NULL, NULL, 0},
+    {"attitude_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+     0, ONE(struct mip_filter_data_aiding_frame_config_error_uncertainty, attitude_uncertainty), 0,
+     NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_aiding_frame_configuration_error_uncertainty = {
-    parameters_filter_data_aiding_frame_configuration_error_uncertainty,
+static const struct mip_record record_filter_data_aiding_frame_config_error_uncertainty = {
+    parameters_filter_data_aiding_frame_config_error_uncertainty,
     3,
-    sizeof(struct mip_filter_data_aiding_frame_configuration_error_uncertainty),
+    sizeof(struct mip_filter_data_aiding_frame_config_error_uncertainty),
 };
 
-static const struct mip_parameter parameters_gnss_1_gnss_llh_position[] = {
+static const struct mip_parameter parameters_gnss_1_llh_position[] = {
     {"latitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_llh_position, latitude), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_llh_position, latitude), 0, NULL, NULL, NULL, NULL, 0},
     {"longitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_llh_position, longitude), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_llh_position, longitude), 0, NULL, NULL, NULL, NULL, 0},
     {"ellipsoid_height", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_llh_position, ellipsoid_height), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_llh_position, ellipsoid_height), 0, NULL, NULL, NULL, NULL, 0},
     {"msl_height", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_llh_position, msl_height), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_llh_position, msl_height), 0, NULL, NULL, NULL, NULL, 0},
     {"horizontal_accuracy", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_llh_position, horizontal_accuracy), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_llh_position, horizontal_accuracy), 0, NULL, NULL, NULL, NULL, 0},
     {"vertical_accuracy", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_llh_position, vertical_accuracy), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_llh_position, vertical_accuracy), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_llh_position, valid_flags), 0,
-     &names_gnss_1_gnss_llh_position_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_llh_position, valid_flags), 0, &names_gnss_1_llh_position_flags, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_gnss_1_gnss_llh_position = {
-    parameters_gnss_1_gnss_llh_position,
+static const struct mip_record record_gnss_1_llh_position = {
+    parameters_gnss_1_llh_position,
     7,
-    sizeof(struct mip_gnss_1_gnss_llh_position),
+    sizeof(struct mip_gnss_1_llh_position),
 };
 
-static const struct mip_parameter parameters_gnss_1_gnss_ecef_position[] = {
-    {"x", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_ecef_position, x), 0, NULL, NULL, NULL, NULL, 0},
-    {"x_accuracy", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_ecef_position, x_accuracy), 0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_gnss_1_ecef_position[] = {
+    {"position", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_gnss_1_ecef_position, position), 0, NULL, NULL, NULL, NULL, 0},
+    {"position_accuracy", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_ecef_position, position_accuracy), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_ecef_position, valid_flags), 0,
-     &names_gnss_1_gnss_ecef_position_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_ecef_position, valid_flags), 0, &names_gnss_1_ecef_position_flags, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_gnss_1_gnss_ecef_position = {
-    parameters_gnss_1_gnss_ecef_position,
+static const struct mip_record record_gnss_1_ecef_position = {
+    parameters_gnss_1_ecef_position,
     3,
-    sizeof(struct mip_gnss_1_gnss_ecef_position),
+    sizeof(struct mip_gnss_1_ecef_position),
 };
 
 static const struct mip_parameter parameters_gnss_1_ned_velocity[] = {
-    {"v", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_gnss_1_ned_velocity, v_), 0, NULL, NULL, NULL, NULL, 0},
+    {"velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_gnss_1_ned_velocity, velocity), 0, NULL, NULL, NULL, NULL, 0},
     {"speed", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_ned_velocity, speed), 0, NULL, NULL, NULL, NULL, 0},
     {"ground_speed", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -7309,19 +7205,19 @@ static const struct mip_record record_gnss_1_ned_velocity = {
     sizeof(struct mip_gnss_1_ned_velocity),
 };
 
-static const struct mip_parameter parameters_gnss_1_gnss_ecef_velocity[] = {
-    {"v", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_ecef_velocity, v_), 0, NULL, NULL, NULL, NULL, 0},
-    {"v_accuracy", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_ecef_velocity, v_accuracy), 0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_gnss_1_ecef_velocity[] = {
+    {"velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_gnss_1_ecef_velocity, velocity), 0, NULL, NULL, NULL, NULL, 0},
+    {"velocity_accuracy", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_ecef_velocity, velocity_accuracy), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_ecef_velocity, valid_flags), 0,
-     &names_gnss_1_gnss_ecef_velocity_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_ecef_velocity, valid_flags), 0, &names_gnss_1_ecef_velocity_flags, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_gnss_1_gnss_ecef_velocity = {
-    parameters_gnss_1_gnss_ecef_velocity,
+static const struct mip_record record_gnss_1_ecef_velocity = {
+    parameters_gnss_1_ecef_velocity,
     3,
-    sizeof(struct mip_gnss_1_gnss_ecef_velocity),
+    sizeof(struct mip_gnss_1_ecef_velocity),
 };
 
 static const struct mip_parameter parameters_gnss_1_dop[] = {
@@ -7445,24 +7341,24 @@ static const struct mip_record record_gnss_1_sv_info = {
     sizeof(struct mip_gnss_1_sv_info),
 };
 
-static const struct mip_parameter parameters_gnss_1_gnss_hardware_status[] = {
+static const struct mip_parameter parameters_gnss_1_hardware_status[] = {
     {"receiver_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_hardware_status, receiver_state), 0, &names_gnss_1_receiver_state,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_hardware_status, receiver_state), 0, &names_gnss_1_receiver_state, NULL,
+     NULL, NULL, 0},
     {"antenna_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_hardware_status, antenna_state), 0, &names_gnss_1_antenna_state,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_hardware_status, antenna_state), 0, &names_gnss_1_antenna_state, NULL,
+     NULL, NULL, 0},
     {"antenna_power", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_hardware_status, antenna_power), 0, &names_gnss_1_antenna_power,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_hardware_status, antenna_power), 0, &names_gnss_1_antenna_power, NULL,
+     NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gnss_hardware_status, valid_flags), 0,
-     &names_gnss_1_gnss_hardware_status_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_hardware_status, valid_flags), 0, &names_gnss_1_hardware_status_flags,
+     NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_gnss_1_gnss_hardware_status = {
-    parameters_gnss_1_gnss_hardware_status,
+static const struct mip_record record_gnss_1_hardware_status = {
+    parameters_gnss_1_hardware_status,
     4,
-    sizeof(struct mip_gnss_1_gnss_hardware_status),
+    sizeof(struct mip_gnss_1_hardware_status),
 };
 
 static const struct mip_parameter parameters_gnss_1_dgps_info[] = {
@@ -7537,8 +7433,8 @@ static const struct mip_record record_gnss_1_gps_leap_seconds = {
 };
 
 static const struct mip_parameter parameters_gnss_1_sbas_info[] = {
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_sbas_info, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_info, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_sbas_info, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"sbas_system", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -7619,8 +7515,8 @@ static const struct mip_parameter parameters_gnss_1_satellite_status[] = {
      ONE(struct mip_gnss_1_satellite_status, index), 0, NULL, NULL, NULL, NULL, 0},
     {"count", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_satellite_status, count), 0, NULL, NULL, NULL, NULL, 0},
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_satellite_status, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_satellite_status, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_satellite_status, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"gnss_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -7649,8 +7545,8 @@ static const struct mip_parameter parameters_gnss_1_raw[] = {
      ONE(struct mip_gnss_1_raw, index), 0, NULL, NULL, NULL, NULL, 0},
     {"count", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_raw, count), 0, NULL, NULL, NULL, NULL, 0},
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_raw, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_raw, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_raw, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -7673,12 +7569,12 @@ static const struct mip_parameter parameters_gnss_1_raw[] = {
      ONE(struct mip_gnss_1_raw, carrier_phase), 0, NULL, NULL, NULL, NULL, 0},
     {"doppler", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_raw, doppler), 0, NULL, NULL, NULL, NULL, 0},
-    {"range_uncert", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_raw, range_uncert), 0, NULL, NULL, NULL, NULL, 0},
-    {"phase_uncert", "cycle", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_raw, phase_uncert), 0, NULL, NULL, NULL, NULL, 0},
-    {"doppler_uncert", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_raw, doppler_uncert), 0, NULL, NULL, NULL, NULL, 0},
+    {"range_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_raw, range_uncertainty), 0, NULL, NULL, NULL, NULL, 0},
+    {"phase_uncertainty", "cycle", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_raw, phase_uncertainty), 0, NULL, NULL, NULL, NULL, 0},
+    {"doppler_uncertainty", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_raw, doppler_uncertainty), 0, NULL, NULL, NULL, NULL, 0},
     {"lock_time", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_raw, lock_time), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -7691,12 +7587,12 @@ static const struct mip_record record_gnss_1_raw = {
 };
 
 static const struct mip_parameter parameters_gnss_1_base_station_info[] = {
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_base_station_info, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_base_station_info, week_number), 0, NULL, NULL, NULL, NULL, 0},
-    {"ecef_pos", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_gnss_1_base_station_info, ecef_pos), 0, NULL, NULL, NULL, NULL, 0},
+    {"ecef_position", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, ecef_position), 0, NULL, NULL, NULL, NULL, 0},
     {"height", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_base_station_info, height), 0, NULL, NULL, NULL, NULL, 0},
     {"station_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -7715,8 +7611,8 @@ static const struct mip_record record_gnss_1_base_station_info = {
 };
 
 static const struct mip_parameter parameters_gnss_1_rtk_corrections_status[] = {
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_rtk_corrections_status, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rtk_corrections_status, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_rtk_corrections_status, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"epoch_status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -7754,16 +7650,16 @@ static const struct mip_parameter parameters_gnss_1_gps_ephemeris[] = {
      ONE(struct mip_gnss_1_gps_ephemeris, index), 0, NULL, NULL, NULL, NULL, 0},
     {"count", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_ephemeris, count), 0, NULL, NULL, NULL, NULL, 0},
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gps_ephemeris, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_gps_ephemeris, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_ephemeris, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_ephemeris, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
     {"health", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_ephemeris, health), 0, NULL, NULL, NULL, NULL, 0},
-    {"iodec", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gps_ephemeris, iodec), 0, NULL, NULL, NULL, NULL, 0},
+    {"iodc", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_gps_ephemeris, iodc), 0, NULL, NULL, NULL, NULL, 0},
     {"iode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_ephemeris, iode), 0, NULL, NULL, NULL, NULL, 0},
     {"t_oc", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -7832,31 +7728,31 @@ static const struct mip_parameter parameters_gnss_1_glonass_ephemeris[] = {
      ONE(struct mip_gnss_1_glonass_ephemeris, index), 0, NULL, NULL, NULL, NULL, 0},
     {"count", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, count), 0, NULL, NULL, NULL, NULL, 0},
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_glonass_ephemeris, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_glonass_ephemeris, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
-    {"freq_number", "", MIP_KIND_NUMBER, MIP_SCALAR_S8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_glonass_ephemeris, freq_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"frequency_number", "", MIP_KIND_NUMBER, MIP_SCALAR_S8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_glonass_ephemeris, frequency_number), 0, NULL, NULL, NULL, NULL, 0},
     {"tk", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, tk), 0, NULL, NULL, NULL, NULL, 0},
     {"tb", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, tb), 0, NULL, NULL, NULL, NULL, 0},
-    {"sat_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_glonass_ephemeris, sat_type), 0, &names_gnss_1_glonass_satellite_type,
-     NULL, NULL, NULL, 0},
+    {"satellite_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_glonass_ephemeris, satellite_type), 0,
+     &names_gnss_1_glonass_satellite_type, NULL, NULL, NULL, 0},
     {"gamma", "1", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, gamma), 0, NULL, NULL, NULL, NULL, 0},
     {"tau_n", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, tau_n), 0, NULL, NULL, NULL, NULL, 0},
-    {"x", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_gnss_1_glonass_ephemeris, x), 0, NULL, NULL, NULL, NULL, 0},
-    {"v", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_gnss_1_glonass_ephemeris, v_), 0, NULL, NULL, NULL, NULL, 0},
-    {"a", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_gnss_1_glonass_ephemeris, a), 0, NULL, NULL, NULL, NULL, 0},
+    {"position", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_gnss_1_glonass_ephemeris, position), 0, NULL, NULL, NULL, NULL, 0},
+    {"velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_gnss_1_glonass_ephemeris, velocity), 0, NULL, NULL, NULL, NULL, 0},
+    {"accel", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_gnss_1_glonass_ephemeris, accel), 0, NULL, NULL, NULL, NULL, 0},
     {"health", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, health), 0, NULL, NULL, NULL, NULL, 0},
     {"p", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -7892,16 +7788,16 @@ static const struct mip_parameter parameters_gnss_1_galileo_ephemeris[] = {
      ONE(struct mip_gnss_1_galileo_ephemeris, index), 0, NULL, NULL, NULL, NULL, 0},
     {"count", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_galileo_ephemeris, count), 0, NULL, NULL, NULL, NULL, 0},
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_galileo_ephemeris, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_galileo_ephemeris, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_galileo_ephemeris, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_galileo_ephemeris, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
     {"health", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_galileo_ephemeris, health), 0, NULL, NULL, NULL, NULL, 0},
-    {"iodec", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_galileo_ephemeris, iodec), 0, NULL, NULL, NULL, NULL, 0},
+    {"iodc", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_galileo_ephemeris, iodc), 0, NULL, NULL, NULL, NULL, 0},
     {"iode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_galileo_ephemeris, iode), 0, NULL, NULL, NULL, NULL, 0},
     {"t_oc", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -7971,16 +7867,16 @@ static const struct mip_parameter parameters_gnss_1_beidou_ephemeris[] = {
      ONE(struct mip_gnss_1_beidou_ephemeris, index), 0, NULL, NULL, NULL, NULL, 0},
     {"count", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_beidou_ephemeris, count), 0, NULL, NULL, NULL, NULL, 0},
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_beidou_ephemeris, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_beidou_ephemeris, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_beidou_ephemeris, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_beidou_ephemeris, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
     {"health", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_beidou_ephemeris, health), 0, NULL, NULL, NULL, NULL, 0},
-    {"iodec", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_beidou_ephemeris, iodec), 0, NULL, NULL, NULL, NULL, 0},
+    {"iodc", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_beidou_ephemeris, iodc), 0, NULL, NULL, NULL, NULL, 0},
     {"iode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_beidou_ephemeris, iode), 0, NULL, NULL, NULL, NULL, 0},
     {"t_oc", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -8122,8 +8018,8 @@ static const struct mip_record record_system_data_built_in_test = {
 static const struct mip_parameter parameters_system_data_time_sync_status[] = {
     {"time_sync", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_system_data_time_sync_status, time_sync), 0, NULL, NULL, NULL, NULL, 0},
-    {"last_pps_rcvd", "s", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_system_data_time_sync_status, last_pps_rcvd), 0, NULL, NULL, NULL, NULL, 0},
+    {"last_pps_received", "s", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_system_data_time_sync_status, last_pps_received), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_system_data_time_sync_status = {
     parameters_system_data_time_sync_status,
@@ -8260,66 +8156,60 @@ static const struct mip_record record_shared_external_time_delta = {
 const struct mip_reflection mip_reflections[] = {
     {&mip_protocol_acknowledge_codec, &record_protocol_acknowledge, false, false, NULL, 0, 0},
     {&mip_base_ping_codec, &record_base_ping, false, false, NULL, 0, 0},
-    {&mip_base_set_to_idle_codec, &record_base_set_to_idle, false, false, NULL, 0, 0},
-    {&mip_base_get_device_information_codec, &record_base_get_device_information, false, false,
-     NULL, 0, 0},
+    {&mip_base_set_idle_codec, &record_base_set_idle, false, false, NULL, 0, 0},
+    {&mip_base_get_device_info_codec, &record_base_get_device_info, false, false, NULL, 0, 0},
     {&mip_base_get_device_descriptors_codec, &record_base_get_device_descriptors, false, false,
      NULL, 0, 0},
     {&mip_base_built_in_test_codec, &record_base_built_in_test, false, false, NULL, 0, 0},
     {&mip_base_resume_codec, &record_base_resume, false, false, NULL, 0, 0},
-    {&mip_base_get_device_descriptors_extended_codec, &record_base_get_device_descriptors_extended,
-     false, false, NULL, 0, 0},
+    {&mip_base_get_extended_descriptors_codec, &record_base_get_extended_descriptors, false, false,
+     NULL, 0, 0},
     {&mip_base_continuous_built_in_test_codec, &record_base_continuous_built_in_test, false, false,
      NULL, 0, 0},
-    {&mip_base_comm_port_speed_codec, &record_base_comm_port_speed, true, true,
-     required_base_comm_port_speed, sizeof(required_base_comm_port_speed),
-     offsetof(struct mip_base_comm_port_speed, present)},
+    {&mip_base_comm_speed_codec, &record_base_comm_speed, true, true, required_base_comm_speed,
+     sizeof(required_base_comm_speed), offsetof(struct mip_base_comm_speed, present)},
     {&mip_base_gps_time_update_codec, &record_base_gps_time_update, true, true,
      required_base_gps_time_update, sizeof(required_base_gps_time_update),
      offsetof(struct mip_base_gps_time_update, present)},
-    {&mip_base_reset_device_codec, &record_base_reset_device, false, false, NULL, 0, 0},
-    {&mip_base_get_device_information_response_codec, &record_base_get_device_information_response,
-     false, false, NULL, 0, 0},
+    {&mip_base_soft_reset_codec, &record_base_soft_reset, false, false, NULL, 0, 0},
+    {&mip_base_get_device_info_response_codec, &record_base_get_device_info_response, false, false,
+     NULL, 0, 0},
     {&mip_base_get_device_descriptors_response_codec, &record_base_get_device_descriptors_response,
      false, false, NULL, 0, 0},
     {&mip_base_built_in_test_response_codec, &record_base_built_in_test_response, false, false,
      NULL, 0, 0},
     {&mip_base_gps_time_update_week_number_response_codec,
      &record_base_gps_time_update_week_number_response, false, false, NULL, 0, 0},
-    {&mip_base_gps_time_update_time_of_week_response_codec,
-     &record_base_gps_time_update_time_of_week_response, false, false, NULL, 0, 0},
-    {&mip_base_get_device_descriptors_extended_response_codec,
-     &record_base_get_device_descriptors_extended_response, false, false, NULL, 0, 0},
+    {&mip_base_gps_time_update_tow_response_codec, &record_base_gps_time_update_tow_response, false,
+     false, NULL, 0, 0},
+    {&mip_base_get_extended_descriptors_response_codec,
+     &record_base_get_extended_descriptors_response, false, false, NULL, 0, 0},
     {&mip_base_continuous_built_in_test_response_codec,
      &record_base_continuous_built_in_test_response, false, false, NULL, 0, 0},
-    {&mip_base_comm_port_speed_response_codec, &record_base_comm_port_speed_response, false, false,
-     NULL, 0, 0},
+    {&mip_base_comm_speed_response_codec, &record_base_comm_speed_response, false, false, NULL, 0,
+     0},
     {&mip_3dm_poll_imu_data_codec, &record_3dm_poll_imu_data, false, false, NULL, 0, 0},
     {&mip_3dm_poll_gnss_data_codec, &record_3dm_poll_gnss_data, false, false, NULL, 0, 0},
-    {&mip_3dm_poll_estimation_filter_data_codec, &record_3dm_poll_estimation_filter_data, false,
-     false, NULL, 0, 0},
+    {&mip_3dm_poll_filter_data_codec, &record_3dm_poll_filter_data, false, false, NULL, 0, 0},
     {&mip_3dm_poll_nmea_data_codec, &record_3dm_poll_nmea_data, false, false, NULL, 0, 0},
-    {&mip_3dm_get_imu_data_base_rate_codec, &record_3dm_get_imu_data_base_rate, false, false, NULL,
-     0, 0},
-    {&mip_3dm_get_gnss_data_base_rate_codec, &record_3dm_get_gnss_data_base_rate, false, false,
-     NULL, 0, 0},
+    {&mip_3dm_get_imu_base_rate_codec, &record_3dm_get_imu_base_rate, false, false, NULL, 0, 0},
+    {&mip_3dm_get_gnss_base_rate_codec, &record_3dm_get_gnss_base_rate, false, false, NULL, 0, 0},
     {&mip_3dm_imu_message_format_codec, &record_3dm_imu_message_format, true, true,
      required_3dm_imu_message_format, sizeof(required_3dm_imu_message_format),
      offsetof(struct mip_3dm_imu_message_format, present)},
     {&mip_3dm_gnss_message_format_codec, &record_3dm_gnss_message_format, true, true,
      required_3dm_gnss_message_format, sizeof(required_3dm_gnss_message_format),
      offsetof(struct mip_3dm_gnss_message_format, present)},
-    {&mip_3dm_estimation_filter_message_format_codec, &record_3dm_estimation_filter_message_format,
-     true, true, required_3dm_estimation_filter_message_format,
-     sizeof(required_3dm_estimation_filter_message_format),
-     offsetof(struct mip_3dm_estimation_filter_message_format, present)},
-    {&mip_3dm_get_estimation_filter_data_base_rate_codec,
-     &record_3dm_get_estimation_filter_data_base_rate, false, false, NULL, 0, 0},
+    {&mip_3dm_filter_message_format_codec, &record_3dm_filter_message_format, true, true,
+     required_3dm_filter_message_format, sizeof(required_3dm_filter_message_format),
+     offsetof(struct mip_3dm_filter_message_format, present)},
+    {&mip_3dm_get_filter_base_rate_codec, &record_3dm_get_filter_base_rate, false, false, NULL, 0,
+     0},
     {&mip_3dm_nmea_message_format_codec, &record_3dm_nmea_message_format, true, true,
      required_3dm_nmea_message_format, sizeof(required_3dm_nmea_message_format),
      offsetof(struct mip_3dm_nmea_message_format, present)},
     {&mip_3dm_poll_data_codec, &record_3dm_poll_data, false, false, NULL, 0, 0},
-    {&mip_3dm_get_data_base_rate_codec, &record_3dm_get_data_base_rate, false, false, NULL, 0, 0},
+    {&mip_3dm_get_base_rate_codec, &record_3dm_get_base_rate, false, false, NULL, 0, 0},
     {&mip_3dm_message_format_codec, &record_3dm_message_format, true, true,
      required_3dm_message_format, sizeof(required_3dm_message_format),
      offsetof(struct mip_3dm_message_format, present)},
@@ -8342,8 +8232,7 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_3dm_pps_source_control_codec, &record_3dm_pps_source_control, true, true,
      required_3dm_pps_source_control, sizeof(required_3dm_pps_source_control),
      offsetof(struct mip_3dm_pps_source_control, present)},
-    {&mip_3dm_get_supported_events_codec, &record_3dm_get_supported_events, false, false, NULL, 0,
-     0},
+    {&mip_3dm_get_event_support_codec, &record_3dm_get_event_support, false, false, NULL, 0, 0},
     {&mip_3dm_event_control_codec, &record_3dm_event_control, true, true,
      required_3dm_event_control, sizeof(required_3dm_event_control),
      offsetof(struct mip_3dm_event_control, present)},
@@ -8351,104 +8240,88 @@ const struct mip_reflection mip_reflections[] = {
      NULL, 0, 0},
     {&mip_3dm_get_event_action_status_codec, &record_3dm_get_event_action_status, false, false,
      NULL, 0, 0},
-    {&mip_3dm_event_trigger_configuration_codec, &record_3dm_event_trigger_configuration, true,
-     true, required_3dm_event_trigger_configuration,
-     sizeof(required_3dm_event_trigger_configuration),
-     offsetof(struct mip_3dm_event_trigger_configuration, present)},
-    {&mip_3dm_event_action_configuration_codec, &record_3dm_event_action_configuration, true, true,
-     required_3dm_event_action_configuration, sizeof(required_3dm_event_action_configuration),
-     offsetof(struct mip_3dm_event_action_configuration, present)},
-    {&mip_3dm_device_start_up_settings_codec, &record_3dm_device_start_up_settings, true, false,
-     required_3dm_device_start_up_settings, sizeof(required_3dm_device_start_up_settings), 0},
-    {&mip_3dm_sensor_to_vehicle_frame_transformation_euler_codec,
-     &record_3dm_sensor_to_vehicle_frame_transformation_euler, true, true,
-     required_3dm_sensor_to_vehicle_frame_transformation_euler,
-     sizeof(required_3dm_sensor_to_vehicle_frame_transformation_euler),
-     offsetof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler, present)},
-    {&mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_codec,
-     &record_3dm_sensor_to_vehicle_frame_transformation_quaternion, true, true,
-     required_3dm_sensor_to_vehicle_frame_transformation_quaternion,
-     sizeof(required_3dm_sensor_to_vehicle_frame_transformation_quaternion),
-     offsetof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion, present)},
-    {&mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_codec,
-     &record_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, true, true,
-     required_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-     sizeof(required_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix),
-     offsetof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-              present)},
-    {&mip_3dm_accelerometer_bias_configuration_codec, &record_3dm_accelerometer_bias_configuration,
-     true, true, required_3dm_accelerometer_bias_configuration,
-     sizeof(required_3dm_accelerometer_bias_configuration),
-     offsetof(struct mip_3dm_accelerometer_bias_configuration, present)},
-    {&mip_3dm_gyroscope_bias_configuration_codec, &record_3dm_gyroscope_bias_configuration, true,
-     true, required_3dm_gyroscope_bias_configuration,
-     sizeof(required_3dm_gyroscope_bias_configuration),
-     offsetof(struct mip_3dm_gyroscope_bias_configuration, present)},
-    {&mip_3dm_capture_gyroscope_bias_codec, &record_3dm_capture_gyroscope_bias, false, false, NULL,
-     0, 0},
-    {&mip_3dm_magnetometer_hard_iron_offset_codec, &record_3dm_magnetometer_hard_iron_offset, true,
-     true, required_3dm_magnetometer_hard_iron_offset,
-     sizeof(required_3dm_magnetometer_hard_iron_offset),
-     offsetof(struct mip_3dm_magnetometer_hard_iron_offset, present)},
-    {&mip_3dm_magnetometer_soft_iron_matrix_codec, &record_3dm_magnetometer_soft_iron_matrix, true,
-     true, required_3dm_magnetometer_soft_iron_matrix,
-     sizeof(required_3dm_magnetometer_soft_iron_matrix),
-     offsetof(struct mip_3dm_magnetometer_soft_iron_matrix, present)},
-    {&mip_3dm_coning_and_sculling_enable_codec, &record_3dm_coning_and_sculling_enable, true, true,
-     required_3dm_coning_and_sculling_enable, sizeof(required_3dm_coning_and_sculling_enable),
-     offsetof(struct mip_3dm_coning_and_sculling_enable, present)},
+    {&mip_3dm_event_trigger_config_codec, &record_3dm_event_trigger_config, true, true,
+     required_3dm_event_trigger_config, sizeof(required_3dm_event_trigger_config),
+     offsetof(struct mip_3dm_event_trigger_config, present)},
+    {&mip_3dm_event_action_config_codec, &record_3dm_event_action_config, true, true,
+     required_3dm_event_action_config, sizeof(required_3dm_event_action_config),
+     offsetof(struct mip_3dm_event_action_config, present)},
+    {&mip_3dm_device_settings_codec, &record_3dm_device_settings, true, false,
+     required_3dm_device_settings, sizeof(required_3dm_device_settings), 0},
+    {&mip_3dm_sensor_to_vehicle_transform_euler_codec,
+     &record_3dm_sensor_to_vehicle_transform_euler, true, true,
+     required_3dm_sensor_to_vehicle_transform_euler,
+     sizeof(required_3dm_sensor_to_vehicle_transform_euler),
+     offsetof(struct mip_3dm_sensor_to_vehicle_transform_euler, present)},
+    {&mip_3dm_sensor_to_vehicle_transform_quaternion_codec,
+     &record_3dm_sensor_to_vehicle_transform_quaternion, true, true,
+     required_3dm_sensor_to_vehicle_transform_quaternion,
+     sizeof(required_3dm_sensor_to_vehicle_transform_quaternion),
+     offsetof(struct mip_3dm_sensor_to_vehicle_transform_quaternion, present)},
+    {&mip_3dm_sensor_to_vehicle_transform_dcm_codec, &record_3dm_sensor_to_vehicle_transform_dcm,
+     true, true, required_3dm_sensor_to_vehicle_transform_dcm,
+     sizeof(required_3dm_sensor_to_vehicle_transform_dcm),
+     offsetof(struct mip_3dm_sensor_to_vehicle_transform_dcm, present)},
+    {&mip_3dm_accel_bias_codec, &record_3dm_accel_bias, true, true, required_3dm_accel_bias,
+     sizeof(required_3dm_accel_bias), offsetof(struct mip_3dm_accel_bias, present)},
+    {&mip_3dm_gyro_bias_codec, &record_3dm_gyro_bias, true, true, required_3dm_gyro_bias,
+     sizeof(required_3dm_gyro_bias), offsetof(struct mip_3dm_gyro_bias, present)},
+    {&mip_3dm_capture_gyro_bias_codec, &record_3dm_capture_gyro_bias, false, false, NULL, 0, 0},
+    {&mip_3dm_mag_hard_iron_offset_codec, &record_3dm_mag_hard_iron_offset, true, true,
+     required_3dm_mag_hard_iron_offset, sizeof(required_3dm_mag_hard_iron_offset),
+     offsetof(struct mip_3dm_mag_hard_iron_offset, present)},
+    {&mip_3dm_mag_soft_iron_matrix_codec, &record_3dm_mag_soft_iron_matrix, true, true,
+     required_3dm_mag_soft_iron_matrix, sizeof(required_3dm_mag_soft_iron_matrix),
+     offsetof(struct mip_3dm_mag_soft_iron_matrix, present)},
+    {&mip_3dm_coning_sculling_enable_codec, &record_3dm_coning_sculling_enable, true, true,
+     required_3dm_coning_sculling_enable, sizeof(required_3dm_coning_sculling_enable),
+     offsetof(struct mip_3dm_coning_sculling_enable, present)},
     {&mip_3dm_uart_baud_rate_codec, &record_3dm_uart_baud_rate, true, true,
      required_3dm_uart_baud_rate, sizeof(required_3dm_uart_baud_rate),
      offsetof(struct mip_3dm_uart_baud_rate, present)},
-    {&mip_3dm_gpio_configuration_codec, &record_3dm_gpio_configuration, true, true,
-     required_3dm_gpio_configuration, sizeof(required_3dm_gpio_configuration),
-     offsetof(struct mip_3dm_gpio_configuration, present)},
+    {&mip_3dm_gpio_config_codec, &record_3dm_gpio_config, true, true, required_3dm_gpio_config,
+     sizeof(required_3dm_gpio_config), offsetof(struct mip_3dm_gpio_config, present)},
     {&mip_3dm_gpio_state_codec, &record_3dm_gpio_state, true, true, required_3dm_gpio_state,
      sizeof(required_3dm_gpio_state), offsetof(struct mip_3dm_gpio_state, present)},
-    {&mip_3dm_odometer_configuration_codec, &record_3dm_odometer_configuration, true, true,
-     required_3dm_odometer_configuration, sizeof(required_3dm_odometer_configuration),
-     offsetof(struct mip_3dm_odometer_configuration, present)},
-    {&mip_3dm_advanced_low_pass_filter_settings_codec,
-     &record_3dm_advanced_low_pass_filter_settings, true, true,
-     required_3dm_advanced_low_pass_filter_settings,
-     sizeof(required_3dm_advanced_low_pass_filter_settings),
-     offsetof(struct mip_3dm_advanced_low_pass_filter_settings, present)},
-    {&mip_3dm_complementary_filter_configuration_codec,
-     &record_3dm_complementary_filter_configuration, true, true,
-     required_3dm_complementary_filter_configuration,
-     sizeof(required_3dm_complementary_filter_configuration),
-     offsetof(struct mip_3dm_complementary_filter_configuration, present)},
+    {&mip_3dm_odometer_config_codec, &record_3dm_odometer_config, true, true,
+     required_3dm_odometer_config, sizeof(required_3dm_odometer_config),
+     offsetof(struct mip_3dm_odometer_config, present)},
+    {&mip_3dm_imu_low_pass_filter_codec, &record_3dm_imu_low_pass_filter, true, true,
+     required_3dm_imu_low_pass_filter, sizeof(required_3dm_imu_low_pass_filter),
+     offsetof(struct mip_3dm_imu_low_pass_filter, present)},
+    {&mip_3dm_complementary_filter_codec, &record_3dm_complementary_filter, true, true,
+     required_3dm_complementary_filter, sizeof(required_3dm_complementary_filter),
+     offsetof(struct mip_3dm_complementary_filter, present)},
     {&mip_3dm_sensor_range_codec, &record_3dm_sensor_range, true, true, required_3dm_sensor_range,
      sizeof(required_3dm_sensor_range), offsetof(struct mip_3dm_sensor_range, present)},
     {&mip_3dm_get_calibrated_sensor_ranges_codec, &record_3dm_get_calibrated_sensor_ranges, false,
      false, NULL, 0, 0},
-    {&mip_3dm_low_pass_anti_aliasing_filter_codec, &record_3dm_low_pass_anti_aliasing_filter, true,
-     true, required_3dm_low_pass_anti_aliasing_filter,
-     sizeof(required_3dm_low_pass_anti_aliasing_filter),
-     offsetof(struct mip_3dm_low_pass_anti_aliasing_filter, present)},
+    {&mip_3dm_low_pass_filter_codec, &record_3dm_low_pass_filter, true, true,
+     required_3dm_low_pass_filter, sizeof(required_3dm_low_pass_filter),
+     offsetof(struct mip_3dm_low_pass_filter, present)},
     {&mip_3dm_device_status_codec, &record_3dm_device_status, false, false, NULL, 0, 0},
     {&mip_3dm_imu_message_format_response_codec, &record_3dm_imu_message_format_response, false,
      false, NULL, 0, 0},
     {&mip_3dm_gnss_message_format_response_codec, &record_3dm_gnss_message_format_response, false,
      false, NULL, 0, 0},
-    {&mip_3dm_estimation_filter_message_format_response_codec,
-     &record_3dm_estimation_filter_message_format_response, false, false, NULL, 0, 0},
-    {&mip_3dm_get_imu_data_base_rate_response_codec, &record_3dm_get_imu_data_base_rate_response,
+    {&mip_3dm_filter_message_format_response_codec, &record_3dm_filter_message_format_response,
      false, false, NULL, 0, 0},
-    {&mip_3dm_get_gnss_data_base_rate_response_codec, &record_3dm_get_gnss_data_base_rate_response,
-     false, false, NULL, 0, 0},
+    {&mip_3dm_get_imu_base_rate_response_codec, &record_3dm_get_imu_base_rate_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_get_gnss_base_rate_response_codec, &record_3dm_get_gnss_base_rate_response, false,
+     false, NULL, 0, 0},
     {&mip_3dm_data_stream_control_response_codec, &record_3dm_data_stream_control_response, false,
      false, NULL, 0, 0},
     {&mip_3dm_uart_baud_rate_response_codec, &record_3dm_uart_baud_rate_response, false, false,
      NULL, 0, 0},
-    {&mip_3dm_get_estimation_filter_data_base_rate_response_codec,
-     &record_3dm_get_estimation_filter_data_base_rate_response, false, false, NULL, 0, 0},
-    {&mip_3dm_advanced_low_pass_filter_settings_response_codec,
-     &record_3dm_advanced_low_pass_filter_settings_response, false, false, NULL, 0, 0},
+    {&mip_3dm_get_filter_base_rate_response_codec, &record_3dm_get_filter_base_rate_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_imu_low_pass_filter_response_codec, &record_3dm_imu_low_pass_filter_response, false,
+     false, NULL, 0, 0},
     {&mip_3dm_nmea_message_format_response_codec, &record_3dm_nmea_message_format_response, false,
      false, NULL, 0, 0},
-    {&mip_3dm_get_data_base_rate_response_codec, &record_3dm_get_data_base_rate_response, false,
-     false, NULL, 0, 0},
+    {&mip_3dm_get_base_rate_response_codec, &record_3dm_get_base_rate_response, false, false, NULL,
+     0, 0},
     {&mip_3dm_message_format_response_codec, &record_3dm_message_format_response, false, false,
      NULL, 0, 0},
     {&mip_3dm_device_status_basic_response_codec, &record_3dm_device_status_basic_response, false,
@@ -8467,18 +8340,16 @@ const struct mip_reflection mip_reflections[] = {
      &record_3dm_device_status_diagnostic_gx4_response, false, false, NULL, 0, 0},
     {&mip_3dm_device_status_diagnostic_imu_response_codec,
      &record_3dm_device_status_diagnostic_imu_response, false, false, NULL, 0, 0},
-    {&mip_3dm_complementary_filter_configuration_response_codec,
-     &record_3dm_complementary_filter_configuration_response, false, false, NULL, 0, 0},
-    {&mip_3dm_accelerometer_bias_configuration_response_codec,
-     &record_3dm_accelerometer_bias_configuration_response, false, false, NULL, 0, 0},
-    {&mip_3dm_gyroscope_bias_configuration_response_codec,
-     &record_3dm_gyroscope_bias_configuration_response, false, false, NULL, 0, 0},
-    {&mip_3dm_magnetometer_hard_iron_offset_response_codec,
-     &record_3dm_magnetometer_hard_iron_offset_response, false, false, NULL, 0, 0},
-    {&mip_3dm_magnetometer_soft_iron_matrix_response_codec,
-     &record_3dm_magnetometer_soft_iron_matrix_response, false, false, NULL, 0, 0},
-    {&mip_3dm_coning_and_sculling_enable_response_codec,
-     &record_3dm_coning_and_sculling_enable_response, false, false, NULL, 0, 0},
+    {&mip_3dm_complementary_filter_response_codec, &record_3dm_complementary_filter_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_accel_bias_response_codec, &record_3dm_accel_bias_response, false, false, NULL, 0, 0},
+    {&mip_3dm_gyro_bias_response_codec, &record_3dm_gyro_bias_response, false, false, NULL, 0, 0},
+    {&mip_3dm_mag_hard_iron_offset_response_codec, &record_3dm_mag_hard_iron_offset_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_mag_soft_iron_matrix_response_codec, &record_3dm_mag_soft_iron_matrix_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_coning_sculling_enable_response_codec, &record_3dm_coning_sculling_enable_response,
+     false, false, NULL, 0, 0},
     {&mip_3dm_constellation_settings_response_codec, &record_3dm_constellation_settings_response,
      false, false, NULL, 0, 0},
     {&mip_3dm_gnss_sbas_settings_response_codec, &record_3dm_gnss_sbas_settings_response, false,
@@ -8489,15 +8360,13 @@ const struct mip_reflection mip_reflections[] = {
      false, NULL, 0, 0},
     {&mip_3dm_pps_source_control_response_codec, &record_3dm_pps_source_control_response, false,
      false, NULL, 0, 0},
-    {&mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_codec,
-     &record_3dm_sensor_to_vehicle_frame_transformation_euler_response, false, false, NULL, 0, 0},
-    {&mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_codec,
-     &record_3dm_sensor_to_vehicle_frame_transformation_quaternion_response, false, false, NULL, 0,
-     0},
-    {&mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec,
-     &record_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response, false,
-     false, NULL, 0, 0},
-    {&mip_3dm_get_supported_events_response_codec, &record_3dm_get_supported_events_response, false,
+    {&mip_3dm_sensor_to_vehicle_transform_euler_response_codec,
+     &record_3dm_sensor_to_vehicle_transform_euler_response, false, false, NULL, 0, 0},
+    {&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec,
+     &record_3dm_sensor_to_vehicle_transform_quaternion_response, false, false, NULL, 0, 0},
+    {&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec,
+     &record_3dm_sensor_to_vehicle_transform_dcm_response, false, false, NULL, 0, 0},
+    {&mip_3dm_get_event_support_response_codec, &record_3dm_get_event_support_response, false,
      false, NULL, 0, 0},
     {&mip_3dm_event_control_response_codec, &record_3dm_event_control_response, false, false, NULL,
      0, 0},
@@ -8505,109 +8374,93 @@ const struct mip_reflection mip_reflections[] = {
      &record_3dm_get_event_trigger_status_response, false, false, NULL, 0, 0},
     {&mip_3dm_get_event_action_status_response_codec, &record_3dm_get_event_action_status_response,
      false, false, NULL, 0, 0},
-    {&mip_3dm_event_trigger_configuration_response_codec,
-     &record_3dm_event_trigger_configuration_response, false, false, NULL, 0, 0},
-    {&mip_3dm_event_action_configuration_response_codec,
-     &record_3dm_event_action_configuration_response, false, false, NULL, 0, 0},
-    {&mip_3dm_gpio_configuration_response_codec, &record_3dm_gpio_configuration_response, false,
+    {&mip_3dm_event_trigger_config_response_codec, &record_3dm_event_trigger_config_response, false,
      false, NULL, 0, 0},
+    {&mip_3dm_event_action_config_response_codec, &record_3dm_event_action_config_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_gpio_config_response_codec, &record_3dm_gpio_config_response, false, false, NULL, 0,
+     0},
     {&mip_3dm_gpio_state_response_codec, &record_3dm_gpio_state_response, false, false, NULL, 0, 0},
-    {&mip_3dm_odometer_configuration_response_codec, &record_3dm_odometer_configuration_response,
-     false, false, NULL, 0, 0},
+    {&mip_3dm_odometer_config_response_codec, &record_3dm_odometer_config_response, false, false,
+     NULL, 0, 0},
     {&mip_3dm_sensor_range_response_codec, &record_3dm_sensor_range_response, false, false, NULL, 0,
      0},
     {&mip_3dm_get_calibrated_sensor_ranges_response_codec,
      &record_3dm_get_calibrated_sensor_ranges_response, false, false, NULL, 0, 0},
-    {&mip_3dm_low_pass_anti_aliasing_filter_response_codec,
-     &record_3dm_low_pass_anti_aliasing_filter_response, false, false, NULL, 0, 0},
-    {&mip_filter_reset_navigation_filter_codec, &record_filter_reset_navigation_filter, false,
-     false, NULL, 0, 0},
+    {&mip_3dm_low_pass_filter_response_codec, &record_3dm_low_pass_filter_response, false, false,
+     NULL, 0, 0},
+    {&mip_filter_reset_codec, &record_filter_reset, false, false, NULL, 0, 0},
     {&mip_filter_set_initial_attitude_codec, &record_filter_set_initial_attitude, false, false,
      NULL, 0, 0},
-    {&mip_filter_set_initial_heading_control_codec, &record_filter_set_initial_heading_control,
-     false, false, NULL, 0, 0},
-    {&mip_filter_run_navigation_filter_codec, &record_filter_run_navigation_filter, false, false,
-     NULL, 0, 0},
+    {&mip_filter_set_initial_heading_codec, &record_filter_set_initial_heading, false, false, NULL,
+     0, 0},
+    {&mip_filter_run_codec, &record_filter_run, false, false, NULL, 0, 0},
     {&mip_filter_vehicle_dynamics_mode_codec, &record_filter_vehicle_dynamics_mode, true, true,
      required_filter_vehicle_dynamics_mode, sizeof(required_filter_vehicle_dynamics_mode),
      offsetof(struct mip_filter_vehicle_dynamics_mode, present)},
-    {&mip_filter_sensor_to_vehicle_frame_transformation_codec,
-     &record_filter_sensor_to_vehicle_frame_transformation, true, true,
-     required_filter_sensor_to_vehicle_frame_transformation,
-     sizeof(required_filter_sensor_to_vehicle_frame_transformation),
-     offsetof(struct mip_filter_sensor_to_vehicle_frame_transformation, present)},
+    {&mip_filter_sensor_to_vehicle_rotation_euler_codec,
+     &record_filter_sensor_to_vehicle_rotation_euler, true, true,
+     required_filter_sensor_to_vehicle_rotation_euler,
+     sizeof(required_filter_sensor_to_vehicle_rotation_euler),
+     offsetof(struct mip_filter_sensor_to_vehicle_rotation_euler, present)},
     {&mip_filter_sensor_to_vehicle_offset_codec, &record_filter_sensor_to_vehicle_offset, true,
      true, required_filter_sensor_to_vehicle_offset,
      sizeof(required_filter_sensor_to_vehicle_offset),
      offsetof(struct mip_filter_sensor_to_vehicle_offset, present)},
-    {&mip_filter_gnss_antenna_offset_control_codec, &record_filter_gnss_antenna_offset_control,
-     true, true, required_filter_gnss_antenna_offset_control,
-     sizeof(required_filter_gnss_antenna_offset_control),
-     offsetof(struct mip_filter_gnss_antenna_offset_control, present)},
-    {&mip_filter_estimation_control_flags_codec, &record_filter_estimation_control_flags, true,
-     true, required_filter_estimation_control_flags,
-     sizeof(required_filter_estimation_control_flags),
-     offsetof(struct mip_filter_estimation_control_flags, present)},
-    {&mip_filter_gnss_aiding_source_control_codec, &record_filter_gnss_aiding_source_control, true,
-     true, required_filter_gnss_aiding_source_control,
-     sizeof(required_filter_gnss_aiding_source_control),
-     offsetof(struct mip_filter_gnss_aiding_source_control, present)},
+    {&mip_filter_antenna_offset_codec, &record_filter_antenna_offset, true, true,
+     required_filter_antenna_offset, sizeof(required_filter_antenna_offset),
+     offsetof(struct mip_filter_antenna_offset, present)},
+    {&mip_filter_estimation_control_codec, &record_filter_estimation_control, true, true,
+     required_filter_estimation_control, sizeof(required_filter_estimation_control),
+     offsetof(struct mip_filter_estimation_control, present)},
+    {&mip_filter_gnss_source_codec, &record_filter_gnss_source, true, true,
+     required_filter_gnss_source, sizeof(required_filter_gnss_source),
+     offsetof(struct mip_filter_gnss_source, present)},
     {&mip_filter_external_gnss_update_codec, &record_filter_external_gnss_update, false, false,
      NULL, 0, 0},
     {&mip_filter_external_heading_update_codec, &record_filter_external_heading_update, false,
      false, NULL, 0, 0},
-    {&mip_filter_heading_update_control_codec, &record_filter_heading_update_control, true, true,
-     required_filter_heading_update_control, sizeof(required_filter_heading_update_control),
-     offsetof(struct mip_filter_heading_update_control, present)},
+    {&mip_filter_heading_source_codec, &record_filter_heading_source, true, true,
+     required_filter_heading_source, sizeof(required_filter_heading_source),
+     offsetof(struct mip_filter_heading_source, present)},
     {&mip_filter_auto_initialization_control_codec, &record_filter_auto_initialization_control,
      true, true, required_filter_auto_initialization_control,
      sizeof(required_filter_auto_initialization_control),
      offsetof(struct mip_filter_auto_initialization_control, present)},
-    {&mip_filter_accelerometer_noise_standard_deviation_codec,
-     &record_filter_accelerometer_noise_standard_deviation, true, true,
-     required_filter_accelerometer_noise_standard_deviation,
-     sizeof(required_filter_accelerometer_noise_standard_deviation),
-     offsetof(struct mip_filter_accelerometer_noise_standard_deviation, present)},
-    {&mip_filter_gyroscope_noise_standard_deviation_codec,
-     &record_filter_gyroscope_noise_standard_deviation, true, true,
-     required_filter_gyroscope_noise_standard_deviation,
-     sizeof(required_filter_gyroscope_noise_standard_deviation),
-     offsetof(struct mip_filter_gyroscope_noise_standard_deviation, present)},
-    {&mip_filter_accelerometer_bias_model_parameters_codec,
-     &record_filter_accelerometer_bias_model_parameters, true, true,
-     required_filter_accelerometer_bias_model_parameters,
-     sizeof(required_filter_accelerometer_bias_model_parameters),
-     offsetof(struct mip_filter_accelerometer_bias_model_parameters, present)},
-    {&mip_filter_gyroscope_bias_model_parameters_codec,
-     &record_filter_gyroscope_bias_model_parameters, true, true,
-     required_filter_gyroscope_bias_model_parameters,
-     sizeof(required_filter_gyroscope_bias_model_parameters),
-     offsetof(struct mip_filter_gyroscope_bias_model_parameters, present)},
+    {&mip_filter_accel_noise_codec, &record_filter_accel_noise, true, true,
+     required_filter_accel_noise, sizeof(required_filter_accel_noise),
+     offsetof(struct mip_filter_accel_noise, present)},
+    {&mip_filter_gyro_noise_codec, &record_filter_gyro_noise, true, true,
+     required_filter_gyro_noise, sizeof(required_filter_gyro_noise),
+     offsetof(struct mip_filter_gyro_noise, present)},
+    {&mip_filter_accel_bias_model_codec, &record_filter_accel_bias_model, true, true,
+     required_filter_accel_bias_model, sizeof(required_filter_accel_bias_model),
+     offsetof(struct mip_filter_accel_bias_model, present)},
+    {&mip_filter_gyro_bias_model_codec, &record_filter_gyro_bias_model, true, true,
+     required_filter_gyro_bias_model, sizeof(required_filter_gyro_bias_model),
+     offsetof(struct mip_filter_gyro_bias_model, present)},
     {&mip_filter_auto_zupt_codec, &record_filter_auto_zupt, true, true, required_filter_auto_zupt,
      sizeof(required_filter_auto_zupt), offsetof(struct mip_filter_auto_zupt, present)},
     {&mip_filter_external_heading_update_with_time_codec,
      &record_filter_external_heading_update_with_time, false, false, NULL, 0, 0},
-    {&mip_filter_zero_angular_rate_update_control_codec,
-     &record_filter_zero_angular_rate_update_control, true, true,
-     required_filter_zero_angular_rate_update_control,
-     sizeof(required_filter_zero_angular_rate_update_control),
-     offsetof(struct mip_filter_zero_angular_rate_update_control, present)},
+    {&mip_filter_auto_angular_zupt_codec, &record_filter_auto_angular_zupt, true, true,
+     required_filter_auto_angular_zupt, sizeof(required_filter_auto_angular_zupt),
+     offsetof(struct mip_filter_auto_angular_zupt, present)},
     {&mip_filter_tare_orientation_codec, &record_filter_tare_orientation, true, true,
      required_filter_tare_orientation, sizeof(required_filter_tare_orientation),
      offsetof(struct mip_filter_tare_orientation, present)},
     {&mip_filter_commanded_zupt_codec, &record_filter_commanded_zupt, false, false, NULL, 0, 0},
-    {&mip_filter_commanded_zero_angular_rate_update_codec,
-     &record_filter_commanded_zero_angular_rate_update, false, false, NULL, 0, 0},
-    {&mip_filter_set_reference_position_codec, &record_filter_set_reference_position, true, true,
-     required_filter_set_reference_position, sizeof(required_filter_set_reference_position),
-     offsetof(struct mip_filter_set_reference_position, present)},
-    {&mip_filter_mag_capture_auto_cal_codec, &record_filter_mag_capture_auto_cal, true, false,
-     required_filter_mag_capture_auto_cal, sizeof(required_filter_mag_capture_auto_cal), 0},
-    {&mip_filter_gravity_noise_standard_deviation_codec,
-     &record_filter_gravity_noise_standard_deviation, true, true,
-     required_filter_gravity_noise_standard_deviation,
-     sizeof(required_filter_gravity_noise_standard_deviation),
-     offsetof(struct mip_filter_gravity_noise_standard_deviation, present)},
+    {&mip_filter_commanded_angular_zupt_codec, &record_filter_commanded_angular_zupt, false, false,
+     NULL, 0, 0},
+    {&mip_filter_reference_position_codec, &record_filter_reference_position, true, true,
+     required_filter_reference_position, sizeof(required_filter_reference_position),
+     offsetof(struct mip_filter_reference_position, present)},
+    {&mip_filter_mag_capture_auto_calibration_codec, &record_filter_mag_capture_auto_calibration,
+     true, false, required_filter_mag_capture_auto_calibration,
+     sizeof(required_filter_mag_capture_auto_calibration), 0},
+    {&mip_filter_gravity_noise_codec, &record_filter_gravity_noise, true, true,
+     required_filter_gravity_noise, sizeof(required_filter_gravity_noise),
+     offsetof(struct mip_filter_gravity_noise, present)},
     {&mip_filter_pressure_altitude_noise_codec, &record_filter_pressure_altitude_noise, true, true,
      required_filter_pressure_altitude_noise, sizeof(required_filter_pressure_altitude_noise),
      offsetof(struct mip_filter_pressure_altitude_noise, present)},
@@ -8617,22 +8470,20 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_filter_soft_iron_matrix_noise_codec, &record_filter_soft_iron_matrix_noise, true, true,
      required_filter_soft_iron_matrix_noise, sizeof(required_filter_soft_iron_matrix_noise),
      offsetof(struct mip_filter_soft_iron_matrix_noise, present)},
-    {&mip_filter_enable_disable_measurements_codec, &record_filter_enable_disable_measurements,
-     true, true, required_filter_enable_disable_measurements,
-     sizeof(required_filter_enable_disable_measurements),
-     offsetof(struct mip_filter_enable_disable_measurements, present)},
+    {&mip_filter_enable_measurements_codec, &record_filter_enable_measurements, true, true,
+     required_filter_enable_measurements, sizeof(required_filter_enable_measurements),
+     offsetof(struct mip_filter_enable_measurements, present)},
     {&mip_filter_mag_noise_codec, &record_filter_mag_noise, true, true, required_filter_mag_noise,
      sizeof(required_filter_mag_noise), offsetof(struct mip_filter_mag_noise, present)},
-    {&mip_filter_magnetic_field_declination_source_control_codec,
-     &record_filter_magnetic_field_declination_source_control, true, true,
-     required_filter_magnetic_field_declination_source_control,
-     sizeof(required_filter_magnetic_field_declination_source_control),
-     offsetof(struct mip_filter_magnetic_field_declination_source_control, present)},
-    {&mip_filter_gravity_magnitude_error_adaptive_measurement_codec,
-     &record_filter_gravity_magnitude_error_adaptive_measurement, true, true,
-     required_filter_gravity_magnitude_error_adaptive_measurement,
-     sizeof(required_filter_gravity_magnitude_error_adaptive_measurement),
-     offsetof(struct mip_filter_gravity_magnitude_error_adaptive_measurement, present)},
+    {&mip_filter_magnetic_declination_source_codec, &record_filter_magnetic_declination_source,
+     true, true, required_filter_magnetic_declination_source,
+     sizeof(required_filter_magnetic_declination_source),
+     offsetof(struct mip_filter_magnetic_declination_source, present)},
+    {&mip_filter_accel_magnitude_error_adaptive_measurement_codec,
+     &record_filter_accel_magnitude_error_adaptive_measurement, true, true,
+     required_filter_accel_magnitude_error_adaptive_measurement,
+     sizeof(required_filter_accel_magnitude_error_adaptive_measurement),
+     offsetof(struct mip_filter_accel_magnitude_error_adaptive_measurement, present)},
     {&mip_filter_mag_magnitude_error_adaptive_measurement_codec,
      &record_filter_mag_magnitude_error_adaptive_measurement, true, true,
      required_filter_mag_magnitude_error_adaptive_measurement,
@@ -8646,17 +8497,17 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_filter_altitude_aiding_codec, &record_filter_altitude_aiding, true, true,
      required_filter_altitude_aiding, sizeof(required_filter_altitude_aiding),
      offsetof(struct mip_filter_altitude_aiding, present)},
-    {&mip_filter_pitch_roll_aiding_control_codec, &record_filter_pitch_roll_aiding_control, true,
-     true, required_filter_pitch_roll_aiding_control,
-     sizeof(required_filter_pitch_roll_aiding_control),
-     offsetof(struct mip_filter_pitch_roll_aiding_control, present)},
-    {&mip_filter_inclination_source_codec, &record_filter_inclination_source, true, true,
-     required_filter_inclination_source, sizeof(required_filter_inclination_source),
-     offsetof(struct mip_filter_inclination_source, present)},
-    {&mip_filter_mag_field_magnitude_source_codec, &record_filter_mag_field_magnitude_source, true,
-     true, required_filter_mag_field_magnitude_source,
-     sizeof(required_filter_mag_field_magnitude_source),
-     offsetof(struct mip_filter_mag_field_magnitude_source, present)},
+    {&mip_filter_pitch_roll_aiding_codec, &record_filter_pitch_roll_aiding, true, true,
+     required_filter_pitch_roll_aiding, sizeof(required_filter_pitch_roll_aiding),
+     offsetof(struct mip_filter_pitch_roll_aiding, present)},
+    {&mip_filter_magnetic_inclination_source_codec, &record_filter_magnetic_inclination_source,
+     true, true, required_filter_magnetic_inclination_source,
+     sizeof(required_filter_magnetic_inclination_source),
+     offsetof(struct mip_filter_magnetic_inclination_source, present)},
+    {&mip_filter_magnetic_magnitude_source_codec, &record_filter_magnetic_magnitude_source, true,
+     true, required_filter_magnetic_magnitude_source,
+     sizeof(required_filter_magnetic_magnitude_source),
+     offsetof(struct mip_filter_magnetic_magnitude_source, present)},
     {&mip_filter_sensor_to_vehicle_rotation_dcm_codec,
      &record_filter_sensor_to_vehicle_rotation_dcm, true, true,
      required_filter_sensor_to_vehicle_rotation_dcm,
@@ -8667,41 +8518,35 @@ const struct mip_reflection mip_reflections[] = {
      required_filter_sensor_to_vehicle_rotation_quaternion,
      sizeof(required_filter_sensor_to_vehicle_rotation_quaternion),
      offsetof(struct mip_filter_sensor_to_vehicle_rotation_quaternion, present)},
-    {&mip_filter_aiding_measurement_control_codec, &record_filter_aiding_measurement_control, true,
-     true, required_filter_aiding_measurement_control,
-     sizeof(required_filter_aiding_measurement_control),
-     offsetof(struct mip_filter_aiding_measurement_control, present)},
+    {&mip_filter_aiding_measurement_enable_codec, &record_filter_aiding_measurement_enable, true,
+     true, required_filter_aiding_measurement_enable,
+     sizeof(required_filter_aiding_measurement_enable),
+     offsetof(struct mip_filter_aiding_measurement_enable, present)},
     {&mip_filter_kinematic_constraint_codec, &record_filter_kinematic_constraint, true, true,
      required_filter_kinematic_constraint, sizeof(required_filter_kinematic_constraint),
      offsetof(struct mip_filter_kinematic_constraint, present)},
-    {&mip_filter_navigation_filter_initialization_codec,
-     &record_filter_navigation_filter_initialization, true, true,
-     required_filter_navigation_filter_initialization,
-     sizeof(required_filter_navigation_filter_initialization),
-     offsetof(struct mip_filter_navigation_filter_initialization, present)},
-    {&mip_filter_adaptive_filter_control_codec, &record_filter_adaptive_filter_control, true, true,
-     required_filter_adaptive_filter_control, sizeof(required_filter_adaptive_filter_control),
-     offsetof(struct mip_filter_adaptive_filter_control, present)},
-    {&mip_filter_gnss_multi_antenna_offset_control_codec,
-     &record_filter_gnss_multi_antenna_offset_control, true, true,
-     required_filter_gnss_multi_antenna_offset_control,
-     sizeof(required_filter_gnss_multi_antenna_offset_control),
-     offsetof(struct mip_filter_gnss_multi_antenna_offset_control, present)},
-    {&mip_filter_relative_position_configuration_codec,
-     &record_filter_relative_position_configuration, true, true,
-     required_filter_relative_position_configuration,
-     sizeof(required_filter_relative_position_configuration),
-     offsetof(struct mip_filter_relative_position_configuration, present)},
+    {&mip_filter_initialization_config_codec, &record_filter_initialization_config, true, true,
+     required_filter_initialization_config, sizeof(required_filter_initialization_config),
+     offsetof(struct mip_filter_initialization_config, present)},
+    {&mip_filter_adaptive_filter_options_codec, &record_filter_adaptive_filter_options, true, true,
+     required_filter_adaptive_filter_options, sizeof(required_filter_adaptive_filter_options),
+     offsetof(struct mip_filter_adaptive_filter_options, present)},
+    {&mip_filter_multi_antenna_offset_codec, &record_filter_multi_antenna_offset, true, true,
+     required_filter_multi_antenna_offset, sizeof(required_filter_multi_antenna_offset),
+     offsetof(struct mip_filter_multi_antenna_offset, present)},
+    {&mip_filter_relative_position_config_codec, &record_filter_relative_position_config, true,
+     true, required_filter_relative_position_config,
+     sizeof(required_filter_relative_position_config),
+     offsetof(struct mip_filter_relative_position_config, present)},
     {&mip_filter_reference_point_lever_arm_codec, &record_filter_reference_point_lever_arm, true,
      true, required_filter_reference_point_lever_arm,
      sizeof(required_filter_reference_point_lever_arm),
      offsetof(struct mip_filter_reference_point_lever_arm, present)},
     {&mip_filter_speed_measurement_codec, &record_filter_speed_measurement, false, false, NULL, 0,
      0},
-    {&mip_filter_measurement_speed_lever_arm_codec, &record_filter_measurement_speed_lever_arm,
-     true, true, required_filter_measurement_speed_lever_arm,
-     sizeof(required_filter_measurement_speed_lever_arm),
-     offsetof(struct mip_filter_measurement_speed_lever_arm, present)},
+    {&mip_filter_speed_lever_arm_codec, &record_filter_speed_lever_arm, true, true,
+     required_filter_speed_lever_arm, sizeof(required_filter_speed_lever_arm),
+     offsetof(struct mip_filter_speed_lever_arm, present)},
     {&mip_filter_vertical_gyro_constraint_control_codec,
      &record_filter_vertical_gyro_constraint_control, true, true,
      required_filter_vertical_gyro_constraint_control,
@@ -8712,43 +8557,43 @@ const struct mip_reflection mip_reflections[] = {
      required_filter_wheeled_vehicle_constraint_control,
      sizeof(required_filter_wheeled_vehicle_constraint_control),
      offsetof(struct mip_filter_wheeled_vehicle_constraint_control, present)},
-    {&mip_filter_gnss_antenna_offset_calibration_control_codec,
-     &record_filter_gnss_antenna_offset_calibration_control, true, true,
-     required_filter_gnss_antenna_offset_calibration_control,
-     sizeof(required_filter_gnss_antenna_offset_calibration_control),
-     offsetof(struct mip_filter_gnss_antenna_offset_calibration_control, present)},
+    {&mip_filter_gnss_antenna_calibration_control_codec,
+     &record_filter_gnss_antenna_calibration_control, true, true,
+     required_filter_gnss_antenna_calibration_control,
+     sizeof(required_filter_gnss_antenna_calibration_control),
+     offsetof(struct mip_filter_gnss_antenna_calibration_control, present)},
     {&mip_filter_vehicle_dynamics_mode_response_codec,
      &record_filter_vehicle_dynamics_mode_response, false, false, NULL, 0, 0},
-    {&mip_filter_sensor_to_vehicle_frame_transformation_response_codec,
-     &record_filter_sensor_to_vehicle_frame_transformation_response, false, false, NULL, 0, 0},
+    {&mip_filter_sensor_to_vehicle_rotation_euler_response_codec,
+     &record_filter_sensor_to_vehicle_rotation_euler_response, false, false, NULL, 0, 0},
     {&mip_filter_sensor_to_vehicle_offset_response_codec,
      &record_filter_sensor_to_vehicle_offset_response, false, false, NULL, 0, 0},
-    {&mip_filter_gnss_antenna_offset_control_response_codec,
-     &record_filter_gnss_antenna_offset_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_estimation_control_flags_response_codec,
-     &record_filter_estimation_control_flags_response, false, false, NULL, 0, 0},
-    {&mip_filter_gnss_aiding_source_control_response_codec,
-     &record_filter_gnss_aiding_source_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_heading_update_control_response_codec,
-     &record_filter_heading_update_control_response, false, false, NULL, 0, 0},
+    {&mip_filter_antenna_offset_response_codec, &record_filter_antenna_offset_response, false,
+     false, NULL, 0, 0},
+    {&mip_filter_estimation_control_response_codec, &record_filter_estimation_control_response,
+     false, false, NULL, 0, 0},
+    {&mip_filter_gnss_source_response_codec, &record_filter_gnss_source_response, false, false,
+     NULL, 0, 0},
+    {&mip_filter_heading_source_response_codec, &record_filter_heading_source_response, false,
+     false, NULL, 0, 0},
     {&mip_filter_auto_initialization_control_response_codec,
      &record_filter_auto_initialization_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_accelerometer_noise_standard_deviation_response_codec,
-     &record_filter_accelerometer_noise_standard_deviation_response, false, false, NULL, 0, 0},
-    {&mip_filter_gyroscope_noise_standard_deviation_response_codec,
-     &record_filter_gyroscope_noise_standard_deviation_response, false, false, NULL, 0, 0},
-    {&mip_filter_accelerometer_bias_model_parameters_response_codec,
-     &record_filter_accelerometer_bias_model_parameters_response, false, false, NULL, 0, 0},
-    {&mip_filter_gyroscope_bias_model_parameters_response_codec,
-     &record_filter_gyroscope_bias_model_parameters_response, false, false, NULL, 0, 0},
+    {&mip_filter_accel_noise_response_codec, &record_filter_accel_noise_response, false, false,
+     NULL, 0, 0},
+    {&mip_filter_gyro_noise_response_codec, &record_filter_gyro_noise_response, false, false, NULL,
+     0, 0},
+    {&mip_filter_accel_bias_model_response_codec, &record_filter_accel_bias_model_response, false,
+     false, NULL, 0, 0},
+    {&mip_filter_gyro_bias_model_response_codec, &record_filter_gyro_bias_model_response, false,
+     false, NULL, 0, 0},
     {&mip_filter_auto_zupt_response_codec, &record_filter_auto_zupt_response, false, false, NULL, 0,
      0},
-    {&mip_filter_zero_angular_rate_update_control_response_codec,
-     &record_filter_zero_angular_rate_update_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_set_reference_position_response_codec,
-     &record_filter_set_reference_position_response, false, false, NULL, 0, 0},
-    {&mip_filter_gravity_noise_standard_deviation_response_codec,
-     &record_filter_gravity_noise_standard_deviation_response, false, false, NULL, 0, 0},
+    {&mip_filter_auto_angular_zupt_response_codec, &record_filter_auto_angular_zupt_response, false,
+     false, NULL, 0, 0},
+    {&mip_filter_reference_position_response_codec, &record_filter_reference_position_response,
+     false, false, NULL, 0, 0},
+    {&mip_filter_gravity_noise_response_codec, &record_filter_gravity_noise_response, false, false,
+     NULL, 0, 0},
     {&mip_filter_pressure_altitude_noise_response_codec,
      &record_filter_pressure_altitude_noise_response, false, false, NULL, 0, 0},
     {&mip_filter_hard_iron_offset_noise_response_codec,
@@ -8757,71 +8602,70 @@ const struct mip_reflection mip_reflections[] = {
      &record_filter_soft_iron_matrix_noise_response, false, false, NULL, 0, 0},
     {&mip_filter_tare_orientation_response_codec, &record_filter_tare_orientation_response, false,
      false, NULL, 0, 0},
-    {&mip_filter_enable_disable_measurements_response_codec,
-     &record_filter_enable_disable_measurements_response, false, false, NULL, 0, 0},
+    {&mip_filter_enable_measurements_response_codec, &record_filter_enable_measurements_response,
+     false, false, NULL, 0, 0},
     {&mip_filter_mag_noise_response_codec, &record_filter_mag_noise_response, false, false, NULL, 0,
      0},
-    {&mip_filter_magnetic_field_declination_source_control_response_codec,
-     &record_filter_magnetic_field_declination_source_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_gravity_magnitude_error_adaptive_measurement_response_codec,
-     &record_filter_gravity_magnitude_error_adaptive_measurement_response, false, false, NULL, 0,
-     0},
+    {&mip_filter_magnetic_declination_source_response_codec,
+     &record_filter_magnetic_declination_source_response, false, false, NULL, 0, 0},
+    {&mip_filter_accel_magnitude_error_adaptive_measurement_response_codec,
+     &record_filter_accel_magnitude_error_adaptive_measurement_response, false, false, NULL, 0, 0},
     {&mip_filter_mag_magnitude_error_adaptive_measurement_response_codec,
      &record_filter_mag_magnitude_error_adaptive_measurement_response, false, false, NULL, 0, 0},
     {&mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec,
      &record_filter_mag_dip_angle_error_adaptive_measurement_response, false, false, NULL, 0, 0},
     {&mip_filter_altitude_aiding_response_codec, &record_filter_altitude_aiding_response, false,
      false, NULL, 0, 0},
-    {&mip_filter_pitch_roll_aiding_control_response_codec,
-     &record_filter_pitch_roll_aiding_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_inclination_source_response_codec, &record_filter_inclination_source_response,
-     false, false, NULL, 0, 0},
-    {&mip_filter_mag_field_magnitude_source_response_codec,
-     &record_filter_mag_field_magnitude_source_response, false, false, NULL, 0, 0},
+    {&mip_filter_pitch_roll_aiding_response_codec, &record_filter_pitch_roll_aiding_response, false,
+     false, NULL, 0, 0},
+    {&mip_filter_magnetic_inclination_source_response_codec,
+     &record_filter_magnetic_inclination_source_response, false, false, NULL, 0, 0},
+    {&mip_filter_magnetic_magnitude_source_response_codec,
+     &record_filter_magnetic_magnitude_source_response, false, false, NULL, 0, 0},
     {&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec,
      &record_filter_sensor_to_vehicle_rotation_dcm_response, false, false, NULL, 0, 0},
     {&mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec,
      &record_filter_sensor_to_vehicle_rotation_quaternion_response, false, false, NULL, 0, 0},
-    {&mip_filter_aiding_measurement_control_response_codec,
-     &record_filter_aiding_measurement_control_response, false, false, NULL, 0, 0},
+    {&mip_filter_aiding_measurement_enable_response_codec,
+     &record_filter_aiding_measurement_enable_response, false, false, NULL, 0, 0},
     {&mip_filter_kinematic_constraint_response_codec, &record_filter_kinematic_constraint_response,
      false, false, NULL, 0, 0},
-    {&mip_filter_navigation_filter_initialization_response_codec,
-     &record_filter_navigation_filter_initialization_response, false, false, NULL, 0, 0},
-    {&mip_filter_adaptive_filter_control_response_codec,
-     &record_filter_adaptive_filter_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_gnss_multi_antenna_offset_control_response_codec,
-     &record_filter_gnss_multi_antenna_offset_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_relative_position_configuration_response_codec,
-     &record_filter_relative_position_configuration_response, false, false, NULL, 0, 0},
+    {&mip_filter_initialization_config_response_codec,
+     &record_filter_initialization_config_response, false, false, NULL, 0, 0},
+    {&mip_filter_adaptive_filter_options_response_codec,
+     &record_filter_adaptive_filter_options_response, false, false, NULL, 0, 0},
+    {&mip_filter_multi_antenna_offset_response_codec, &record_filter_multi_antenna_offset_response,
+     false, false, NULL, 0, 0},
+    {&mip_filter_relative_position_config_response_codec,
+     &record_filter_relative_position_config_response, false, false, NULL, 0, 0},
     {&mip_filter_reference_point_lever_arm_response_codec,
      &record_filter_reference_point_lever_arm_response, false, false, NULL, 0, 0},
-    {&mip_filter_measurement_speed_lever_arm_response_codec,
-     &record_filter_measurement_speed_lever_arm_response, false, false, NULL, 0, 0},
+    {&mip_filter_speed_lever_arm_response_codec, &record_filter_speed_lever_arm_response, false,
+     false, NULL, 0, 0},
     {&mip_filter_vertical_gyro_constraint_control_response_codec,
      &record_filter_vertical_gyro_constraint_control_response, false, false, NULL, 0, 0},
     {&mip_filter_wheeled_vehicle_constraint_control_response_codec,
      &record_filter_wheeled_vehicle_constraint_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_gnss_antenna_offset_calibration_control_response_codec,
-     &record_filter_gnss_antenna_offset_calibration_control_response, false, false, NULL, 0, 0},
+    {&mip_filter_gnss_antenna_calibration_control_response_codec,
+     &record_filter_gnss_antenna_calibration_control_response, false, false, NULL, 0, 0},
     {&mip_gnss_receiver_info_codec, &record_gnss_receiver_info, false, false, NULL, 0, 0},
-    {&mip_gnss_signal_configuration_codec, &record_gnss_signal_configuration, true, true,
-     required_gnss_signal_configuration, sizeof(required_gnss_signal_configuration),
-     offsetof(struct mip_gnss_signal_configuration, present)},
-    {&mip_gnss_rtk_dongle_configuration_codec, &record_gnss_rtk_dongle_configuration, true, true,
-     required_gnss_rtk_dongle_configuration, sizeof(required_gnss_rtk_dongle_configuration),
-     offsetof(struct mip_gnss_rtk_dongle_configuration, present)},
-    {&mip_gnss_spartn_configuration_codec, &record_gnss_spartn_configuration, true, true,
-     required_gnss_spartn_configuration, sizeof(required_gnss_spartn_configuration),
-     offsetof(struct mip_gnss_spartn_configuration, present)},
+    {&mip_gnss_signal_config_codec, &record_gnss_signal_config, true, true,
+     required_gnss_signal_config, sizeof(required_gnss_signal_config),
+     offsetof(struct mip_gnss_signal_config, present)},
+    {&mip_gnss_rtk_dongle_config_codec, &record_gnss_rtk_dongle_config, true, true,
+     required_gnss_rtk_dongle_config, sizeof(required_gnss_rtk_dongle_config),
+     offsetof(struct mip_gnss_rtk_dongle_config, present)},
+    {&mip_gnss_spartn_config_codec, &record_gnss_spartn_config, true, true,
+     required_gnss_spartn_config, sizeof(required_gnss_spartn_config),
+     offsetof(struct mip_gnss_spartn_config, present)},
     {&mip_gnss_receiver_info_response_codec, &record_gnss_receiver_info_response, false, false,
      NULL, 0, 0},
-    {&mip_gnss_signal_configuration_response_codec, &record_gnss_signal_configuration_response,
-     false, false, NULL, 0, 0},
-    {&mip_gnss_rtk_dongle_configuration_response_codec,
-     &record_gnss_rtk_dongle_configuration_response, false, false, NULL, 0, 0},
-    {&mip_gnss_spartn_configuration_response_codec, &record_gnss_spartn_configuration_response,
-     false, false, NULL, 0, 0},
+    {&mip_gnss_signal_config_response_codec, &record_gnss_signal_config_response, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_rtk_dongle_config_response_codec, &record_gnss_rtk_dongle_config_response, false,
+     false, NULL, 0, 0},
+    {&mip_gnss_spartn_config_response_codec, &record_gnss_spartn_config_response, false, false,
+     NULL, 0, 0},
     {&mip_rtk_get_status_flags_codec, &record_rtk_get_status_flags, false, false, NULL, 0, 0},
     {&mip_rtk_get_imei_codec, &record_rtk_get_imei, false, false, NULL, 0, 0},
     {&mip_rtk_get_imsi_codec, &record_rtk_get_imsi, false, false, NULL, 0, 0},
@@ -8851,9 +8695,9 @@ const struct mip_reflection mip_reflections[] = {
      &record_rtk_get_modem_firmware_version_response, false, false, NULL, 0, 0},
     {&mip_rtk_service_status_response_codec, &record_rtk_service_status_response, false, false,
      NULL, 0, 0},
-    {&mip_aiding_frame_configuration_codec, &record_aiding_frame_configuration, true, true,
-     required_aiding_frame_configuration, sizeof(required_aiding_frame_configuration),
-     offsetof(struct mip_aiding_frame_configuration, present)},
+    {&mip_aiding_frame_config_codec, &record_aiding_frame_config, true, true,
+     required_aiding_frame_config, sizeof(required_aiding_frame_config),
+     offsetof(struct mip_aiding_frame_config, present)},
     {&mip_aiding_echo_control_codec, &record_aiding_echo_control, true, true,
      required_aiding_echo_control, sizeof(required_aiding_echo_control),
      offsetof(struct mip_aiding_echo_control, present)},
@@ -8868,20 +8712,19 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_aiding_true_heading_codec, &record_aiding_true_heading, false, false, NULL, 0, 0},
     {&mip_aiding_magnetic_field_codec, &record_aiding_magnetic_field, false, false, NULL, 0, 0},
     {&mip_aiding_pressure_codec, &record_aiding_pressure, false, false, NULL, 0, 0},
-    {&mip_aiding_frame_configuration_response_codec, &record_aiding_frame_configuration_response,
-     false, false, NULL, 0, 0},
+    {&mip_aiding_frame_config_response_codec, &record_aiding_frame_config_response, false, false,
+     NULL, 0, 0},
     {&mip_aiding_echo_control_response_codec, &record_aiding_echo_control_response, false, false,
      NULL, 0, 0},
     {&mip_system_interface_control_codec, &record_system_interface_control, true, true,
      required_system_interface_control, sizeof(required_system_interface_control),
      offsetof(struct mip_system_interface_control, present)},
-    {&mip_system_communication_mode_codec, &record_system_communication_mode, true, true,
-     required_system_communication_mode, sizeof(required_system_communication_mode),
-     offsetof(struct mip_system_communication_mode, present)},
+    {&mip_system_comm_mode_codec, &record_system_comm_mode, true, true, required_system_comm_mode,
+     sizeof(required_system_comm_mode), offsetof(struct mip_system_comm_mode, present)},
     {&mip_system_interface_control_response_codec, &record_system_interface_control_response, false,
      false, NULL, 0, 0},
-    {&mip_system_communication_mode_response_codec, &record_system_communication_mode_response,
-     false, false, NULL, 0, 0},
+    {&mip_system_comm_mode_response_codec, &record_system_comm_mode_response, false, false, NULL, 0,
+     0},
     {&mip_sensor_raw_accel_codec, &record_sensor_raw_accel, false, false, NULL, 0, 0},
     {&mip_sensor_raw_gyro_codec, &record_sensor_raw_gyro, false, false, NULL, 0, 0},
     {&mip_sensor_raw_mag_codec, &record_sensor_raw_mag, false, false, NULL, 0, 0},
@@ -8890,23 +8733,20 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_sensor_scaled_mag_codec, &record_sensor_scaled_mag, false, false, NULL, 0, 0},
     {&mip_sensor_delta_theta_codec, &record_sensor_delta_theta, false, false, NULL, 0, 0},
     {&mip_sensor_delta_velocity_codec, &record_sensor_delta_velocity, false, false, NULL, 0, 0},
-    {&mip_sensor_complementary_filter_orientation_matrix_codec,
-     &record_sensor_complementary_filter_orientation_matrix, false, false, NULL, 0, 0},
-    {&mip_sensor_complementary_filter_quaternion_codec,
-     &record_sensor_complementary_filter_quaternion, false, false, NULL, 0, 0},
+    {&mip_sensor_comp_orientation_matrix_codec, &record_sensor_comp_orientation_matrix, false,
+     false, NULL, 0, 0},
+    {&mip_sensor_comp_quaternion_codec, &record_sensor_comp_quaternion, false, false, NULL, 0, 0},
     {&mip_sensor_comp_orientation_update_matrix_codec,
      &record_sensor_comp_orientation_update_matrix, false, false, NULL, 0, 0},
-    {&mip_sensor_complementary_filter_euler_angles_codec,
-     &record_sensor_complementary_filter_euler_angles, false, false, NULL, 0, 0},
-    {&mip_sensor_orientation_raw_temp_codec, &record_sensor_orientation_raw_temp, false, false,
-     NULL, 0, 0},
+    {&mip_sensor_comp_euler_angles_codec, &record_sensor_comp_euler_angles, false, false, NULL, 0,
+     0},
+    {&mip_sensor_orientation_raw_temperature_codec, &record_sensor_orientation_raw_temperature,
+     false, false, NULL, 0, 0},
     {&mip_sensor_internal_timestamp_codec, &record_sensor_internal_timestamp, false, false, NULL, 0,
      0},
     {&mip_sensor_pps_timestamp_codec, &record_sensor_pps_timestamp, false, false, NULL, 0, 0},
-    {&mip_sensor_complementary_filter_stabilized_north_vector_codec,
-     &record_sensor_complementary_filter_stabilized_north_vector, false, false, NULL, 0, 0},
-    {&mip_sensor_complementary_filter_stabilized_up_vector_codec,
-     &record_sensor_complementary_filter_stabilized_up_vector, false, false, NULL, 0, 0},
+    {&mip_sensor_north_vector_codec, &record_sensor_north_vector, false, false, NULL, 0, 0},
+    {&mip_sensor_up_vector_codec, &record_sensor_up_vector, false, false, NULL, 0, 0},
     {&mip_sensor_gps_timestamp_codec, &record_sensor_gps_timestamp, false, false, NULL, 0, 0},
     {&mip_sensor_temperature_statistics_codec, &record_sensor_temperature_statistics, false, false,
      NULL, 0, 0},
@@ -8916,7 +8756,7 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_sensor_odometer_codec, &record_sensor_odometer, false, false, NULL, 0, 0},
     {&mip_filter_data_llh_position_codec, &record_filter_data_llh_position, false, false, NULL, 0,
      0},
-    {&mip_filter_data_velocity_ned_codec, &record_filter_data_velocity_ned, false, false, NULL, 0,
+    {&mip_filter_data_ned_velocity_codec, &record_filter_data_ned_velocity, false, false, NULL, 0,
      0},
     {&mip_filter_data_attitude_quaternion_codec, &record_filter_data_attitude_quaternion, false,
      false, NULL, 0, 0},
@@ -8940,16 +8780,16 @@ const struct mip_reflection mip_reflections[] = {
      0},
     {&mip_filter_data_comp_angular_rate_codec, &record_filter_data_comp_angular_rate, false, false,
      NULL, 0, 0},
-    {&mip_filter_data_wgs84_local_gravity_magnitude_codec,
-     &record_filter_data_wgs84_local_gravity_magnitude, false, false, NULL, 0, 0},
+    {&mip_filter_data_wgs84_gravity_magnitude_codec, &record_filter_data_wgs84_gravity_magnitude,
+     false, false, NULL, 0, 0},
     {&mip_filter_data_status_codec, &record_filter_data_status, false, false, NULL, 0, 0},
     {&mip_filter_data_timestamp_codec, &record_filter_data_timestamp, false, false, NULL, 0, 0},
     {&mip_filter_data_quaternion_attitude_uncertainty_codec,
      &record_filter_data_quaternion_attitude_uncertainty, false, false, NULL, 0, 0},
     {&mip_filter_data_gravity_vector_codec, &record_filter_data_gravity_vector, false, false, NULL,
      0, 0},
-    {&mip_filter_data_heading_update_source_state_codec,
-     &record_filter_data_heading_update_source_state, false, false, NULL, 0, 0},
+    {&mip_filter_data_heading_update_state_codec, &record_filter_data_heading_update_state, false,
+     false, NULL, 0, 0},
     {&mip_filter_data_magnetic_model_codec, &record_filter_data_magnetic_model, false, false, NULL,
      0, 0},
     {&mip_filter_data_gyro_scale_factor_codec, &record_filter_data_gyro_scale_factor, false, false,
@@ -8963,8 +8803,7 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_filter_data_mag_bias_codec, &record_filter_data_mag_bias, false, false, NULL, 0, 0},
     {&mip_filter_data_mag_bias_uncertainty_codec, &record_filter_data_mag_bias_uncertainty, false,
      false, NULL, 0, 0},
-    {&mip_filter_data_compensated_acceleration_codec, &record_filter_data_compensated_acceleration,
-     false, false, NULL, 0, 0},
+    {&mip_filter_data_comp_accel_codec, &record_filter_data_comp_accel, false, false, NULL, 0, 0},
     {&mip_filter_data_standard_atmosphere_codec, &record_filter_data_standard_atmosphere, false,
      false, NULL, 0, 0},
     {&mip_filter_data_pressure_altitude_codec, &record_filter_data_pressure_altitude, false, false,
@@ -9017,25 +8856,21 @@ const struct mip_reflection mip_reflections[] = {
      &record_filter_data_odometer_scale_factor_error_uncertainty, false, false, NULL, 0, 0},
     {&mip_filter_data_gnss_dual_antenna_status_codec, &record_filter_data_gnss_dual_antenna_status,
      false, false, NULL, 0, 0},
-    {&mip_filter_data_aiding_frame_configuration_error_codec,
-     &record_filter_data_aiding_frame_configuration_error, false, false, NULL, 0, 0},
-    {&mip_filter_data_aiding_frame_configuration_error_uncertainty_codec,
-     &record_filter_data_aiding_frame_configuration_error_uncertainty, false, false, NULL, 0, 0},
-    {&mip_gnss_1_gnss_llh_position_codec, &record_gnss_1_gnss_llh_position, false, false, NULL, 0,
-     0},
-    {&mip_gnss_1_gnss_ecef_position_codec, &record_gnss_1_gnss_ecef_position, false, false, NULL, 0,
-     0},
+    {&mip_filter_data_aiding_frame_config_error_codec,
+     &record_filter_data_aiding_frame_config_error, false, false, NULL, 0, 0},
+    {&mip_filter_data_aiding_frame_config_error_uncertainty_codec,
+     &record_filter_data_aiding_frame_config_error_uncertainty, false, false, NULL, 0, 0},
+    {&mip_gnss_1_llh_position_codec, &record_gnss_1_llh_position, false, false, NULL, 0, 0},
+    {&mip_gnss_1_ecef_position_codec, &record_gnss_1_ecef_position, false, false, NULL, 0, 0},
     {&mip_gnss_1_ned_velocity_codec, &record_gnss_1_ned_velocity, false, false, NULL, 0, 0},
-    {&mip_gnss_1_gnss_ecef_velocity_codec, &record_gnss_1_gnss_ecef_velocity, false, false, NULL, 0,
-     0},
+    {&mip_gnss_1_ecef_velocity_codec, &record_gnss_1_ecef_velocity, false, false, NULL, 0, 0},
     {&mip_gnss_1_dop_codec, &record_gnss_1_dop, false, false, NULL, 0, 0},
     {&mip_gnss_1_utc_time_codec, &record_gnss_1_utc_time, false, false, NULL, 0, 0},
     {&mip_gnss_1_gps_time_codec, &record_gnss_1_gps_time, false, false, NULL, 0, 0},
     {&mip_gnss_1_clock_info_codec, &record_gnss_1_clock_info, false, false, NULL, 0, 0},
     {&mip_gnss_1_fix_info_codec, &record_gnss_1_fix_info, false, false, NULL, 0, 0},
     {&mip_gnss_1_sv_info_codec, &record_gnss_1_sv_info, false, false, NULL, 0, 0},
-    {&mip_gnss_1_gnss_hardware_status_codec, &record_gnss_1_gnss_hardware_status, false, false,
-     NULL, 0, 0},
+    {&mip_gnss_1_hardware_status_codec, &record_gnss_1_hardware_status, false, false, NULL, 0, 0},
     {&mip_gnss_1_dgps_info_codec, &record_gnss_1_dgps_info, false, false, NULL, 0, 0},
     {&mip_gnss_1_dgps_channel_codec, &record_gnss_1_dgps_channel, false, false, NULL, 0, 0},
     {&mip_gnss_1_clock_info_2_codec, &record_gnss_1_clock_info_2, false, false, NULL, 0, 0},

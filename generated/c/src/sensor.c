@@ -272,81 +272,74 @@ mip_error mip_sensor_delta_velocity_encode(const struct mip_sensor_delta_velocit
                             write_delta_velocity, value);
 }
 
-static void read_complementary_filter_orientation_matrix(struct mip_reader *r, void *value) {
-    struct mip_sensor_complementary_filter_orientation_matrix *v =
-        (struct mip_sensor_complementary_filter_orientation_matrix *)value;
+static void read_comp_orientation_matrix(struct mip_reader *r, void *value) {
+    struct mip_sensor_comp_orientation_matrix *v =
+        (struct mip_sensor_comp_orientation_matrix *)value;
     mip_read_float(r, v->m, 9);
 }
 
-static void write_complementary_filter_orientation_matrix(struct mip_writer *w, const void *value) {
-    const struct mip_sensor_complementary_filter_orientation_matrix *v =
-        (const struct mip_sensor_complementary_filter_orientation_matrix *)value;
+static void write_comp_orientation_matrix(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_comp_orientation_matrix *v =
+        (const struct mip_sensor_comp_orientation_matrix *)value;
     mip_write_float(w, v->m, 9);
 }
 
-const struct mip_codec mip_sensor_complementary_filter_orientation_matrix_codec = {
+const struct mip_codec mip_sensor_comp_orientation_matrix_codec = {
     0x80, /* descriptor set */
-    MIP_SENSOR_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_DESCRIPTOR,
+    MIP_SENSOR_COMP_ORIENTATION_MATRIX_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_sensor_complementary_filter_orientation_matrix),
+    sizeof(struct mip_sensor_comp_orientation_matrix),
     0, /* time-out */
-    read_complementary_filter_orientation_matrix,
-    write_complementary_filter_orientation_matrix,
+    read_comp_orientation_matrix,
+    write_comp_orientation_matrix,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_sensor_complementary_filter_orientation_matrix_decode(
-    struct mip_sensor_complementary_filter_orientation_matrix *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_complementary_filter_orientation_matrix, value,
-                            sizeof(*value), NULL);
+mip_error mip_sensor_comp_orientation_matrix_decode(
+    struct mip_sensor_comp_orientation_matrix *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_comp_orientation_matrix, value, sizeof(*value), NULL);
 }
 
-mip_error mip_sensor_complementary_filter_orientation_matrix_encode(
-    const struct mip_sensor_complementary_filter_orientation_matrix *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x80,
-                            MIP_SENSOR_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_DESCRIPTOR,
-                            write_complementary_filter_orientation_matrix, value);
+mip_error mip_sensor_comp_orientation_matrix_encode(
+    const struct mip_sensor_comp_orientation_matrix *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_COMP_ORIENTATION_MATRIX_DESCRIPTOR,
+                            write_comp_orientation_matrix, value);
 }
 
-static void read_complementary_filter_quaternion(struct mip_reader *r, void *value) {
-    struct mip_sensor_complementary_filter_quaternion *v =
-        (struct mip_sensor_complementary_filter_quaternion *)value;
+static void read_comp_quaternion(struct mip_reader *r, void *value) {
+    struct mip_sensor_comp_quaternion *v = (struct mip_sensor_comp_quaternion *)value;
     mip_read_float(r, v->q, 4);
 }
 
-static void write_complementary_filter_quaternion(struct mip_writer *w, const void *value) {
-    const struct mip_sensor_complementary_filter_quaternion *v =
-        (const struct mip_sensor_complementary_filter_quaternion *)value;
+static void write_comp_quaternion(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_comp_quaternion *v = (const struct mip_sensor_comp_quaternion *)value;
     mip_write_float(w, v->q, 4);
 }
 
-const struct mip_codec mip_sensor_complementary_filter_quaternion_codec = {
+const struct mip_codec mip_sensor_comp_quaternion_codec = {
     0x80, /* descriptor set */
-    MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_DESCRIPTOR,
+    MIP_SENSOR_COMP_QUATERNION_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_sensor_complementary_filter_quaternion),
+    sizeof(struct mip_sensor_comp_quaternion),
     0, /* time-out */
-    read_complementary_filter_quaternion,
-    write_complementary_filter_quaternion,
+    read_comp_quaternion,
+    write_comp_quaternion,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_sensor_complementary_filter_quaternion_decode(
-    struct mip_sensor_complementary_filter_quaternion *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_complementary_filter_quaternion, value, sizeof(*value),
-                            NULL);
+mip_error mip_sensor_comp_quaternion_decode(struct mip_sensor_comp_quaternion *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_comp_quaternion, value, sizeof(*value), NULL);
 }
 
-mip_error mip_sensor_complementary_filter_quaternion_encode(
-    const struct mip_sensor_complementary_filter_quaternion *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x80, MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_DESCRIPTOR,
-                            write_complementary_filter_quaternion, value);
+mip_error mip_sensor_comp_quaternion_encode(const struct mip_sensor_comp_quaternion *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_COMP_QUATERNION_DESCRIPTOR,
+                            write_comp_quaternion, value);
 }
 
 static void read_comp_orientation_update_matrix(struct mip_reader *r, void *value) {
@@ -386,80 +379,79 @@ mip_error mip_sensor_comp_orientation_update_matrix_encode(
                             write_comp_orientation_update_matrix, value);
 }
 
-static void read_complementary_filter_euler_angles(struct mip_reader *r, void *value) {
-    struct mip_sensor_complementary_filter_euler_angles *v =
-        (struct mip_sensor_complementary_filter_euler_angles *)value;
+static void read_comp_euler_angles(struct mip_reader *r, void *value) {
+    struct mip_sensor_comp_euler_angles *v = (struct mip_sensor_comp_euler_angles *)value;
     mip_read_float(r, &v->roll, 1);
     mip_read_float(r, &v->pitch, 1);
     mip_read_float(r, &v->yaw, 1);
 }
 
-static void write_complementary_filter_euler_angles(struct mip_writer *w, const void *value) {
-    const struct mip_sensor_complementary_filter_euler_angles *v =
-        (const struct mip_sensor_complementary_filter_euler_angles *)value;
+static void write_comp_euler_angles(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_comp_euler_angles *v =
+        (const struct mip_sensor_comp_euler_angles *)value;
     mip_write_float(w, &v->roll, 1);
     mip_write_float(w, &v->pitch, 1);
     mip_write_float(w, &v->yaw, 1);
 }
 
-const struct mip_codec mip_sensor_complementary_filter_euler_angles_codec = {
+const struct mip_codec mip_sensor_comp_euler_angles_codec = {
     0x80, /* descriptor set */
-    MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_DESCRIPTOR,
+    MIP_SENSOR_COMP_EULER_ANGLES_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_sensor_complementary_filter_euler_angles),
+    sizeof(struct mip_sensor_comp_euler_angles),
     0, /* time-out */
-    read_complementary_filter_euler_angles,
-    write_complementary_filter_euler_angles,
+    read_comp_euler_angles,
+    write_comp_euler_angles,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_sensor_complementary_filter_euler_angles_decode(
-    struct mip_sensor_complementary_filter_euler_angles *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_complementary_filter_euler_angles, value, sizeof(*value),
-                            NULL);
+mip_error mip_sensor_comp_euler_angles_decode(struct mip_sensor_comp_euler_angles *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_comp_euler_angles, value, sizeof(*value), NULL);
 }
 
-mip_error mip_sensor_complementary_filter_euler_angles_encode(
-    const struct mip_sensor_complementary_filter_euler_angles *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x80, MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_DESCRIPTOR,
-                            write_complementary_filter_euler_angles, value);
+mip_error mip_sensor_comp_euler_angles_encode(const struct mip_sensor_comp_euler_angles *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_COMP_EULER_ANGLES_DESCRIPTOR,
+                            write_comp_euler_angles, value);
 }
 
-static void read_orientation_raw_temp(struct mip_reader *r, void *value) {
-    struct mip_sensor_orientation_raw_temp *v = (struct mip_sensor_orientation_raw_temp *)value;
-    mip_read_u16(r, v->raw_temp, 4);
+static void read_orientation_raw_temperature(struct mip_reader *r, void *value) {
+    struct mip_sensor_orientation_raw_temperature *v =
+        (struct mip_sensor_orientation_raw_temperature *)value;
+    mip_read_u16(r, v->raw_temperature, 4);
 }
 
-static void write_orientation_raw_temp(struct mip_writer *w, const void *value) {
-    const struct mip_sensor_orientation_raw_temp *v =
-        (const struct mip_sensor_orientation_raw_temp *)value;
-    mip_write_u16(w, v->raw_temp, 4);
+static void write_orientation_raw_temperature(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_orientation_raw_temperature *v =
+        (const struct mip_sensor_orientation_raw_temperature *)value;
+    mip_write_u16(w, v->raw_temperature, 4);
 }
 
-const struct mip_codec mip_sensor_orientation_raw_temp_codec = {
+const struct mip_codec mip_sensor_orientation_raw_temperature_codec = {
     0x80, /* descriptor set */
-    MIP_SENSOR_ORIENTATION_RAW_TEMP_DESCRIPTOR,
+    MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_sensor_orientation_raw_temp),
+    sizeof(struct mip_sensor_orientation_raw_temperature),
     0, /* time-out */
-    read_orientation_raw_temp,
-    write_orientation_raw_temp,
+    read_orientation_raw_temperature,
+    write_orientation_raw_temperature,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_sensor_orientation_raw_temp_decode(struct mip_sensor_orientation_raw_temp *value,
-                                                 const struct mip_field *field) {
-    return mip_decode_field(field, read_orientation_raw_temp, value, sizeof(*value), NULL);
+mip_error mip_sensor_orientation_raw_temperature_decode(
+    struct mip_sensor_orientation_raw_temperature *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_orientation_raw_temperature, value, sizeof(*value), NULL);
 }
 
-mip_error mip_sensor_orientation_raw_temp_encode(
-    const struct mip_sensor_orientation_raw_temp *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x80, MIP_SENSOR_ORIENTATION_RAW_TEMP_DESCRIPTOR,
-                            write_orientation_raw_temp, value);
+mip_error mip_sensor_orientation_raw_temperature_encode(
+    const struct mip_sensor_orientation_raw_temperature *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE_DESCRIPTOR,
+                            write_orientation_raw_temperature, value);
 }
 
 static void read_internal_timestamp(struct mip_reader *r, void *value) {
@@ -533,86 +525,71 @@ mip_error mip_sensor_pps_timestamp_encode(const struct mip_sensor_pps_timestamp 
                             value);
 }
 
-static void read_complementary_filter_stabilized_north_vector(struct mip_reader *r, void *value) {
-    struct mip_sensor_complementary_filter_stabilized_north_vector *v =
-        (struct mip_sensor_complementary_filter_stabilized_north_vector *)value;
+static void read_north_vector(struct mip_reader *r, void *value) {
+    struct mip_sensor_north_vector *v = (struct mip_sensor_north_vector *)value;
     mip_read_float(r, v->stabilized_mag, 3);
 }
 
-static void write_complementary_filter_stabilized_north_vector(struct mip_writer *w,
-                                                               const void *value) {
-    const struct mip_sensor_complementary_filter_stabilized_north_vector *v =
-        (const struct mip_sensor_complementary_filter_stabilized_north_vector *)value;
+static void write_north_vector(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_north_vector *v = (const struct mip_sensor_north_vector *)value;
     mip_write_float(w, v->stabilized_mag, 3);
 }
 
-const struct mip_codec mip_sensor_complementary_filter_stabilized_north_vector_codec = {
+const struct mip_codec mip_sensor_north_vector_codec = {
     0x80, /* descriptor set */
-    MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_DESCRIPTOR,
+    MIP_SENSOR_NORTH_VECTOR_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_sensor_complementary_filter_stabilized_north_vector),
+    sizeof(struct mip_sensor_north_vector),
     0, /* time-out */
-    read_complementary_filter_stabilized_north_vector,
-    write_complementary_filter_stabilized_north_vector,
+    read_north_vector,
+    write_north_vector,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_sensor_complementary_filter_stabilized_north_vector_decode(
-    struct mip_sensor_complementary_filter_stabilized_north_vector *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_complementary_filter_stabilized_north_vector, value,
-                            sizeof(*value), NULL);
+mip_error mip_sensor_north_vector_decode(struct mip_sensor_north_vector *value,
+                                         const struct mip_field *field) {
+    return mip_decode_field(field, read_north_vector, value, sizeof(*value), NULL);
 }
 
-mip_error mip_sensor_complementary_filter_stabilized_north_vector_encode(
-    const struct mip_sensor_complementary_filter_stabilized_north_vector *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x80,
-                            MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_DESCRIPTOR,
-                            write_complementary_filter_stabilized_north_vector, value);
+mip_error mip_sensor_north_vector_encode(const struct mip_sensor_north_vector *value,
+                                         struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_NORTH_VECTOR_DESCRIPTOR, write_north_vector,
+                            value);
 }
 
-static void read_complementary_filter_stabilized_up_vector(struct mip_reader *r, void *value) {
-    struct mip_sensor_complementary_filter_stabilized_up_vector *v =
-        (struct mip_sensor_complementary_filter_stabilized_up_vector *)value;
+static void read_up_vector(struct mip_reader *r, void *value) {
+    struct mip_sensor_up_vector *v = (struct mip_sensor_up_vector *)value;
     mip_read_float(r, v->stabilized_accel, 3);
 }
 
-static void write_complementary_filter_stabilized_up_vector(struct mip_writer *w,
-                                                            const void *value) {
-    const struct mip_sensor_complementary_filter_stabilized_up_vector *v =
-        (const struct mip_sensor_complementary_filter_stabilized_up_vector *)value;
+static void write_up_vector(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_up_vector *v = (const struct mip_sensor_up_vector *)value;
     mip_write_float(w, v->stabilized_accel, 3);
 }
 
-const struct mip_codec mip_sensor_complementary_filter_stabilized_up_vector_codec = {
+const struct mip_codec mip_sensor_up_vector_codec = {
     0x80, /* descriptor set */
-    MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_DESCRIPTOR,
+    MIP_SENSOR_UP_VECTOR_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_sensor_complementary_filter_stabilized_up_vector),
+    sizeof(struct mip_sensor_up_vector),
     0, /* time-out */
-    read_complementary_filter_stabilized_up_vector,
-    write_complementary_filter_stabilized_up_vector,
+    read_up_vector,
+    write_up_vector,
     NULL,
     NULL,
     NULL,
 };
 
-mip_error mip_sensor_complementary_filter_stabilized_up_vector_decode(
-    struct mip_sensor_complementary_filter_stabilized_up_vector *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_complementary_filter_stabilized_up_vector, value,
-                            sizeof(*value), NULL);
+mip_error mip_sensor_up_vector_decode(struct mip_sensor_up_vector *value,
+                                      const struct mip_field *field) {
+    return mip_decode_field(field, read_up_vector, value, sizeof(*value), NULL);
 }
 
-mip_error mip_sensor_complementary_filter_stabilized_up_vector_encode(
-    const struct mip_sensor_complementary_filter_stabilized_up_vector *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x80,
-                            MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_DESCRIPTOR,
-                            write_complementary_filter_stabilized_up_vector, value);
+mip_error mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value,
+                                      struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_UP_VECTOR_DESCRIPTOR, write_up_vector, value);
 }
 
 static void read_gps_timestamp(struct mip_reader *r, void *value) {
@@ -655,17 +632,17 @@ mip_error mip_sensor_gps_timestamp_encode(const struct mip_sensor_gps_timestamp 
 
 static void read_temperature_statistics(struct mip_reader *r, void *value) {
     struct mip_sensor_temperature_statistics *v = (struct mip_sensor_temperature_statistics *)value;
-    mip_read_float(r, &v->min_temp, 1);
-    mip_read_float(r, &v->max_temp, 1);
-    mip_read_float(r, &v->mean_temp, 1);
+    mip_read_float(r, &v->min_temperature, 1);
+    mip_read_float(r, &v->max_temperature, 1);
+    mip_read_float(r, &v->mean_temperature, 1);
 }
 
 static void write_temperature_statistics(struct mip_writer *w, const void *value) {
     const struct mip_sensor_temperature_statistics *v =
         (const struct mip_sensor_temperature_statistics *)value;
-    mip_write_float(w, &v->min_temp, 1);
-    mip_write_float(w, &v->max_temp, 1);
-    mip_write_float(w, &v->mean_temp, 1);
+    mip_write_float(w, &v->min_temperature, 1);
+    mip_write_float(w, &v->max_temperature, 1);
+    mip_write_float(w, &v->mean_temperature, 1);
 }
 
 const struct mip_codec mip_sensor_temperature_statistics_codec = {

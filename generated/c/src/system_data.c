@@ -41,14 +41,14 @@ mip_error mip_system_data_built_in_test_encode(const struct mip_system_data_buil
 static void read_time_sync_status(struct mip_reader *r, void *value) {
     struct mip_system_data_time_sync_status *v = (struct mip_system_data_time_sync_status *)value;
     mip_read_bool(r, &v->time_sync, 1);
-    mip_read_u8(r, &v->last_pps_rcvd, 1);
+    mip_read_u8(r, &v->last_pps_received, 1);
 }
 
 static void write_time_sync_status(struct mip_writer *w, const void *value) {
     const struct mip_system_data_time_sync_status *v =
         (const struct mip_system_data_time_sync_status *)value;
     mip_write_bool(w, &v->time_sync, 1);
-    mip_write_u8(w, &v->last_pps_rcvd, 1);
+    mip_write_u8(w, &v->last_pps_received, 1);
 }
 
 const struct mip_codec mip_system_data_time_sync_status_codec = {

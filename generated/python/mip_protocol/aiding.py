@@ -106,19 +106,18 @@ class LlhAxisFlags(IntFlag):
     """Height and its uncertainty. Bit 2."""
 
 
-_FRAME_CONFIGURATION_RESPONSE_0 = codec.Block(
+_FRAME_CONFIG_RESPONSE_0 = codec.Block(
     "BBBfff", "frame_id", "format", "tracking_enabled", *["translation"] * 3
 )
-_FRAME_CONFIGURATION_RESPONSE_1 = codec.Block("fff", *["rotation"] * 3)
-_FRAME_CONFIGURATION_RESPONSE_2 = codec.Block("ffff", *["rotation"] * 4)
+_FRAME_CONFIG_RESPONSE_1 = codec.Block("fff", *["rotation"] * 3)
+_FRAME_CONFIG_RESPONSE_2 = codec.Block("ffff", *["rotation"] * 4)
 
 
 @dataclass(slots=True)
-class FrameConfigurationResponse(Response):
+class FrameConfigResponse(Response):
     """Frame configuration response (0x13,0x81).
 
-    Also called `frame_config_response`. Answers `FrameConfiguration`. Supported by
-    3DM-CV7-GNSS/INS.
+    Answers `FrameConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -126,7 +125,7 @@ class FrameConfigurationResponse(Response):
 
     SET = 0x13
     DESCRIPTOR = 0x81
-    NAME = "aiding.frame_configuration_response"
+    NAME = "aiding.frame_config_response"
     ROLE = "response"
 
     frame_id: int
@@ -147,26 +146,26 @@ class FrameConfigurationResponse(Response):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfigurationResponse, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfigResponse, int]:
         rotation: types.Vector3f | types.Quatf | None = None
-        v = _FRAME_CONFIGURATION_RESPONSE_0.read(raw, at)
+        v = _FRAME_CONFIG_RESPONSE_0.read(raw, at)
         at += 15
         frame_id = v[0]
         format = AidingFrameFormat(v[1])
         tracking_enabled = codec.truth(v[2])
         translation = v[3:6]
         if format == 1:
-            v = _FRAME_CONFIGURATION_RESPONSE_1.read(raw, at)
+            v = _FRAME_CONFIG_RESPONSE_1.read(raw, at)
             at += 12
             rotation = v[0:3]
         elif format == 2:
-            v = _FRAME_CONFIGURATION_RESPONSE_2.read(raw, at)
+            v = _FRAME_CONFIG_RESPONSE_2.read(raw, at)
             at += 16
             rotation = v[0:4]
         return cls(frame_id, format, tracking_enabled, translation, rotation), at
 
     def _write(self) -> bytes:
-        out = _FRAME_CONFIGURATION_RESPONSE_0.write(
+        out = _FRAME_CONFIG_RESPONSE_0.write(
             self.frame_id,
             self.format,
             self.tracking_enabled,
@@ -175,15 +174,11 @@ class FrameConfigurationResponse(Response):
         if self.format == 1:
             if self.rotation is None or isinstance(self.rotation, Structure):
                 raise codec.mismatch("rotation", self.format)
-            out += _FRAME_CONFIGURATION_RESPONSE_1.write(
-                *codec.exactly("rotation", self.rotation, 3)
-            )
+            out += _FRAME_CONFIG_RESPONSE_1.write(*codec.exactly("rotation", self.rotation, 3))
         elif self.format == 2:
             if self.rotation is None or isinstance(self.rotation, Structure):
                 raise codec.mismatch("rotation", self.format)
-            out += _FRAME_CONFIGURATION_RESPONSE_2.write(
-                *codec.exactly("rotation", self.rotation, 4)
-            )
+            out += _FRAME_CONFIG_RESPONSE_2.write(*codec.exactly("rotation", self.rotation, 4))
         elif self.rotation is not None:
             raise codec.mismatch("rotation", self.format)
         return codec.finished(out)
@@ -222,14 +217,14 @@ class EchoControlResponse(Response):
         return codec.finished(out)
 
 
-_FRAME_CONFIGURATION_0 = codec.Block("B", "function")
-_FRAME_CONFIGURATION_1 = codec.Block("B", "frame_id")
-_FRAME_CONFIGURATION_2 = codec.Block("B", "format")
-_FRAME_CONFIGURATION_3 = codec.Block("B", "tracking_enabled")
-_FRAME_CONFIGURATION_4 = codec.Block("fff", *["translation"] * 3)
-_FRAME_CONFIGURATION_5 = codec.Block("fff", *["rotation"] * 3)
-_FRAME_CONFIGURATION_6 = codec.Block("ffff", *["rotation"] * 4)
-_FRAME_CONFIGURATION_GROUPS = (
+_FRAME_CONFIG_0 = codec.Block("B", "function")
+_FRAME_CONFIG_1 = codec.Block("B", "frame_id")
+_FRAME_CONFIG_2 = codec.Block("B", "format")
+_FRAME_CONFIG_3 = codec.Block("B", "tracking_enabled")
+_FRAME_CONFIG_4 = codec.Block("fff", *["translation"] * 3)
+_FRAME_CONFIG_5 = codec.Block("fff", *["rotation"] * 3)
+_FRAME_CONFIG_6 = codec.Block("ffff", *["rotation"] * 4)
+_FRAME_CONFIG_GROUPS = (
     (1, ("frame_id",), False),
     (2, ("format",), False),
     (3, ("tracking_enabled",), False),
@@ -239,13 +234,13 @@ _FRAME_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class FrameConfiguration(Command):
+class FrameConfig(Command):
     """Frame configuration (0x13,0x01).
 
     Where and how an external sensor is mounted on the vehicle.
 
-    Also called `frame_config`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `FrameConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FrameConfigResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     Aiding measurements name the frame by its number. p_vehicle = R * p_frame + t, with the rotation
     R and the translation t. The rotation does not matter for GNSS positions and velocities; set it
@@ -257,9 +252,9 @@ class FrameConfiguration(Command):
 
     SET = 0x13
     DESCRIPTOR = 0x01
-    NAME = "aiding.frame_configuration"
+    NAME = "aiding.frame_config"
     ROLE = "command"
-    RESPONSES = (FrameConfigurationResponse,)
+    RESPONSES = (FrameConfigResponse,)
     REQUIRED = {1: 5, 2: 2, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
@@ -291,7 +286,7 @@ class FrameConfiguration(Command):
         tracking_enabled: bool,
         translation: types.Vector3f,
         rotation: types.Vector3f | types.Quatf | None,
-    ) -> FrameConfiguration:
+    ) -> FrameConfig:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -303,39 +298,39 @@ class FrameConfiguration(Command):
         )
 
     @classmethod
-    def read(cls, frame_id: int, format: AidingFrameFormat) -> FrameConfiguration:
+    def read(cls, frame_id: int, format: AidingFrameFormat) -> FrameConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, frame_id=frame_id, format=format)
 
     @classmethod
-    def save(cls, frame_id: int) -> FrameConfiguration:
+    def save(cls, frame_id: int) -> FrameConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, frame_id=frame_id)
 
     @classmethod
-    def load(cls, frame_id: int) -> FrameConfiguration:
+    def load(cls, frame_id: int) -> FrameConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, frame_id=frame_id)
 
     @classmethod
-    def default(cls, frame_id: int) -> FrameConfiguration:
+    def default(cls, frame_id: int) -> FrameConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, frame_id=frame_id)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (FrameConfigurationResponse,)
+            return (FrameConfigResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfig, int]:
         frame_id: int | None = None
         format: AidingFrameFormat | None = None
         tracking_enabled: bool | None = None
         translation: types.Vector3f | None = None
         rotation: types.Vector3f | types.Quatf | None = None
-        v = _FRAME_CONFIGURATION_0.read(raw, at)
+        v = _FRAME_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -343,36 +338,36 @@ class FrameConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _FRAME_CONFIGURATION_1.read(raw, at)
+            v = _FRAME_CONFIG_1.read(raw, at)
             at += 1
             frame_id = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _FRAME_CONFIGURATION_2.read(raw, at)
+            v = _FRAME_CONFIG_2.read(raw, at)
             at += 1
             format = AidingFrameFormat(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _FRAME_CONFIGURATION_3.read(raw, at)
+            v = _FRAME_CONFIG_3.read(raw, at)
             at += 1
             tracking_enabled = codec.truth(v[0])
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _FRAME_CONFIGURATION_4.read(raw, at)
+            v = _FRAME_CONFIG_4.read(raw, at)
             at += 12
             translation = v[0:3]
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
             if format == 1:
-                v = _FRAME_CONFIGURATION_5.read(raw, at)
+                v = _FRAME_CONFIG_5.read(raw, at)
                 at += 12
                 rotation = v[0:3]
             elif format == 2:
-                v = _FRAME_CONFIGURATION_6.read(raw, at)
+                v = _FRAME_CONFIG_6.read(raw, at)
                 at += 16
                 rotation = v[0:4]
             done, end = 5, at
@@ -383,26 +378,26 @@ class FrameConfiguration(Command):
         return cls(function, frame_id, format, tracking_enabled, translation, rotation), at
 
     def _write(self) -> bytes:
-        out = _FRAME_CONFIGURATION_0.write(self.function)
+        out = _FRAME_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _FRAME_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _FRAME_CONFIG_GROUPS)
         if there >= 1:
-            out += _FRAME_CONFIGURATION_1.write(self.frame_id)
+            out += _FRAME_CONFIG_1.write(self.frame_id)
         if there >= 2:
-            out += _FRAME_CONFIGURATION_2.write(self.format)
+            out += _FRAME_CONFIG_2.write(self.format)
         if there >= 3:
-            out += _FRAME_CONFIGURATION_3.write(self.tracking_enabled)
+            out += _FRAME_CONFIG_3.write(self.tracking_enabled)
         if there >= 4:
-            out += _FRAME_CONFIGURATION_4.write(*codec.exactly("translation", self.translation, 3))
+            out += _FRAME_CONFIG_4.write(*codec.exactly("translation", self.translation, 3))
         if there >= 5:
             if self.format == 1:
                 if self.rotation is None or isinstance(self.rotation, Structure):
                     raise codec.mismatch("rotation", self.format)
-                out += _FRAME_CONFIGURATION_5.write(*codec.exactly("rotation", self.rotation, 3))
+                out += _FRAME_CONFIG_5.write(*codec.exactly("rotation", self.rotation, 3))
             elif self.format == 2:
                 if self.rotation is None or isinstance(self.rotation, Structure):
                     raise codec.mismatch("rotation", self.format)
-                out += _FRAME_CONFIGURATION_6.write(*codec.exactly("rotation", self.rotation, 4))
+                out += _FRAME_CONFIG_6.write(*codec.exactly("rotation", self.rotation, 4))
             elif self.rotation is not None:
                 raise codec.mismatch("rotation", self.format)
         return codec.finished(out)
@@ -1071,12 +1066,12 @@ class Pressure(Command):
         return codec.finished(out)
 
 
-FrameConfigurationResponse.COMMANDS = (FrameConfiguration,)
+FrameConfigResponse.COMMANDS = (FrameConfig,)
 EchoControlResponse.COMMANDS = (EchoControl,)
 
 #: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0x01: (FrameConfiguration,),
+    0x01: (FrameConfig,),
     0x1F: (EchoControl,),
     0x21: (EcefPosition,),
     0x22: (LlhPosition,),
@@ -1087,6 +1082,6 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x31: (TrueHeading,),
     0x32: (MagneticField,),
     0x33: (Pressure,),
-    0x81: (FrameConfigurationResponse,),
+    0x81: (FrameConfigResponse,),
     0x9F: (EchoControlResponse,),
 }

@@ -78,16 +78,15 @@ class GpsTimeField(codec.OpenEnum):
 
     WEEK_NUMBER = 1
     """Week number."""
-    TIME_OF_WEEK = 2
+    TOW = 2
     """Time of week in whole seconds."""
 
 
 @dataclass(slots=True)
-class GetDeviceInformationResponse(Response):
+class GetDeviceInfoResponse(Response):
     """Get device information response (0x01,0x81).
 
-    Also called `get_device_info_response`. Answers `GetDeviceInformation`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GetDeviceInfo`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -95,14 +94,14 @@ class GetDeviceInformationResponse(Response):
 
     SET = 0x01
     DESCRIPTOR = 0x81
-    NAME = "base.get_device_information_response"
+    NAME = "base.get_device_info_response"
     ROLE = "response"
 
     device_info: BaseDeviceInfo
     """Identity of the device."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInformationResponse, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInfoResponse, int]:
         device_info, at = BaseDeviceInfo._read(raw, at)
         return cls(device_info), at
 
@@ -224,17 +223,16 @@ class GpsTimeUpdateWeekNumberResponse(Response):
         return codec.finished(out)
 
 
-_GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_0 = codec.Block("I", "time_of_week")
+_GPS_TIME_UPDATE_TOW_RESPONSE_0 = codec.Block("I", "tow")
 
 
 @dataclass(slots=True)
-class GpsTimeUpdateTimeOfWeekResponse(Response):
+class GpsTimeUpdateTowResponse(Response):
     """GPS time update, time of week (0x01,0x85).
 
     The current time of week.
 
-    Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.TIME_OF_WEEK`. Supported by
-    3DM-GX5-15.
+    Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.TOW`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -242,30 +240,29 @@ class GpsTimeUpdateTimeOfWeekResponse(Response):
 
     SET = 0x01
     DESCRIPTOR = 0x85
-    NAME = "base.gps_time_update_time_of_week_response"
+    NAME = "base.gps_time_update_tow_response"
     ROLE = "response"
 
-    time_of_week: int
+    tow: int
     """GPS time of week in whole seconds. Unit: s."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateTimeOfWeekResponse, int]:
-        v = _GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateTowResponse, int]:
+        v = _GPS_TIME_UPDATE_TOW_RESPONSE_0.read(raw, at)
         at += 4
-        time_of_week = v[0]
-        return cls(time_of_week), at
+        tow = v[0]
+        return cls(tow), at
 
     def _write(self) -> bytes:
-        out = _GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_0.write(self.time_of_week)
+        out = _GPS_TIME_UPDATE_TOW_RESPONSE_0.write(self.tow)
         return codec.finished(out)
 
 
 @dataclass(slots=True)
-class GetDeviceDescriptorsExtendedResponse(Response):
+class GetExtendedDescriptorsResponse(Response):
     """Get device descriptors (extended) response (0x01,0x86).
 
-    Also called `get_extended_descriptors_response`. Answers `GetDeviceDescriptorsExtended`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GetExtendedDescriptors`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -273,7 +270,7 @@ class GetDeviceDescriptorsExtendedResponse(Response):
 
     SET = 0x01
     DESCRIPTOR = 0x86
-    NAME = "base.get_device_descriptors_extended_response"
+    NAME = "base.get_extended_descriptors_response"
     ROLE = "response"
 
     descriptors: tuple[int, ...]
@@ -282,7 +279,7 @@ class GetDeviceDescriptorsExtendedResponse(Response):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptorsExtendedResponse, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetExtendedDescriptorsResponse, int]:
         n = codec.remaining(raw, at, 2)
         descriptors = codec.read_numbers("H", raw, at, n)
         at += n * 2
@@ -333,21 +330,21 @@ class ContinuousBuiltInTestResponse(Response):
         return codec.finished(out)
 
 
-_COMM_PORT_SPEED_RESPONSE_0 = codec.Block("BI", "port", "baud")
+_COMM_SPEED_RESPONSE_0 = codec.Block("BI", "port", "baud")
 
 
 @dataclass(slots=True)
-class CommPortSpeedResponse(Response):
+class CommSpeedResponse(Response):
     """Comm port speed response (0x01,0x89).
 
-    Also called `comm_speed_response`. Answers `CommPortSpeed`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `CommSpeed`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
 
     SET = 0x01
     DESCRIPTOR = 0x89
-    NAME = "base.comm_port_speed_response"
+    NAME = "base.comm_speed_response"
     ROLE = "response"
 
     port: int
@@ -356,15 +353,15 @@ class CommPortSpeedResponse(Response):
     """Baud rate; one that the port supports. Unit: Bd."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommPortSpeedResponse, int]:
-        v = _COMM_PORT_SPEED_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[CommSpeedResponse, int]:
+        v = _COMM_SPEED_RESPONSE_0.read(raw, at)
         at += 5
         port = v[0]
         baud = v[1]
         return cls(port, baud), at
 
     def _write(self) -> bytes:
-        out = _COMM_PORT_SPEED_RESPONSE_0.write(self.port, self.baud)
+        out = _COMM_SPEED_RESPONSE_0.write(self.port, self.baud)
         return codec.finished(out)
 
 
@@ -396,12 +393,12 @@ class Ping(Command):
 
 
 @dataclass(slots=True)
-class SetToIdle(Command):
+class SetIdle(Command):
     """Set to idle (0x01,0x02).
 
     Stops all data streams, and wakes a sleeping device, so that it can be set up.
 
-    Also called `set_idle`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The resume command restores the previous mode. While idle the device sends no NMEA sentences
     either.
@@ -412,11 +409,11 @@ class SetToIdle(Command):
 
     SET = 0x01
     DESCRIPTOR = 0x02
-    NAME = "base.set_to_idle"
+    NAME = "base.set_idle"
     ROLE = "command"
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetToIdle, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SetIdle, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -424,13 +421,12 @@ class SetToIdle(Command):
 
 
 @dataclass(slots=True)
-class GetDeviceInformation(Command):
+class GetDeviceInfo(Command):
     """Get device information (0x01,0x03).
 
     Gets the firmware version and the identity strings of the device.
 
-    Also called `get_device_info`. Answered by `GetDeviceInformationResponse`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answered by `GetDeviceInfoResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -438,12 +434,12 @@ class GetDeviceInformation(Command):
 
     SET = 0x01
     DESCRIPTOR = 0x03
-    NAME = "base.get_device_information"
+    NAME = "base.get_device_info"
     ROLE = "command"
-    RESPONSES = (GetDeviceInformationResponse,)
+    RESPONSES = (GetDeviceInfoResponse,)
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInformation, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInfo, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -458,8 +454,8 @@ class GetDeviceDescriptors(Command):
 
     Answered by `GetDeviceDescriptorsResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    When the list contains `GetDeviceDescriptorsExtended` (0x01,0x07), more descriptors come from
-    the extended command.
+    When the list contains `GetExtendedDescriptors` (0x01,0x07), more descriptors come from the
+    extended command.
 
     - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -539,15 +535,14 @@ class Resume(Command):
 
 
 @dataclass(slots=True)
-class GetDeviceDescriptorsExtended(Command):
+class GetExtendedDescriptors(Command):
     """Get device descriptors (extended) (0x01,0x07).
 
     Gets the supported descriptors that did not fit into the reply of get device descriptors.
 
-    Also called `get_extended_descriptors`. Answered by `GetDeviceDescriptorsExtendedResponse`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answered by `GetExtendedDescriptorsResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    Only supported if get device descriptors lists `GetDeviceDescriptorsExtended` (0x01,0x07).
+    Only supported if get device descriptors lists `GetExtendedDescriptors` (0x01,0x07).
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -555,12 +550,12 @@ class GetDeviceDescriptorsExtended(Command):
 
     SET = 0x01
     DESCRIPTOR = 0x07
-    NAME = "base.get_device_descriptors_extended"
+    NAME = "base.get_extended_descriptors"
     ROLE = "command"
-    RESPONSES = (GetDeviceDescriptorsExtendedResponse,)
+    RESPONSES = (GetExtendedDescriptorsResponse,)
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptorsExtended, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetExtendedDescriptors, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -597,20 +592,20 @@ class ContinuousBuiltInTest(Command):
         return b""
 
 
-_COMM_PORT_SPEED_0 = codec.Block("B", "function")
-_COMM_PORT_SPEED_1 = codec.Block("B", "port")
-_COMM_PORT_SPEED_2 = codec.Block("I", "baud")
-_COMM_PORT_SPEED_GROUPS = ((1, ("port",), False), (2, ("baud",), False))
+_COMM_SPEED_0 = codec.Block("B", "function")
+_COMM_SPEED_1 = codec.Block("B", "port")
+_COMM_SPEED_2 = codec.Block("I", "baud")
+_COMM_SPEED_GROUPS = ((1, ("port",), False), (2, ("baud",), False))
 
 
 @dataclass(slots=True)
-class CommPortSpeed(Command):
+class CommSpeed(Command):
     """Comm port speed (0x01,0x09).
 
     Baud rate of one communication port.
 
-    Also called `comm_speed`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `CommPortSpeedResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `CommSpeedResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     The change waits until pending data is sent and received, at most 250 ms. Send it alone in a
     packet while the device is idle, and wait 250 ms before going on. Commands and data during the
@@ -621,9 +616,9 @@ class CommPortSpeed(Command):
 
     SET = 0x01
     DESCRIPTOR = 0x09
-    NAME = "base.comm_port_speed"
+    NAME = "base.comm_speed"
     ROLE = "command"
-    RESPONSES = (CommPortSpeedResponse,)
+    RESPONSES = (CommSpeedResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
@@ -634,41 +629,41 @@ class CommPortSpeed(Command):
     """Baud rate; one that the port supports. Unit: Bd. Required for `write`."""
 
     @classmethod
-    def write(cls, port: int, baud: int) -> CommPortSpeed:
+    def write(cls, port: int, baud: int) -> CommSpeed:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, port=port, baud=baud)
 
     @classmethod
-    def read(cls, port: int) -> CommPortSpeed:
+    def read(cls, port: int) -> CommSpeed:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, port=port)
 
     @classmethod
-    def save(cls, port: int) -> CommPortSpeed:
+    def save(cls, port: int) -> CommSpeed:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, port=port)
 
     @classmethod
-    def load(cls, port: int) -> CommPortSpeed:
+    def load(cls, port: int) -> CommSpeed:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, port=port)
 
     @classmethod
-    def default(cls, port: int) -> CommPortSpeed:
+    def default(cls, port: int) -> CommSpeed:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, port=port)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (CommPortSpeedResponse,)
+            return (CommSpeedResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommPortSpeed, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[CommSpeed, int]:
         port: int | None = None
         baud: int | None = None
-        v = _COMM_PORT_SPEED_0.read(raw, at)
+        v = _COMM_SPEED_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -676,13 +671,13 @@ class CommPortSpeed(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _COMM_PORT_SPEED_1.read(raw, at)
+            v = _COMM_SPEED_1.read(raw, at)
             at += 1
             port = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _COMM_PORT_SPEED_2.read(raw, at)
+            v = _COMM_SPEED_2.read(raw, at)
             at += 4
             baud = v[0]
             done, end = 2, at
@@ -693,13 +688,13 @@ class CommPortSpeed(Command):
         return cls(function, port, baud), at
 
     def _write(self) -> bytes:
-        out = _COMM_PORT_SPEED_0.write(self.function)
+        out = _COMM_SPEED_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _COMM_PORT_SPEED_GROUPS)
+        there = codec.present(self, required, _COMM_SPEED_GROUPS)
         if there >= 1:
-            out += _COMM_PORT_SPEED_1.write(self.port)
+            out += _COMM_SPEED_1.write(self.port)
         if there >= 2:
-            out += _COMM_PORT_SPEED_2.write(self.baud)
+            out += _COMM_SPEED_2.write(self.baud)
         return codec.finished(out)
 
 
@@ -716,7 +711,7 @@ class GpsTimeUpdate(Command):
     Sets the week number or the time of week of the external (GPS) time.
 
     Functions: `write`, `read` and `apply`. Answered by `GpsTimeUpdateWeekNumberResponse` or
-    `GpsTimeUpdateTimeOfWeekResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+    `GpsTimeUpdateTowResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
     3DM-CV7-GNSS/INS: `write` only.
 
     Send it once for the time of week and once for the week number after the PPS is locked. The PPS
@@ -733,7 +728,7 @@ class GpsTimeUpdate(Command):
     DESCRIPTOR = 0x72
     NAME = "base.gps_time_update"
     ROLE = "command"
-    RESPONSES = (GpsTimeUpdateWeekNumberResponse, GpsTimeUpdateTimeOfWeekResponse)
+    RESPONSES = (GpsTimeUpdateWeekNumberResponse, GpsTimeUpdateTowResponse)
     REQUIRED = {1: 2, 2: 1, 6: 2}
 
     function: FunctionSelector
@@ -744,7 +739,7 @@ class GpsTimeUpdate(Command):
     """What field_id says. Required for `write` and `apply`.
 
     - If `field_id` is `GpsTimeField.WEEK_NUMBER`: unit week. GPS week number since 6 January 1980.
-    - If `field_id` is `GpsTimeField.TIME_OF_WEEK`: unit s. Whole seconds of the GPS week.
+    - If `field_id` is `GpsTimeField.TOW`: unit s. Whole seconds of the GPS week.
     """
 
     @classmethod
@@ -771,7 +766,7 @@ class GpsTimeUpdate(Command):
         if self.function == FunctionSelector.READ and self.field_id == 1:
             return (GpsTimeUpdateWeekNumberResponse,)
         if self.function == FunctionSelector.READ and self.field_id == 2:
-            return (GpsTimeUpdateTimeOfWeekResponse,)
+            return (GpsTimeUpdateTowResponse,)
         return ()
 
     @classmethod
@@ -814,12 +809,12 @@ class GpsTimeUpdate(Command):
 
 
 @dataclass(slots=True)
-class ResetDevice(Command):
+class SoftReset(Command):
     """Reset device (0x01,0x7E).
 
     Acknowledges the command, then resets the device at once.
 
-    Also called `soft_reset`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
     - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)
@@ -827,45 +822,45 @@ class ResetDevice(Command):
 
     SET = 0x01
     DESCRIPTOR = 0x7E
-    NAME = "base.reset_device"
+    NAME = "base.soft_reset"
     ROLE = "command"
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ResetDevice, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SoftReset, int]:
         return cls(), at
 
     def _write(self) -> bytes:
         return b""
 
 
-GetDeviceInformationResponse.COMMANDS = (GetDeviceInformation,)
+GetDeviceInfoResponse.COMMANDS = (GetDeviceInfo,)
 GetDeviceDescriptorsResponse.COMMANDS = (GetDeviceDescriptors,)
 BuiltInTestResponse.COMMANDS = (BuiltInTest,)
 GpsTimeUpdateWeekNumberResponse.COMMANDS = (GpsTimeUpdate,)
-GpsTimeUpdateTimeOfWeekResponse.COMMANDS = (GpsTimeUpdate,)
-GetDeviceDescriptorsExtendedResponse.COMMANDS = (GetDeviceDescriptorsExtended,)
+GpsTimeUpdateTowResponse.COMMANDS = (GpsTimeUpdate,)
+GetExtendedDescriptorsResponse.COMMANDS = (GetExtendedDescriptors,)
 ContinuousBuiltInTestResponse.COMMANDS = (ContinuousBuiltInTest,)
-CommPortSpeedResponse.COMMANDS = (CommPortSpeed,)
+CommSpeedResponse.COMMANDS = (CommSpeed,)
 
 #: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Ping,),
-    0x02: (SetToIdle,),
-    0x03: (GetDeviceInformation,),
+    0x02: (SetIdle,),
+    0x03: (GetDeviceInfo,),
     0x04: (GetDeviceDescriptors,),
     0x05: (BuiltInTest,),
     0x06: (Resume,),
-    0x07: (GetDeviceDescriptorsExtended,),
+    0x07: (GetExtendedDescriptors,),
     0x08: (ContinuousBuiltInTest,),
-    0x09: (CommPortSpeed,),
+    0x09: (CommSpeed,),
     0x72: (GpsTimeUpdate,),
-    0x7E: (ResetDevice,),
-    0x81: (GetDeviceInformationResponse,),
+    0x7E: (SoftReset,),
+    0x81: (GetDeviceInfoResponse,),
     0x82: (GetDeviceDescriptorsResponse,),
     0x83: (BuiltInTestResponse,),
     0x84: (GpsTimeUpdateWeekNumberResponse,),
-    0x85: (GpsTimeUpdateTimeOfWeekResponse,),
-    0x86: (GetDeviceDescriptorsExtendedResponse,),
+    0x85: (GpsTimeUpdateTowResponse,),
+    0x86: (GetExtendedDescriptorsResponse,),
     0x88: (ContinuousBuiltInTestResponse,),
-    0x89: (CommPortSpeedResponse,),
+    0x89: (CommSpeedResponse,),
 }

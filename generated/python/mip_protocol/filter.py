@@ -46,13 +46,13 @@ class EstimatedStates(IntFlag):
 class GnssAidingSource(codec.OpenEnum):
     """Where the filter takes GNSS data from."""
 
-    ALL_INT = 1
+    ALL_INTERNAL = 1
     """All internal receivers."""
-    EXT = 2
+    EXTERNAL = 2
     """GNSS measurements that the user sends."""
-    INT_1 = 3
+    INTERNAL_1 = 3
     """Internal receiver 1 only."""
-    INT_2 = 4
+    INTERNAL_2 = 4
     """Internal receiver 2 only."""
 
 
@@ -90,9 +90,9 @@ class TareAxes(IntFlag):
 class MeasurementFlags(IntFlag):
     """Measurements that the filter uses."""
 
-    ACCELEROMETER = 1 << 0
+    ACCEL = 1 << 0
     """Accelerometer measurements. Bit 0."""
-    MAGNETOMETER = 1 << 1
+    MAG = 1 << 1
     """Magnetometer measurements, on models that have a magnetometer. Bit 1."""
 
 
@@ -142,7 +142,7 @@ class PitchRollAidingSource(codec.OpenEnum):
 class AidingSource(codec.OpenEnum):
     """A source of aiding measurements."""
 
-    GNSS_POS_VEL = 0
+    GNSS_POSITION_VELOCITY = 0
     """GNSS position and velocity."""
     GNSS_HEADING = 1
     """GNSS heading of two antennas."""
@@ -150,15 +150,15 @@ class AidingSource(codec.OpenEnum):
     """Built-in pressure altimeter."""
     SPEED = 3
     """Speed sensor or odometer."""
-    MAGNETOMETER = 4
+    MAG = 4
     """Built-in magnetometer."""
     EXTERNAL_HEADING = 5
     """Heading that the user sends."""
     EXTERNAL_ALTIMETER = 6
     """Pressure altitude that the user sends."""
-    EXTERNAL_MAGNETOMETER = 7
+    EXTERNAL_MAG = 7
     """Magnetic field that the user sends."""
-    BODY_FRAME_VEL = 8
+    BODY_FRAME_VELOCITY = 8
     """Velocity in the vehicle that the user sends."""
     ALL = 0xFFFF
     """All sources, for save, load and default."""
@@ -205,11 +205,11 @@ class AngularConstraint(codec.OpenEnum):
 class InitialConditionSource(codec.OpenEnum):
     """Which initial conditions the device finds itself and which the user gives."""
 
-    AUTO_POS_VEL_ATT = 0
+    AUTO_POSITION_VELOCITY_ATTITUDE = 0
     """Position, velocity and attitude are found."""
-    AUTO_POS_VEL_PITCH_ROLL = 1
+    AUTO_POSITION_VELOCITY_PITCH_ROLL = 1
     """Position, velocity, pitch and roll are found; the heading is given."""
-    AUTO_POS_VEL = 2
+    AUTO_POSITION_VELOCITY = 2
     """Position and velocity are found; the attitude is given."""
     MANUAL = 3
     """Position, velocity and attitude are given."""
@@ -223,7 +223,7 @@ class HeadingAlignment(IntFlag):
     """From the baseline between two GNSS antennas. Bit 0."""
     KINEMATIC = 1 << 1
     """From the GNSS velocity; assumes motion along the positive x axis of the vehicle. Bit 1."""
-    MAGNETOMETER = 1 << 2
+    MAG = 1 << 2
     """From the built-in magnetometer. Bit 2."""
     EXTERNAL = 1 << 3
     """From the heading that the user sends. Bit 3."""
@@ -263,7 +263,7 @@ class RelativePositionSource(codec.OpenEnum):
 class ReferencePoint(codec.OpenEnum):
     """A point of reference."""
 
-    VEH = 1
+    VEHICLE = 1
     """The origin of the vehicle."""
 
 
@@ -299,22 +299,21 @@ class VehicleDynamicsModeResponse(Response):
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_0 = codec.Block("fff", "roll", "pitch", "yaw")
+_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0 = codec.Block("fff", "roll", "pitch", "yaw")
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformationResponse(Response):
+class SensorToVehicleRotationEulerResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
-    Also called `sensor_to_vehicle_rotation_euler_response`. Answers
-    `SensorToVehicleFrameTransformation`. Supported by 3DM-GX5-15.
+    Answers `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x81
-    NAME = "filter.sensor_to_vehicle_frame_transformation_response"
+    NAME = "filter.sensor_to_vehicle_rotation_euler_response"
     ROLE = "response"
 
     roll: float
@@ -325,8 +324,8 @@ class SensorToVehicleFrameTransformationResponse(Response):
     """Yaw angle. Unit: rad."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationResponse, int]:
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationEulerResponse, int]:
+        v = _SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0.read(raw, at)
         at += 12
         roll = v[0]
         pitch = v[1]
@@ -334,9 +333,7 @@ class SensorToVehicleFrameTransformationResponse(Response):
         return cls(roll, pitch, yaw), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_0.write(
-            self.roll, self.pitch, self.yaw
-        )
+        out = _SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0.write(self.roll, self.pitch, self.yaw)
         return codec.finished(out)
 
 
@@ -374,22 +371,21 @@ class SensorToVehicleOffsetResponse(Response):
         return codec.finished(out)
 
 
-_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
+_ANTENNA_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
 @dataclass(slots=True)
-class GnssAntennaOffsetControlResponse(Response):
+class AntennaOffsetResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
-    Also called `antenna_offset_response`. Answers `GnssAntennaOffsetControl`. Supported by
-    3DM-CV7-GNSS/INS.
+    Answers `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x83
-    NAME = "filter.gnss_antenna_offset_control_response"
+    NAME = "filter.antenna_offset_response"
     ROLE = "response"
 
     offset: types.Vector3f
@@ -398,114 +394,110 @@ class GnssAntennaOffsetControlResponse(Response):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetControlResponse, int]:
-        v = _GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetResponse, int]:
+        v = _ANTENNA_OFFSET_RESPONSE_0.read(raw, at)
         at += 12
         offset = v[0:3]
         return cls(offset), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_0.write(
-            *codec.exactly("offset", self.offset, 3)
-        )
+        out = _ANTENNA_OFFSET_RESPONSE_0.write(*codec.exactly("offset", self.offset, 3))
         return codec.finished(out)
 
 
-_ESTIMATION_CONTROL_FLAGS_RESPONSE_0 = codec.Block("H", "flags")
+_ESTIMATION_CONTROL_RESPONSE_0 = codec.Block("H", "flags")
 
 
 @dataclass(slots=True)
-class EstimationControlFlagsResponse(Response):
+class EstimationControlResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
-    Also called `estimation_control_response`. Answers `EstimationControlFlags`. Supported by
-    3DM-GX5-15.
+    Answers `EstimationControl`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x84
-    NAME = "filter.estimation_control_flags_response"
+    NAME = "filter.estimation_control_response"
     ROLE = "response"
 
     flags: EstimatedStates
     """States to estimate."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EstimationControlFlagsResponse, int]:
-        v = _ESTIMATION_CONTROL_FLAGS_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[EstimationControlResponse, int]:
+        v = _ESTIMATION_CONTROL_RESPONSE_0.read(raw, at)
         at += 2
         flags = EstimatedStates(v[0])
         return cls(flags), at
 
     def _write(self) -> bytes:
-        out = _ESTIMATION_CONTROL_FLAGS_RESPONSE_0.write(self.flags)
+        out = _ESTIMATION_CONTROL_RESPONSE_0.write(self.flags)
         return codec.finished(out)
 
 
-_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
+_GNSS_SOURCE_RESPONSE_0 = codec.Block("B", "source")
 
 
 @dataclass(slots=True)
-class GnssAidingSourceControlResponse(Response):
+class GnssSourceResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
-    Also called `gnss_source_response`. Answers `GnssAidingSourceControl`. Supported by
-    3DM-CV7-GNSS/INS.
+    Answers `GnssSource`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x86
-    NAME = "filter.gnss_aiding_source_control_response"
+    NAME = "filter.gnss_source_response"
     ROLE = "response"
 
     source: GnssAidingSource
     """Source of the GNSS data."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAidingSourceControlResponse, int]:
-        v = _GNSS_AIDING_SOURCE_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssSourceResponse, int]:
+        v = _GNSS_SOURCE_RESPONSE_0.read(raw, at)
         at += 1
         source = GnssAidingSource(v[0])
         return cls(source), at
 
     def _write(self) -> bytes:
-        out = _GNSS_AIDING_SOURCE_CONTROL_RESPONSE_0.write(self.source)
+        out = _GNSS_SOURCE_RESPONSE_0.write(self.source)
         return codec.finished(out)
 
 
-_HEADING_UPDATE_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
+_HEADING_SOURCE_RESPONSE_0 = codec.Block("B", "source")
 
 
 @dataclass(slots=True)
-class HeadingUpdateControlResponse(Response):
+class HeadingSourceResponse(Response):
     """Heading update control response (0x0D,0x87).
 
-    Also called `heading_source_response`. Answers `HeadingUpdateControl`. Supported by 3DM-GX5-15.
+    Answers `HeadingSource`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x87
-    NAME = "filter.heading_update_control_response"
+    NAME = "filter.heading_source_response"
     ROLE = "response"
 
-    enable: HeadingUpdateSource
+    source: HeadingUpdateSource
     """Source of the heading."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateControlResponse, int]:
-        v = _HEADING_UPDATE_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[HeadingSourceResponse, int]:
+        v = _HEADING_SOURCE_RESPONSE_0.read(raw, at)
         at += 1
-        enable = HeadingUpdateSource(v[0])
-        return cls(enable), at
+        source = HeadingUpdateSource(v[0])
+        return cls(source), at
 
     def _write(self) -> bytes:
-        out = _HEADING_UPDATE_CONTROL_RESPONSE_0.write(self.enable)
+        out = _HEADING_SOURCE_RESPONSE_0.write(self.source)
         return codec.finished(out)
 
 
@@ -542,15 +534,14 @@ class AutoInitializationControlResponse(Response):
         return codec.finished(out)
 
 
-_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
+_ACCEL_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
-class AccelerometerNoiseStandardDeviationResponse(Response):
+class AccelNoiseResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
-    Also called `accel_noise_response`. Answers `AccelerometerNoiseStandardDeviation`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AccelNoise`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -558,35 +549,32 @@ class AccelerometerNoiseStandardDeviationResponse(Response):
 
     SET = 0x0D
     DESCRIPTOR = 0x89
-    NAME = "filter.accelerometer_noise_standard_deviation_response"
+    NAME = "filter.accel_noise_response"
     ROLE = "response"
 
     noise: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerNoiseStandardDeviationResponse, int]:
-        v = _ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelNoiseResponse, int]:
+        v = _ACCEL_NOISE_RESPONSE_0.read(raw, at)
         at += 12
         noise = v[0:3]
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_0.write(
-            *codec.exactly("noise", self.noise, 3)
-        )
+        out = _ACCEL_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
-_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
+_GYRO_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
-class GyroscopeNoiseStandardDeviationResponse(Response):
+class GyroNoiseResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
-    Also called `gyro_noise_response`. Answers `GyroscopeNoiseStandardDeviation`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GyroNoise`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -594,44 +582,39 @@ class GyroscopeNoiseStandardDeviationResponse(Response):
 
     SET = 0x0D
     DESCRIPTOR = 0x8A
-    NAME = "filter.gyroscope_noise_standard_deviation_response"
+    NAME = "filter.gyro_noise_response"
     ROLE = "response"
 
     noise: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeNoiseStandardDeviationResponse, int]:
-        v = _GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroNoiseResponse, int]:
+        v = _GYRO_NOISE_RESPONSE_0.read(raw, at)
         at += 12
         noise = v[0:3]
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_0.write(
-            *codec.exactly("noise", self.noise, 3)
-        )
+        out = _GYRO_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block(
-    "ffffff", *["beta"] * 3, *["noise"] * 3
-)
+_ACCEL_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
 
 
 @dataclass(slots=True)
-class AccelerometerBiasModelParametersResponse(Response):
+class AccelBiasModelResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
-    Also called `accel_bias_model_response`. Answers `AccelerometerBiasModelParameters`. Supported
-    by 3DM-CV7-GNSS/INS.
+    Answers `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x8B
-    NAME = "filter.accelerometer_bias_model_parameters_response"
+    NAME = "filter.accel_bias_model_response"
     ROLE = "response"
 
     beta: types.Vector3f
@@ -642,29 +625,28 @@ class AccelerometerBiasModelParametersResponse(Response):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasModelParametersResponse, int]:
-        v = _ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasModelResponse, int]:
+        v = _ACCEL_BIAS_MODEL_RESPONSE_0.read(raw, at)
         at += 24
         beta = v[0:3]
         noise = v[3:6]
         return cls(beta, noise), at
 
     def _write(self) -> bytes:
-        out = _ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_0.write(
+        out = _ACCEL_BIAS_MODEL_RESPONSE_0.write(
             *codec.exactly("beta", self.beta, 3), *codec.exactly("noise", self.noise, 3)
         )
         return codec.finished(out)
 
 
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
+_GYRO_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
 
 
 @dataclass(slots=True)
-class GyroscopeBiasModelParametersResponse(Response):
+class GyroBiasModelResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
-    Also called `gyro_bias_model_response`. Answers `GyroscopeBiasModelParameters`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -672,7 +654,7 @@ class GyroscopeBiasModelParametersResponse(Response):
 
     SET = 0x0D
     DESCRIPTOR = 0x8C
-    NAME = "filter.gyroscope_bias_model_parameters_response"
+    NAME = "filter.gyro_bias_model_response"
     ROLE = "response"
 
     beta: types.Vector3f
@@ -683,15 +665,15 @@ class GyroscopeBiasModelParametersResponse(Response):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasModelParametersResponse, int]:
-        v = _GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasModelResponse, int]:
+        v = _GYRO_BIAS_MODEL_RESPONSE_0.read(raw, at)
         at += 24
         beta = v[0:3]
         noise = v[3:6]
         return cls(beta, noise), at
 
     def _write(self) -> bytes:
-        out = _GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_0.write(
+        out = _GYRO_BIAS_MODEL_RESPONSE_0.write(
             *codec.exactly("beta", self.beta, 3), *codec.exactly("noise", self.noise, 3)
         )
         return codec.finished(out)
@@ -732,15 +714,14 @@ class AutoZuptResponse(Response):
         return codec.finished(out)
 
 
-_ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
+_AUTO_ANGULAR_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 
 
 @dataclass(slots=True)
-class ZeroAngularRateUpdateControlResponse(Response):
+class AutoAngularZuptResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
-    Also called `auto_angular_zupt_response`. Answers `ZeroAngularRateUpdateControl`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AutoAngularZupt`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -748,7 +729,7 @@ class ZeroAngularRateUpdateControlResponse(Response):
 
     SET = 0x0D
     DESCRIPTOR = 0x8E
-    NAME = "filter.zero_angular_rate_update_control_response"
+    NAME = "filter.auto_angular_zupt_response"
     ROLE = "response"
 
     enable: int
@@ -757,36 +738,33 @@ class ZeroAngularRateUpdateControlResponse(Response):
     """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ZeroAngularRateUpdateControlResponse, int]:
-        v = _ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AutoAngularZuptResponse, int]:
+        v = _AUTO_ANGULAR_ZUPT_RESPONSE_0.read(raw, at)
         at += 5
         enable = v[0]
         threshold = v[1]
         return cls(enable, threshold), at
 
     def _write(self) -> bytes:
-        out = _ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_0.write(self.enable, self.threshold)
+        out = _AUTO_ANGULAR_ZUPT_RESPONSE_0.write(self.enable, self.threshold)
         return codec.finished(out)
 
 
-_SET_REFERENCE_POSITION_RESPONSE_0 = codec.Block(
-    "Bddd", "enable", "latitude", "longitude", "altitude"
-)
+_REFERENCE_POSITION_RESPONSE_0 = codec.Block("Bddd", "enable", "latitude", "longitude", "altitude")
 
 
 @dataclass(slots=True)
-class SetReferencePositionResponse(Response):
+class ReferencePositionResponse(Response):
     """Set reference position response (0x0D,0x90).
 
-    Also called `reference_position_response`. Answers `SetReferencePosition`. Supported by
-    3DM-GX5-15.
+    Answers `ReferencePosition`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x90
-    NAME = "filter.set_reference_position_response"
+    NAME = "filter.reference_position_response"
     ROLE = "response"
 
     enable: int
@@ -799,8 +777,8 @@ class SetReferencePositionResponse(Response):
     """Altitude. Unit: m. Frame: llh."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetReferencePositionResponse, int]:
-        v = _SET_REFERENCE_POSITION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePositionResponse, int]:
+        v = _REFERENCE_POSITION_RESPONSE_0.read(raw, at)
         at += 25
         enable = v[0]
         latitude = v[1]
@@ -809,21 +787,20 @@ class SetReferencePositionResponse(Response):
         return cls(enable, latitude, longitude, altitude), at
 
     def _write(self) -> bytes:
-        out = _SET_REFERENCE_POSITION_RESPONSE_0.write(
+        out = _REFERENCE_POSITION_RESPONSE_0.write(
             self.enable, self.latitude, self.longitude, self.altitude
         )
         return codec.finished(out)
 
 
-_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
+_GRAVITY_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
-class GravityNoiseStandardDeviationResponse(Response):
+class GravityNoiseResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
-    Also called `gravity_noise_response`. Answers `GravityNoiseStandardDeviation`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GravityNoise`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -831,23 +808,21 @@ class GravityNoiseStandardDeviationResponse(Response):
 
     SET = 0x0D
     DESCRIPTOR = 0x93
-    NAME = "filter.gravity_noise_standard_deviation_response"
+    NAME = "filter.gravity_noise_response"
     ROLE = "response"
 
     noise: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseStandardDeviationResponse, int]:
-        v = _GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseResponse, int]:
+        v = _GRAVITY_NOISE_RESPONSE_0.read(raw, at)
         at += 12
         noise = v[0:3]
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_0.write(
-            *codec.exactly("noise", self.noise, 3)
-        )
+        out = _GRAVITY_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -983,35 +958,35 @@ class TareOrientationResponse(Response):
         return codec.finished(out)
 
 
-_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_0 = codec.Block("H", "control")
+_ENABLE_MEASUREMENTS_RESPONSE_0 = codec.Block("H", "control")
 
 
 @dataclass(slots=True)
-class EnableDisableMeasurementsResponse(Response):
+class EnableMeasurementsResponse(Response):
     """Enable or disable measurements response (0x0D,0xB0).
 
-    Answers `EnableDisableMeasurements`. Supported by 3DM-GX5-15.
+    Answers `EnableMeasurements`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xB0
-    NAME = "filter.enable_disable_measurements_response"
+    NAME = "filter.enable_measurements_response"
     ROLE = "response"
 
     control: MeasurementFlags
     """Measurements to use."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EnableDisableMeasurementsResponse, int]:
-        v = _ENABLE_DISABLE_MEASUREMENTS_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[EnableMeasurementsResponse, int]:
+        v = _ENABLE_MEASUREMENTS_RESPONSE_0.read(raw, at)
         at += 2
         control = MeasurementFlags(v[0])
         return cls(control), at
 
     def _write(self) -> bytes:
-        out = _ENABLE_DISABLE_MEASUREMENTS_RESPONSE_0.write(self.control)
+        out = _ENABLE_MEASUREMENTS_RESPONSE_0.write(self.control)
         return codec.finished(out)
 
 
@@ -1047,22 +1022,21 @@ class MagNoiseResponse(Response):
         return codec.finished(out)
 
 
-_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_0 = codec.Block("Bf", "source", "declination")
+_MAGNETIC_DECLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "declination")
 
 
 @dataclass(slots=True)
-class MagneticFieldDeclinationSourceControlResponse(Response):
+class MagneticDeclinationSourceResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
-    Also called `magnetic_declination_source_response`. Answers
-    `MagneticFieldDeclinationSourceControl`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `MagneticDeclinationSource`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xB2
-    NAME = "filter.magnetic_field_declination_source_control_response"
+    NAME = "filter.magnetic_declination_source_response"
     ROLE = "response"
 
     source: MagParameterSource
@@ -1071,23 +1045,19 @@ class MagneticFieldDeclinationSourceControlResponse(Response):
     """Declination; used only if `source` is manual. Unit: rad."""
 
     @classmethod
-    def _read(
-        cls, raw: bytes, at: int
-    ) -> tuple[MagneticFieldDeclinationSourceControlResponse, int]:
-        v = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticDeclinationSourceResponse, int]:
+        v = _MAGNETIC_DECLINATION_SOURCE_RESPONSE_0.read(raw, at)
         at += 5
         source = MagParameterSource(v[0])
         declination = v[1]
         return cls(source, declination), at
 
     def _write(self) -> bytes:
-        out = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_0.write(
-            self.source, self.declination
-        )
+        out = _MAGNETIC_DECLINATION_SOURCE_RESPONSE_0.write(self.source, self.declination)
         return codec.finished(out)
 
 
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
     "Bffffff",
     "adaptive_measurement",
     "frequency",
@@ -1100,18 +1070,17 @@ _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
+class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
-    Also called `accel_magnitude_error_adaptive_measurement_response`. Answers
-    `GravityMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15.
+    Answers `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xB3
-    NAME = "filter.gravity_magnitude_error_adaptive_measurement_response"
+    NAME = "filter.accel_magnitude_error_adaptive_measurement_response"
     ROLE = "response"
 
     adaptive_measurement: AdaptiveMeasurementSelector
@@ -1132,8 +1101,8 @@ class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
     @classmethod
     def _read(
         cls, raw: bytes, at: int
-    ) -> tuple[GravityMagnitudeErrorAdaptiveMeasurementResponse, int]:
-        v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
+    ) -> tuple[AccelMagnitudeErrorAdaptiveMeasurementResponse, int]:
+        v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
         at += 25
         adaptive_measurement = AdaptiveMeasurementSelector(v[0])
         frequency = v[1]
@@ -1153,7 +1122,7 @@ class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
         ), at
 
     def _write(self) -> bytes:
-        out = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
+        out = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
             self.adaptive_measurement,
             self.frequency,
             self.low_limit,
@@ -1340,54 +1309,53 @@ class AltitudeAidingResponse(Response):
         return codec.finished(out)
 
 
-_PITCH_ROLL_AIDING_CONTROL_RESPONSE_0 = codec.Block("B", "aiding")
+_PITCH_ROLL_AIDING_RESPONSE_0 = codec.Block("B", "aiding")
 
 
 @dataclass(slots=True)
-class PitchRollAidingControlResponse(Response):
+class PitchRollAidingResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
-    Also called `pitch_roll_aiding_response`. Answers `PitchRollAidingControl`. Supported by
-    3DM-GX5-15.
+    Answers `PitchRollAiding`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xBB
-    NAME = "filter.pitch_roll_aiding_control_response"
+    NAME = "filter.pitch_roll_aiding_response"
     ROLE = "response"
 
     aiding: PitchRollAidingSource
     """Source of the aiding."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingControlResponse, int]:
-        v = _PITCH_ROLL_AIDING_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingResponse, int]:
+        v = _PITCH_ROLL_AIDING_RESPONSE_0.read(raw, at)
         at += 1
         aiding = PitchRollAidingSource(v[0])
         return cls(aiding), at
 
     def _write(self) -> bytes:
-        out = _PITCH_ROLL_AIDING_CONTROL_RESPONSE_0.write(self.aiding)
+        out = _PITCH_ROLL_AIDING_RESPONSE_0.write(self.aiding)
         return codec.finished(out)
 
 
-_INCLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "inclination")
+_MAGNETIC_INCLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "inclination")
 
 
 @dataclass(slots=True)
-class InclinationSourceResponse(Response):
+class MagneticInclinationSourceResponse(Response):
     """Magnetic inclination source response (0x0D,0xBC).
 
-    Answers `InclinationSource`.
+    Also called `inclination_source_response`. Answers `MagneticInclinationSource`.
 
     - mip-sdk-4: Inclination Source (0x0D,0x4C)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xBC
-    NAME = "filter.inclination_source_response"
+    NAME = "filter.magnetic_inclination_source_response"
     ROLE = "response"
 
     source: MagParameterSource
@@ -1398,33 +1366,33 @@ class InclinationSourceResponse(Response):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[InclinationSourceResponse, int]:
-        v = _INCLINATION_SOURCE_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticInclinationSourceResponse, int]:
+        v = _MAGNETIC_INCLINATION_SOURCE_RESPONSE_0.read(raw, at)
         at += 5
         source = MagParameterSource(v[0])
         inclination = v[1]
         return cls(source, inclination), at
 
     def _write(self) -> bytes:
-        out = _INCLINATION_SOURCE_RESPONSE_0.write(self.source, self.inclination)
+        out = _MAGNETIC_INCLINATION_SOURCE_RESPONSE_0.write(self.source, self.inclination)
         return codec.finished(out)
 
 
-_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "magnitude")
+_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "magnitude")
 
 
 @dataclass(slots=True)
-class MagFieldMagnitudeSourceResponse(Response):
+class MagneticMagnitudeSourceResponse(Response):
     """Magnetic field magnitude source response (0x0D,0xBD).
 
-    Answers `MagFieldMagnitudeSource`.
+    Also called `mag_field_magnitude_source_response`. Answers `MagneticMagnitudeSource`.
 
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xBD
-    NAME = "filter.mag_field_magnitude_source_response"
+    NAME = "filter.magnetic_magnitude_source_response"
     ROLE = "response"
 
     source: MagParameterSource
@@ -1435,15 +1403,15 @@ class MagFieldMagnitudeSourceResponse(Response):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagFieldMagnitudeSourceResponse, int]:
-        v = _MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticMagnitudeSourceResponse, int]:
+        v = _MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0.read(raw, at)
         at += 5
         source = MagParameterSource(v[0])
         magnitude = v[1]
         return cls(source, magnitude), at
 
     def _write(self) -> bytes:
-        out = _MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_0.write(self.source, self.magnitude)
+        out = _MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0.write(self.source, self.magnitude)
         return codec.finished(out)
 
 
@@ -1481,7 +1449,7 @@ class SensorToVehicleRotationDcmResponse(Response):
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["quat"] * 4)
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] * 4)
 
 
 @dataclass(slots=True)
@@ -1498,39 +1466,38 @@ class SensorToVehicleRotationQuaternionResponse(Response):
     NAME = "filter.sensor_to_vehicle_rotation_quaternion_response"
     ROLE = "response"
 
-    quat: types.Quatf
+    q: types.Quatf
     """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternionResponse, int]:
         v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.read(raw, at)
         at += 16
-        quat = v[0:4]
-        return cls(quat), at
+        q = v[0:4]
+        return cls(q), at
 
     def _write(self) -> bytes:
         out = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.write(
-            *codec.exactly("quat", self.quat, 4)
+            *codec.exactly("q", self.q, 4)
         )
         return codec.finished(out)
 
 
-_AIDING_MEASUREMENT_CONTROL_RESPONSE_0 = codec.Block("HB", "aiding_source", "enable")
+_AIDING_MEASUREMENT_ENABLE_RESPONSE_0 = codec.Block("HB", "aiding_source", "enable")
 
 
 @dataclass(slots=True)
-class AidingMeasurementControlResponse(Response):
+class AidingMeasurementEnableResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
-    Also called `aiding_measurement_enable_response`. Answers `AidingMeasurementControl`. Supported
-    by 3DM-CV7-GNSS/INS.
+    Answers `AidingMeasurementEnable`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xD0
-    NAME = "filter.aiding_measurement_control_response"
+    NAME = "filter.aiding_measurement_enable_response"
     ROLE = "response"
 
     aiding_source: AidingSource
@@ -1539,15 +1506,15 @@ class AidingMeasurementControlResponse(Response):
     """Whether the filter uses the source."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementControlResponse, int]:
-        v = _AIDING_MEASUREMENT_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementEnableResponse, int]:
+        v = _AIDING_MEASUREMENT_ENABLE_RESPONSE_0.read(raw, at)
         at += 3
         aiding_source = AidingSource(v[0])
         enable = codec.truth(v[1])
         return cls(aiding_source, enable), at
 
     def _write(self) -> bytes:
-        out = _AIDING_MEASUREMENT_CONTROL_RESPONSE_0.write(self.aiding_source, self.enable)
+        out = _AIDING_MEASUREMENT_ENABLE_RESPONSE_0.write(self.aiding_source, self.enable)
         return codec.finished(out)
 
 
@@ -1593,10 +1560,10 @@ class KinematicConstraintResponse(Response):
         return codec.finished(out)
 
 
-_NAVIGATION_FILTER_INITIALIZATION_RESPONSE_0 = codec.Block(
+_INITIALIZATION_CONFIG_RESPONSE_0 = codec.Block(
     "BBBfffffffffB",
     "wait_for_run_command",
-    "initial_cond_src",
+    "initial_condition_source",
     "auto_heading_alignment_selector",
     "initial_heading",
     "initial_pitch",
@@ -1608,24 +1575,23 @@ _NAVIGATION_FILTER_INITIALIZATION_RESPONSE_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class NavigationFilterInitializationResponse(Response):
+class InitializationConfigResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
-    Also called `initialization_configuration_response`. Answers `NavigationFilterInitialization`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `initialization_configuration_response`. Answers `InitializationConfig`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xD2
-    NAME = "filter.navigation_filter_initialization_response"
+    NAME = "filter.initialization_config_response"
     ROLE = "response"
 
     wait_for_run_command: int
-    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
-    """
-    initial_cond_src: InitialConditionSource
+    """1: the filter starts only after `run`; 0: as soon as it can. Range: 0 to 1."""
+    initial_condition_source: InitialConditionSource
     """Which initial conditions are found and which are given."""
     auto_heading_alignment_selector: HeadingAlignment
     """Ways in which the initial heading may be found."""
@@ -1651,11 +1617,11 @@ class NavigationFilterInitializationResponse(Response):
     """Frame of the given position and velocity."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NavigationFilterInitializationResponse, int]:
-        v = _NAVIGATION_FILTER_INITIALIZATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[InitializationConfigResponse, int]:
+        v = _INITIALIZATION_CONFIG_RESPONSE_0.read(raw, at)
         at += 40
         wait_for_run_command = v[0]
-        initial_cond_src = InitialConditionSource(v[1])
+        initial_condition_source = InitialConditionSource(v[1])
         auto_heading_alignment_selector = HeadingAlignment(v[2])
         initial_heading = v[3]
         initial_pitch = v[4]
@@ -1665,7 +1631,7 @@ class NavigationFilterInitializationResponse(Response):
         reference_frame_selector = ReferenceFrame(v[12])
         return cls(
             wait_for_run_command,
-            initial_cond_src,
+            initial_condition_source,
             auto_heading_alignment_selector,
             initial_heading,
             initial_pitch,
@@ -1676,9 +1642,9 @@ class NavigationFilterInitializationResponse(Response):
         ), at
 
     def _write(self) -> bytes:
-        out = _NAVIGATION_FILTER_INITIALIZATION_RESPONSE_0.write(
+        out = _INITIALIZATION_CONFIG_RESPONSE_0.write(
             self.wait_for_run_command,
-            self.initial_cond_src,
+            self.initial_condition_source,
             self.auto_heading_alignment_selector,
             self.initial_heading,
             self.initial_pitch,
@@ -1690,22 +1656,21 @@ class NavigationFilterInitializationResponse(Response):
         return codec.finished(out)
 
 
-_ADAPTIVE_FILTER_CONTROL_RESPONSE_0 = codec.Block("BH", "level", "time_limit")
+_ADAPTIVE_FILTER_OPTIONS_RESPONSE_0 = codec.Block("BH", "level", "time_limit")
 
 
 @dataclass(slots=True)
-class AdaptiveFilterControlResponse(Response):
+class AdaptiveFilterOptionsResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
-    Also called `adaptive_filter_options_response`. Answers `AdaptiveFilterControl`. Supported by
-    3DM-CV7-GNSS/INS.
+    Answers `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xD3
-    NAME = "filter.adaptive_filter_control_response"
+    NAME = "filter.adaptive_filter_options_response"
     ROLE = "response"
 
     level: AdaptiveLevel
@@ -1714,36 +1679,33 @@ class AdaptiveFilterControlResponse(Response):
     """Longest time for which measurements are rejected before the filter recovers. Unit: ms."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterControlResponse, int]:
-        v = _ADAPTIVE_FILTER_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterOptionsResponse, int]:
+        v = _ADAPTIVE_FILTER_OPTIONS_RESPONSE_0.read(raw, at)
         at += 3
         level = AdaptiveLevel(v[0])
         time_limit = v[1]
         return cls(level, time_limit), at
 
     def _write(self) -> bytes:
-        out = _ADAPTIVE_FILTER_CONTROL_RESPONSE_0.write(self.level, self.time_limit)
+        out = _ADAPTIVE_FILTER_OPTIONS_RESPONSE_0.write(self.level, self.time_limit)
         return codec.finished(out)
 
 
-_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block(
-    "Bfff", "receiver_id", *["antenna_offset"] * 3
-)
+_MULTI_ANTENNA_OFFSET_RESPONSE_0 = codec.Block("Bfff", "receiver_id", *["antenna_offset"] * 3)
 
 
 @dataclass(slots=True)
-class GnssMultiAntennaOffsetControlResponse(Response):
+class MultiAntennaOffsetResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
 
-    Also called `multi_antenna_offset_response`. Answers `GnssMultiAntennaOffsetControl`. Supported
-    by 3DM-CV7-GNSS/INS.
+    Answers `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xD4
-    NAME = "filter.gnss_multi_antenna_offset_control_response"
+    NAME = "filter.multi_antenna_offset_response"
     ROLE = "response"
 
     receiver_id: int
@@ -1753,38 +1715,38 @@ class GnssMultiAntennaOffsetControlResponse(Response):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssMultiAntennaOffsetControlResponse, int]:
-        v = _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffsetResponse, int]:
+        v = _MULTI_ANTENNA_OFFSET_RESPONSE_0.read(raw, at)
         at += 13
         receiver_id = v[0]
         antenna_offset = v[1:4]
         return cls(receiver_id, antenna_offset), at
 
     def _write(self) -> bytes:
-        out = _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_0.write(
+        out = _MULTI_ANTENNA_OFFSET_RESPONSE_0.write(
             self.receiver_id, *codec.exactly("antenna_offset", self.antenna_offset, 3)
         )
         return codec.finished(out)
 
 
-_RELATIVE_POSITION_CONFIGURATION_RESPONSE_0 = codec.Block(
+_RELATIVE_POSITION_CONFIG_RESPONSE_0 = codec.Block(
     "BBddd", "source", "reference_frame_selector", *["reference_coordinates"] * 3
 )
 
 
 @dataclass(slots=True)
-class RelativePositionConfigurationResponse(Response):
+class RelativePositionConfigResponse(Response):
     """Relative position configuration response (0x0D,0xD5).
 
-    Also called `rel_pos_configuration_response`. Answers `RelativePositionConfiguration`. Supported
-    by 3DM-CV7-GNSS/INS.
+    Also called `rel_pos_configuration_response`. Answers `RelativePositionConfig`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xD5
-    NAME = "filter.relative_position_configuration_response"
+    NAME = "filter.relative_position_config_response"
     ROLE = "response"
 
     source: RelativePositionSource
@@ -1799,8 +1761,8 @@ class RelativePositionConfigurationResponse(Response):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfigurationResponse, int]:
-        v = _RELATIVE_POSITION_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfigResponse, int]:
+        v = _RELATIVE_POSITION_CONFIG_RESPONSE_0.read(raw, at)
         at += 26
         source = RelativePositionSource(v[0])
         reference_frame_selector = ReferenceFrame(v[1])
@@ -1808,7 +1770,7 @@ class RelativePositionConfigurationResponse(Response):
         return cls(source, reference_frame_selector, reference_coordinates), at
 
     def _write(self) -> bytes:
-        out = _RELATIVE_POSITION_CONFIGURATION_RESPONSE_0.write(
+        out = _RELATIVE_POSITION_CONFIG_RESPONSE_0.write(
             self.source,
             self.reference_frame_selector,
             *codec.exactly("reference_coordinates", self.reference_coordinates, 3),
@@ -1817,7 +1779,7 @@ class RelativePositionConfigurationResponse(Response):
 
 
 _REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
-    "Bfff", "ref_point_sel", *["lever_arm_offset"] * 3
+    "Bfff", "reference_point", *["lever_arm_offset"] * 3
 )
 
 
@@ -1836,7 +1798,7 @@ class ReferencePointLeverArmResponse(Response):
     NAME = "filter.reference_point_lever_arm_response"
     ROLE = "response"
 
-    ref_point_sel: ReferencePoint
+    reference_point: ReferencePoint
     """Point to move; it must be 1."""
     lever_arm_offset: types.Vector3f
     """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
@@ -1846,33 +1808,32 @@ class ReferencePointLeverArmResponse(Response):
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArmResponse, int]:
         v = _REFERENCE_POINT_LEVER_ARM_RESPONSE_0.read(raw, at)
         at += 13
-        ref_point_sel = ReferencePoint(v[0])
+        reference_point = ReferencePoint(v[0])
         lever_arm_offset = v[1:4]
-        return cls(ref_point_sel, lever_arm_offset), at
+        return cls(reference_point, lever_arm_offset), at
 
     def _write(self) -> bytes:
         out = _REFERENCE_POINT_LEVER_ARM_RESPONSE_0.write(
-            self.ref_point_sel, *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
+            self.reference_point, *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
         )
         return codec.finished(out)
 
 
-_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_0 = codec.Block("Bfff", "source", *["lever_arm_offset"] * 3)
+_SPEED_LEVER_ARM_RESPONSE_0 = codec.Block("Bfff", "source", *["lever_arm_offset"] * 3)
 
 
 @dataclass(slots=True)
-class MeasurementSpeedLeverArmResponse(Response):
+class SpeedLeverArmResponse(Response):
     """Speed measurement lever arm response (0x0D,0xE1).
 
-    Also called `speed_lever_arm_response`. Answers `MeasurementSpeedLeverArm`. Supported by
-    3DM-CV7-GNSS/INS.
+    Answers `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0xE1
-    NAME = "filter.measurement_speed_lever_arm_response"
+    NAME = "filter.speed_lever_arm_response"
     ROLE = "response"
 
     source: int = field(default=1, kw_only=True)
@@ -1881,15 +1842,15 @@ class MeasurementSpeedLeverArmResponse(Response):
     """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MeasurementSpeedLeverArmResponse, int]:
-        v = _MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SpeedLeverArmResponse, int]:
+        v = _SPEED_LEVER_ARM_RESPONSE_0.read(raw, at)
         at += 13
         source = v[0]
         lever_arm_offset = v[1:4]
         return cls(lever_arm_offset, source=source), at
 
     def _write(self) -> bytes:
-        out = _MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_0.write(
+        out = _SPEED_LEVER_ARM_RESPONSE_0.write(
             self.source, *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
         )
         return codec.finished(out)
@@ -1959,14 +1920,14 @@ class WheeledVehicleConstraintControlResponse(Response):
         return codec.finished(out)
 
 
-_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "max_offset")
+_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "max_offset")
 
 
 @dataclass(slots=True)
-class GnssAntennaOffsetCalibrationControlResponse(Response):
+class GnssAntennaCalibrationControlResponse(Response):
     """GNSS antenna offset calibration response (0x0D,0xE4).
 
-    Also called `gnss_antenna_cal_control_response`. Answers `GnssAntennaOffsetCalibrationControl`.
+    Also called `gnss_antenna_cal_control_response`. Answers `GnssAntennaCalibrationControl`.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
@@ -1975,7 +1936,7 @@ class GnssAntennaOffsetCalibrationControlResponse(Response):
 
     SET = 0x0D
     DESCRIPTOR = 0xE4
-    NAME = "filter.gnss_antenna_offset_calibration_control_response"
+    NAME = "filter.gnss_antenna_calibration_control_response"
     ROLE = "response"
 
     enable: int
@@ -1986,27 +1947,25 @@ class GnssAntennaOffsetCalibrationControlResponse(Response):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetCalibrationControlResponse, int]:
-        v = _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaCalibrationControlResponse, int]:
+        v = _GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_0.read(raw, at)
         at += 5
         enable = v[0]
         max_offset = v[1]
         return cls(enable, max_offset), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_0.write(
-            self.enable, self.max_offset
-        )
+        out = _GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_0.write(self.enable, self.max_offset)
         return codec.finished(out)
 
 
 @dataclass(slots=True)
-class ResetNavigationFilter(Command):
+class Reset(Command):
     """Reset navigation filter (0x0D,0x01).
 
     Puts the filter back into its initialization state.
 
-    Also called `reset`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     If automatic initialization is off, the attitude or heading must be set before the filter runs
     again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
@@ -2018,11 +1977,11 @@ class ResetNavigationFilter(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x01
-    NAME = "filter.reset_navigation_filter"
+    NAME = "filter.reset"
     ROLE = "command"
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ResetNavigationFilter, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[Reset, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -2072,16 +2031,16 @@ class SetInitialAttitude(Command):
         return codec.finished(out)
 
 
-_SET_INITIAL_HEADING_CONTROL_0 = codec.Block("f", "heading")
+_SET_INITIAL_HEADING_0 = codec.Block("f", "heading")
 
 
 @dataclass(slots=True)
-class SetInitialHeadingControl(Command):
+class SetInitialHeading(Command):
     """Set initial heading (0x0D,0x03).
 
     Gives the filter its initial heading; pitch and roll come from the accelerometers.
 
-    Also called `set_initial_heading`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
     magnetometer aiding is on, the given heading is ignored.
@@ -2092,45 +2051,45 @@ class SetInitialHeadingControl(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x03
-    NAME = "filter.set_initial_heading_control"
+    NAME = "filter.set_initial_heading"
     ROLE = "command"
 
     heading: float
     """Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetInitialHeadingControl, int]:
-        v = _SET_INITIAL_HEADING_CONTROL_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SetInitialHeading, int]:
+        v = _SET_INITIAL_HEADING_0.read(raw, at)
         at += 4
         heading = v[0]
         return cls(heading), at
 
     def _write(self) -> bytes:
-        out = _SET_INITIAL_HEADING_CONTROL_0.write(self.heading)
+        out = _SET_INITIAL_HEADING_0.write(self.heading)
         return codec.finished(out)
 
 
 @dataclass(slots=True)
-class RunNavigationFilter(Command):
+class Run(Command):
     """Run navigation filter (0x0D,0x05).
 
     Starts a filter that was set up to wait for this command.
 
-    Also called `run`. Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     The filter waits in its initialization state if `wait_for_run_command` of
-    `navigation_filter_initialization` is set.
+    `initialization_config` is set.
 
     - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x05
-    NAME = "filter.run_navigation_filter"
+    NAME = "filter.run"
     ROLE = "command"
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RunNavigationFilter, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[Run, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -2227,11 +2186,11 @@ class VehicleDynamicsMode(Command):
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_1 = codec.Block("f", "roll")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_2 = codec.Block("f", "pitch")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_3 = codec.Block("f", "yaw")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_GROUPS = (
+_SENSOR_TO_VEHICLE_ROTATION_EULER_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_ROTATION_EULER_1 = codec.Block("f", "roll")
+_SENSOR_TO_VEHICLE_ROTATION_EULER_2 = codec.Block("f", "pitch")
+_SENSOR_TO_VEHICLE_ROTATION_EULER_3 = codec.Block("f", "yaw")
+_SENSOR_TO_VEHICLE_ROTATION_EULER_GROUPS = (
     (1, ("roll",), False),
     (2, ("pitch",), False),
     (3, ("yaw",), False),
@@ -2239,27 +2198,27 @@ _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformation(Command):
+class SensorToVehicleRotationEuler(Command):
     """Sensor to vehicle frame transformation (0x0D,0x11).
 
     Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
 
-    Also called `sensor_to_vehicle_rotation_euler`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `SensorToVehicleFrameTransformationResponse`. Supported by 3DM-GX5-15.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleRotationEulerResponse`. Supported by 3DM-GX5-15.
 
     It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
     vector of the filter. The 3DM-CV7 takes the inverse instead:
-    `mip_3dm.SensorToVehicleFrameTransformationEuler`.
+    `mip_3dm.SensorToVehicleTransformEuler`.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x11
-    NAME = "filter.sensor_to_vehicle_frame_transformation"
+    NAME = "filter.sensor_to_vehicle_rotation_euler"
     ROLE = "command"
-    RESPONSES = (SensorToVehicleFrameTransformationResponse,)
+    RESPONSES = (SensorToVehicleRotationEulerResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -2272,42 +2231,42 @@ class SensorToVehicleFrameTransformation(Command):
     """Yaw angle. Unit: rad. Required for `write`."""
 
     @classmethod
-    def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleFrameTransformation:
+    def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleRotationEuler:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, roll=roll, pitch=pitch, yaw=yaw)
 
     @classmethod
-    def read(cls) -> SensorToVehicleFrameTransformation:
+    def read(cls) -> SensorToVehicleRotationEuler:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleFrameTransformation:
+    def save(cls) -> SensorToVehicleRotationEuler:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleFrameTransformation:
+    def load(cls) -> SensorToVehicleRotationEuler:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleFrameTransformation:
+    def default(cls) -> SensorToVehicleRotationEuler:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (SensorToVehicleFrameTransformationResponse,)
+            return (SensorToVehicleRotationEulerResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformation, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationEuler, int]:
         roll: float | None = None
         pitch: float | None = None
         yaw: float | None = None
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_0.read(raw, at)
+        v = _SENSOR_TO_VEHICLE_ROTATION_EULER_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -2315,19 +2274,19 @@ class SensorToVehicleFrameTransformation(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_1.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_ROTATION_EULER_1.read(raw, at)
             at += 4
             roll = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_2.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_ROTATION_EULER_2.read(raw, at)
             at += 4
             pitch = v[0]
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_3.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_ROTATION_EULER_3.read(raw, at)
             at += 4
             yaw = v[0]
             done, end = 3, at
@@ -2338,15 +2297,15 @@ class SensorToVehicleFrameTransformation(Command):
         return cls(function, roll, pitch, yaw), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_0.write(self.function)
+        out = _SENSOR_TO_VEHICLE_ROTATION_EULER_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_GROUPS)
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_EULER_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_1.write(self.roll)
+            out += _SENSOR_TO_VEHICLE_ROTATION_EULER_1.write(self.roll)
         if there >= 2:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_2.write(self.pitch)
+            out += _SENSOR_TO_VEHICLE_ROTATION_EULER_2.write(self.pitch)
         if there >= 3:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_3.write(self.yaw)
+            out += _SENSOR_TO_VEHICLE_ROTATION_EULER_3.write(self.yaw)
         return codec.finished(out)
 
 
@@ -2447,32 +2406,32 @@ class SensorToVehicleOffset(Command):
         return codec.finished(out)
 
 
-_GNSS_ANTENNA_OFFSET_CONTROL_0 = codec.Block("B", "function")
-_GNSS_ANTENNA_OFFSET_CONTROL_1 = codec.Block("fff", *["offset"] * 3)
-_GNSS_ANTENNA_OFFSET_CONTROL_GROUPS = ((1, ("offset",), False),)
+_ANTENNA_OFFSET_0 = codec.Block("B", "function")
+_ANTENNA_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
+_ANTENNA_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
 @dataclass(slots=True)
-class GnssAntennaOffsetControl(Command):
+class AntennaOffset(Command):
     """GNSS antenna offset (0x0D,0x13).
 
     Position of the GNSS antenna relative to the origin of the sensor.
 
-    Also called `antenna_offset`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `GnssAntennaOffsetControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AntennaOffsetResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     The magnitude of the vector is limited to 10. 7-series devices expect the vehicle frame,
     5-series devices the sensor frame. On the 3DM-CV7 it is for GNSS data that come as NMEA; data
-    that come by the aiding commands use `aiding.FrameConfiguration`.
+    that come by the aiding commands use `aiding.FrameConfig`.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x13
-    NAME = "filter.gnss_antenna_offset_control"
+    NAME = "filter.antenna_offset"
     ROLE = "command"
-    RESPONSES = (GnssAntennaOffsetControlResponse,)
+    RESPONSES = (AntennaOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -2483,40 +2442,40 @@ class GnssAntennaOffsetControl(Command):
     """
 
     @classmethod
-    def write(cls, offset: types.Vector3f) -> GnssAntennaOffsetControl:
+    def write(cls, offset: types.Vector3f) -> AntennaOffset:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, offset=offset)
 
     @classmethod
-    def read(cls) -> GnssAntennaOffsetControl:
+    def read(cls) -> AntennaOffset:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssAntennaOffsetControl:
+    def save(cls) -> AntennaOffset:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssAntennaOffsetControl:
+    def load(cls) -> AntennaOffset:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssAntennaOffsetControl:
+    def default(cls) -> AntennaOffset:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (GnssAntennaOffsetControlResponse,)
+            return (AntennaOffsetResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffset, int]:
         offset: types.Vector3f | None = None
-        v = _GNSS_ANTENNA_OFFSET_CONTROL_0.read(raw, at)
+        v = _ANTENNA_OFFSET_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -2524,7 +2483,7 @@ class GnssAntennaOffsetControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GNSS_ANTENNA_OFFSET_CONTROL_1.read(raw, at)
+            v = _ANTENNA_OFFSET_1.read(raw, at)
             at += 12
             offset = v[0:3]
             done, end = 1, at
@@ -2535,36 +2494,36 @@ class GnssAntennaOffsetControl(Command):
         return cls(function, offset), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ANTENNA_OFFSET_CONTROL_0.write(self.function)
+        out = _ANTENNA_OFFSET_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_ANTENNA_OFFSET_CONTROL_GROUPS)
+        there = codec.present(self, required, _ANTENNA_OFFSET_GROUPS)
         if there >= 1:
-            out += _GNSS_ANTENNA_OFFSET_CONTROL_1.write(*codec.exactly("offset", self.offset, 3))
+            out += _ANTENNA_OFFSET_1.write(*codec.exactly("offset", self.offset, 3))
         return codec.finished(out)
 
 
-_ESTIMATION_CONTROL_FLAGS_0 = codec.Block("B", "function")
-_ESTIMATION_CONTROL_FLAGS_1 = codec.Block("H", "flags")
-_ESTIMATION_CONTROL_FLAGS_GROUPS = ((1, ("flags",), False),)
+_ESTIMATION_CONTROL_0 = codec.Block("B", "function")
+_ESTIMATION_CONTROL_1 = codec.Block("H", "flags")
+_ESTIMATION_CONTROL_GROUPS = ((1, ("flags",), False),)
 
 
 @dataclass(slots=True)
-class EstimationControlFlags(Command):
+class EstimationControl(Command):
     """Estimation control flags (0x0D,0x14).
 
     Which states the filter estimates.
 
-    Also called `estimation_control`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `EstimationControlFlagsResponse`. Supported by 3DM-GX5-15.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `EstimationControlResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x14
-    NAME = "filter.estimation_control_flags"
+    NAME = "filter.estimation_control"
     ROLE = "command"
-    RESPONSES = (EstimationControlFlagsResponse,)
+    RESPONSES = (EstimationControlResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -2573,40 +2532,40 @@ class EstimationControlFlags(Command):
     """States to estimate. Required for `write`."""
 
     @classmethod
-    def write(cls, flags: EstimatedStates) -> EstimationControlFlags:
+    def write(cls, flags: EstimatedStates) -> EstimationControl:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, flags=flags)
 
     @classmethod
-    def read(cls) -> EstimationControlFlags:
+    def read(cls) -> EstimationControl:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> EstimationControlFlags:
+    def save(cls) -> EstimationControl:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> EstimationControlFlags:
+    def load(cls) -> EstimationControl:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> EstimationControlFlags:
+    def default(cls) -> EstimationControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (EstimationControlFlagsResponse,)
+            return (EstimationControlResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EstimationControlFlags, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EstimationControl, int]:
         flags: EstimatedStates | None = None
-        v = _ESTIMATION_CONTROL_FLAGS_0.read(raw, at)
+        v = _ESTIMATION_CONTROL_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -2614,7 +2573,7 @@ class EstimationControlFlags(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ESTIMATION_CONTROL_FLAGS_1.read(raw, at)
+            v = _ESTIMATION_CONTROL_1.read(raw, at)
             at += 2
             flags = EstimatedStates(v[0])
             done, end = 1, at
@@ -2625,27 +2584,27 @@ class EstimationControlFlags(Command):
         return cls(function, flags), at
 
     def _write(self) -> bytes:
-        out = _ESTIMATION_CONTROL_FLAGS_0.write(self.function)
+        out = _ESTIMATION_CONTROL_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ESTIMATION_CONTROL_FLAGS_GROUPS)
+        there = codec.present(self, required, _ESTIMATION_CONTROL_GROUPS)
         if there >= 1:
-            out += _ESTIMATION_CONTROL_FLAGS_1.write(self.flags)
+            out += _ESTIMATION_CONTROL_1.write(self.flags)
         return codec.finished(out)
 
 
-_GNSS_AIDING_SOURCE_CONTROL_0 = codec.Block("B", "function")
-_GNSS_AIDING_SOURCE_CONTROL_1 = codec.Block("B", "source")
-_GNSS_AIDING_SOURCE_CONTROL_GROUPS = ((1, ("source",), False),)
+_GNSS_SOURCE_0 = codec.Block("B", "function")
+_GNSS_SOURCE_1 = codec.Block("B", "source")
+_GNSS_SOURCE_GROUPS = ((1, ("source",), False),)
 
 
 @dataclass(slots=True)
-class GnssAidingSourceControl(Command):
+class GnssSource(Command):
     """GNSS aiding source (0x0D,0x15).
 
     Which GNSS receiver aids the filter.
 
-    Also called `gnss_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GnssAidingSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSourceResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     A change while the filter runs may put it back into initialization until the new source gives
     data.
@@ -2655,9 +2614,9 @@ class GnssAidingSourceControl(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x15
-    NAME = "filter.gnss_aiding_source_control"
+    NAME = "filter.gnss_source"
     ROLE = "command"
-    RESPONSES = (GnssAidingSourceControlResponse,)
+    RESPONSES = (GnssSourceResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -2666,40 +2625,40 @@ class GnssAidingSourceControl(Command):
     """Source of the GNSS data. Required for `write`."""
 
     @classmethod
-    def write(cls, source: GnssAidingSource) -> GnssAidingSourceControl:
+    def write(cls, source: GnssAidingSource) -> GnssSource:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=source)
 
     @classmethod
-    def read(cls) -> GnssAidingSourceControl:
+    def read(cls) -> GnssSource:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssAidingSourceControl:
+    def save(cls) -> GnssSource:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssAidingSourceControl:
+    def load(cls) -> GnssSource:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssAidingSourceControl:
+    def default(cls) -> GnssSource:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (GnssAidingSourceControlResponse,)
+            return (GnssSourceResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAidingSourceControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssSource, int]:
         source: GnssAidingSource | None = None
-        v = _GNSS_AIDING_SOURCE_CONTROL_0.read(raw, at)
+        v = _GNSS_SOURCE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -2707,7 +2666,7 @@ class GnssAidingSourceControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GNSS_AIDING_SOURCE_CONTROL_1.read(raw, at)
+            v = _GNSS_SOURCE_1.read(raw, at)
             at += 1
             source = GnssAidingSource(v[0])
             done, end = 1, at
@@ -2718,11 +2677,11 @@ class GnssAidingSourceControl(Command):
         return cls(function, source), at
 
     def _write(self) -> bytes:
-        out = _GNSS_AIDING_SOURCE_CONTROL_0.write(self.function)
+        out = _GNSS_SOURCE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_AIDING_SOURCE_CONTROL_GROUPS)
+        there = codec.present(self, required, _GNSS_SOURCE_GROUPS)
         if there >= 1:
-            out += _GNSS_AIDING_SOURCE_CONTROL_1.write(self.source)
+            out += _GNSS_SOURCE_1.write(self.source)
         return codec.finished(out)
 
 
@@ -2745,8 +2704,8 @@ class ExternalGnssUpdate(Command):
 
     Gives the filter one position and velocity of a GNSS receiver that the user provides.
 
-    Refused unless the GNSS aiding source `GnssAidingSourceControl` (0x0D,0x15) is the external one.
-    The highest rate depends on the device.
+    Refused unless the GNSS aiding source `GnssSource` (0x0D,0x15) is the external one. The highest
+    rate depends on the device.
 
     - mip-sdk-4: External Gnss Update (0x0D,0x16)
     """
@@ -2821,10 +2780,10 @@ class ExternalHeadingUpdate(Command):
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
-    and by `aiding_measurement_control` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per
-    second. If the declination source is not valid, -25 models refuse true headings and -45 models
-    magnetic ones.
+    Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5 and by
+    `aiding_measurement_enable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per second.
+    If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
+    ones.
 
     - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
     - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
@@ -2860,70 +2819,70 @@ class ExternalHeadingUpdate(Command):
         return codec.finished(out)
 
 
-_HEADING_UPDATE_CONTROL_0 = codec.Block("B", "function")
-_HEADING_UPDATE_CONTROL_1 = codec.Block("B", "enable")
-_HEADING_UPDATE_CONTROL_GROUPS = ((1, ("enable",), False),)
+_HEADING_SOURCE_0 = codec.Block("B", "function")
+_HEADING_SOURCE_1 = codec.Block("B", "source")
+_HEADING_SOURCE_GROUPS = ((1, ("source",), False),)
 
 
 @dataclass(slots=True)
-class HeadingUpdateControl(Command):
+class HeadingSource(Command):
     """Heading update control (0x0D,0x18).
 
     Source of the heading that aids the filter.
 
-    Also called `heading_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `HeadingUpdateControlResponse`. Supported by 3DM-GX5-15.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HeadingSourceResponse`.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x18
-    NAME = "filter.heading_update_control"
+    NAME = "filter.heading_source"
     ROLE = "command"
-    RESPONSES = (HeadingUpdateControlResponse,)
+    RESPONSES = (HeadingSourceResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: HeadingUpdateSource | None = None
+    source: HeadingUpdateSource | None = None
     """Source of the heading. Required for `write`."""
 
     @classmethod
-    def write(cls, enable: HeadingUpdateSource) -> HeadingUpdateControl:
+    def write(cls, source: HeadingUpdateSource) -> HeadingSource:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, enable=enable)
+        return cls(FunctionSelector.WRITE, source=source)
 
     @classmethod
-    def read(cls) -> HeadingUpdateControl:
+    def read(cls) -> HeadingSource:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> HeadingUpdateControl:
+    def save(cls) -> HeadingSource:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> HeadingUpdateControl:
+    def load(cls) -> HeadingSource:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> HeadingUpdateControl:
+    def default(cls) -> HeadingSource:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (HeadingUpdateControlResponse,)
+            return (HeadingSourceResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateControl, int]:
-        enable: HeadingUpdateSource | None = None
-        v = _HEADING_UPDATE_CONTROL_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[HeadingSource, int]:
+        source: HeadingUpdateSource | None = None
+        v = _HEADING_SOURCE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -2931,22 +2890,22 @@ class HeadingUpdateControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _HEADING_UPDATE_CONTROL_1.read(raw, at)
+            v = _HEADING_SOURCE_1.read(raw, at)
             at += 1
-            enable = HeadingUpdateSource(v[0])
+            source = HeadingUpdateSource(v[0])
             done, end = 1, at
         except Truncated:
             if done < required:
                 raise
         at = end
-        return cls(function, enable), at
+        return cls(function, source), at
 
     def _write(self) -> bytes:
-        out = _HEADING_UPDATE_CONTROL_0.write(self.function)
+        out = _HEADING_SOURCE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _HEADING_UPDATE_CONTROL_GROUPS)
+        there = codec.present(self, required, _HEADING_SOURCE_GROUPS)
         if there >= 1:
-            out += _HEADING_UPDATE_CONTROL_1.write(self.enable)
+            out += _HEADING_SOURCE_1.write(self.source)
         return codec.finished(out)
 
 
@@ -3042,19 +3001,19 @@ class AutoInitializationControl(Command):
         return codec.finished(out)
 
 
-_ACCELEROMETER_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
-_ACCELEROMETER_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", *["noise"] * 3)
-_ACCELEROMETER_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
+_ACCEL_NOISE_0 = codec.Block("B", "function")
+_ACCEL_NOISE_1 = codec.Block("fff", *["noise"] * 3)
+_ACCEL_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
 @dataclass(slots=True)
-class AccelerometerNoiseStandardDeviation(Command):
+class AccelNoise(Command):
     """Accelerometer noise (0x0D,0x1A).
 
     Standard deviation of the accelerometer noise that the filter assumes (process noise).
 
-    Also called `accel_noise`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AccelerometerNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelNoiseResponse`.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The factory values suit most laboratory conditions.
 
@@ -3064,9 +3023,9 @@ class AccelerometerNoiseStandardDeviation(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x1A
-    NAME = "filter.accelerometer_noise_standard_deviation"
+    NAME = "filter.accel_noise"
     ROLE = "command"
-    RESPONSES = (AccelerometerNoiseStandardDeviationResponse,)
+    RESPONSES = (AccelNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -3077,40 +3036,40 @@ class AccelerometerNoiseStandardDeviation(Command):
     """
 
     @classmethod
-    def write(cls, noise: types.Vector3f) -> AccelerometerNoiseStandardDeviation:
+    def write(cls, noise: types.Vector3f) -> AccelNoise:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
     @classmethod
-    def read(cls) -> AccelerometerNoiseStandardDeviation:
+    def read(cls) -> AccelNoise:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AccelerometerNoiseStandardDeviation:
+    def save(cls) -> AccelNoise:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AccelerometerNoiseStandardDeviation:
+    def load(cls) -> AccelNoise:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AccelerometerNoiseStandardDeviation:
+    def default(cls) -> AccelNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (AccelerometerNoiseStandardDeviationResponse,)
+            return (AccelNoiseResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerNoiseStandardDeviation, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelNoise, int]:
         noise: types.Vector3f | None = None
-        v = _ACCELEROMETER_NOISE_STANDARD_DEVIATION_0.read(raw, at)
+        v = _ACCEL_NOISE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3118,7 +3077,7 @@ class AccelerometerNoiseStandardDeviation(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ACCELEROMETER_NOISE_STANDARD_DEVIATION_1.read(raw, at)
+            v = _ACCEL_NOISE_1.read(raw, at)
             at += 12
             noise = v[0:3]
             done, end = 1, at
@@ -3129,29 +3088,27 @@ class AccelerometerNoiseStandardDeviation(Command):
         return cls(function, noise), at
 
     def _write(self) -> bytes:
-        out = _ACCELEROMETER_NOISE_STANDARD_DEVIATION_0.write(self.function)
+        out = _ACCEL_NOISE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ACCELEROMETER_NOISE_STANDARD_DEVIATION_GROUPS)
+        there = codec.present(self, required, _ACCEL_NOISE_GROUPS)
         if there >= 1:
-            out += _ACCELEROMETER_NOISE_STANDARD_DEVIATION_1.write(
-                *codec.exactly("noise", self.noise, 3)
-            )
+            out += _ACCEL_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
-_GYROSCOPE_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
-_GYROSCOPE_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", *["noise"] * 3)
-_GYROSCOPE_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
+_GYRO_NOISE_0 = codec.Block("B", "function")
+_GYRO_NOISE_1 = codec.Block("fff", *["noise"] * 3)
+_GYRO_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
 @dataclass(slots=True)
-class GyroscopeNoiseStandardDeviation(Command):
+class GyroNoise(Command):
     """Gyroscope noise (0x0D,0x1B).
 
     Standard deviation of the gyroscope noise that the filter assumes (process noise).
 
-    Also called `gyro_noise`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GyroscopeNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroNoiseResponse`.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The factory values suit most laboratory conditions.
 
@@ -3161,9 +3118,9 @@ class GyroscopeNoiseStandardDeviation(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x1B
-    NAME = "filter.gyroscope_noise_standard_deviation"
+    NAME = "filter.gyro_noise"
     ROLE = "command"
-    RESPONSES = (GyroscopeNoiseStandardDeviationResponse,)
+    RESPONSES = (GyroNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -3174,40 +3131,40 @@ class GyroscopeNoiseStandardDeviation(Command):
     """
 
     @classmethod
-    def write(cls, noise: types.Vector3f) -> GyroscopeNoiseStandardDeviation:
+    def write(cls, noise: types.Vector3f) -> GyroNoise:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
     @classmethod
-    def read(cls) -> GyroscopeNoiseStandardDeviation:
+    def read(cls) -> GyroNoise:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GyroscopeNoiseStandardDeviation:
+    def save(cls) -> GyroNoise:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GyroscopeNoiseStandardDeviation:
+    def load(cls) -> GyroNoise:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GyroscopeNoiseStandardDeviation:
+    def default(cls) -> GyroNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (GyroscopeNoiseStandardDeviationResponse,)
+            return (GyroNoiseResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeNoiseStandardDeviation, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroNoise, int]:
         noise: types.Vector3f | None = None
-        v = _GYROSCOPE_NOISE_STANDARD_DEVIATION_0.read(raw, at)
+        v = _GYRO_NOISE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3215,7 +3172,7 @@ class GyroscopeNoiseStandardDeviation(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GYROSCOPE_NOISE_STANDARD_DEVIATION_1.read(raw, at)
+            v = _GYRO_NOISE_1.read(raw, at)
             at += 12
             noise = v[0:3]
             done, end = 1, at
@@ -3226,39 +3183,37 @@ class GyroscopeNoiseStandardDeviation(Command):
         return cls(function, noise), at
 
     def _write(self) -> bytes:
-        out = _GYROSCOPE_NOISE_STANDARD_DEVIATION_0.write(self.function)
+        out = _GYRO_NOISE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GYROSCOPE_NOISE_STANDARD_DEVIATION_GROUPS)
+        there = codec.present(self, required, _GYRO_NOISE_GROUPS)
         if there >= 1:
-            out += _GYROSCOPE_NOISE_STANDARD_DEVIATION_1.write(
-                *codec.exactly("noise", self.noise, 3)
-            )
+            out += _GYRO_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_0 = codec.Block("B", "function")
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", *["beta"] * 3)
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", *["noise"] * 3)
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
+_ACCEL_BIAS_MODEL_0 = codec.Block("B", "function")
+_ACCEL_BIAS_MODEL_1 = codec.Block("fff", *["beta"] * 3)
+_ACCEL_BIAS_MODEL_2 = codec.Block("fff", *["noise"] * 3)
+_ACCEL_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
 @dataclass(slots=True)
-class AccelerometerBiasModelParameters(Command):
+class AccelBiasModel(Command):
     """Accelerometer bias model (0x0D,0x1C).
 
     Parameters of the model by which the accelerometer bias drifts.
 
-    Also called `accel_bias_model`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `AccelerometerBiasModelParametersResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x1C
-    NAME = "filter.accelerometer_bias_model_parameters"
+    NAME = "filter.accel_bias_model"
     ROLE = "command"
-    RESPONSES = (AccelerometerBiasModelParametersResponse,)
+    RESPONSES = (AccelBiasModelResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -3273,41 +3228,41 @@ class AccelerometerBiasModelParameters(Command):
     """
 
     @classmethod
-    def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> AccelerometerBiasModelParameters:
+    def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> AccelBiasModel:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, beta=beta, noise=noise)
 
     @classmethod
-    def read(cls) -> AccelerometerBiasModelParameters:
+    def read(cls) -> AccelBiasModel:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AccelerometerBiasModelParameters:
+    def save(cls) -> AccelBiasModel:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AccelerometerBiasModelParameters:
+    def load(cls) -> AccelBiasModel:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AccelerometerBiasModelParameters:
+    def default(cls) -> AccelBiasModel:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (AccelerometerBiasModelParametersResponse,)
+            return (AccelBiasModelResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasModelParameters, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasModel, int]:
         beta: types.Vector3f | None = None
         noise: types.Vector3f | None = None
-        v = _ACCELEROMETER_BIAS_MODEL_PARAMETERS_0.read(raw, at)
+        v = _ACCEL_BIAS_MODEL_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3315,13 +3270,13 @@ class AccelerometerBiasModelParameters(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ACCELEROMETER_BIAS_MODEL_PARAMETERS_1.read(raw, at)
+            v = _ACCEL_BIAS_MODEL_1.read(raw, at)
             at += 12
             beta = v[0:3]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _ACCELEROMETER_BIAS_MODEL_PARAMETERS_2.read(raw, at)
+            v = _ACCEL_BIAS_MODEL_2.read(raw, at)
             at += 12
             noise = v[0:3]
             done, end = 2, at
@@ -3332,35 +3287,30 @@ class AccelerometerBiasModelParameters(Command):
         return cls(function, beta, noise), at
 
     def _write(self) -> bytes:
-        out = _ACCELEROMETER_BIAS_MODEL_PARAMETERS_0.write(self.function)
+        out = _ACCEL_BIAS_MODEL_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ACCELEROMETER_BIAS_MODEL_PARAMETERS_GROUPS)
+        there = codec.present(self, required, _ACCEL_BIAS_MODEL_GROUPS)
         if there >= 1:
-            out += _ACCELEROMETER_BIAS_MODEL_PARAMETERS_1.write(
-                *codec.exactly("beta", self.beta, 3)
-            )
+            out += _ACCEL_BIAS_MODEL_1.write(*codec.exactly("beta", self.beta, 3))
         if there >= 2:
-            out += _ACCELEROMETER_BIAS_MODEL_PARAMETERS_2.write(
-                *codec.exactly("noise", self.noise, 3)
-            )
+            out += _ACCEL_BIAS_MODEL_2.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_0 = codec.Block("B", "function")
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", *["beta"] * 3)
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", *["noise"] * 3)
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
+_GYRO_BIAS_MODEL_0 = codec.Block("B", "function")
+_GYRO_BIAS_MODEL_1 = codec.Block("fff", *["beta"] * 3)
+_GYRO_BIAS_MODEL_2 = codec.Block("fff", *["noise"] * 3)
+_GYRO_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
 @dataclass(slots=True)
-class GyroscopeBiasModelParameters(Command):
+class GyroBiasModel(Command):
     """Gyroscope bias model (0x0D,0x1D).
 
     Parameters of the model by which the gyroscope bias drifts.
 
-    Also called `gyro_bias_model`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `GyroscopeBiasModelParametersResponse`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GX5-15.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -3368,9 +3318,9 @@ class GyroscopeBiasModelParameters(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x1D
-    NAME = "filter.gyroscope_bias_model_parameters"
+    NAME = "filter.gyro_bias_model"
     ROLE = "command"
-    RESPONSES = (GyroscopeBiasModelParametersResponse,)
+    RESPONSES = (GyroBiasModelResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -3385,41 +3335,41 @@ class GyroscopeBiasModelParameters(Command):
     """
 
     @classmethod
-    def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> GyroscopeBiasModelParameters:
+    def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> GyroBiasModel:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, beta=beta, noise=noise)
 
     @classmethod
-    def read(cls) -> GyroscopeBiasModelParameters:
+    def read(cls) -> GyroBiasModel:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GyroscopeBiasModelParameters:
+    def save(cls) -> GyroBiasModel:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GyroscopeBiasModelParameters:
+    def load(cls) -> GyroBiasModel:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GyroscopeBiasModelParameters:
+    def default(cls) -> GyroBiasModel:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (GyroscopeBiasModelParametersResponse,)
+            return (GyroBiasModelResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasModelParameters, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasModel, int]:
         beta: types.Vector3f | None = None
         noise: types.Vector3f | None = None
-        v = _GYROSCOPE_BIAS_MODEL_PARAMETERS_0.read(raw, at)
+        v = _GYRO_BIAS_MODEL_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3427,13 +3377,13 @@ class GyroscopeBiasModelParameters(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GYROSCOPE_BIAS_MODEL_PARAMETERS_1.read(raw, at)
+            v = _GYRO_BIAS_MODEL_1.read(raw, at)
             at += 12
             beta = v[0:3]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _GYROSCOPE_BIAS_MODEL_PARAMETERS_2.read(raw, at)
+            v = _GYRO_BIAS_MODEL_2.read(raw, at)
             at += 12
             noise = v[0:3]
             done, end = 2, at
@@ -3444,13 +3394,13 @@ class GyroscopeBiasModelParameters(Command):
         return cls(function, beta, noise), at
 
     def _write(self) -> bytes:
-        out = _GYROSCOPE_BIAS_MODEL_PARAMETERS_0.write(self.function)
+        out = _GYRO_BIAS_MODEL_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GYROSCOPE_BIAS_MODEL_PARAMETERS_GROUPS)
+        there = codec.present(self, required, _GYRO_BIAS_MODEL_GROUPS)
         if there >= 1:
-            out += _GYROSCOPE_BIAS_MODEL_PARAMETERS_1.write(*codec.exactly("beta", self.beta, 3))
+            out += _GYRO_BIAS_MODEL_1.write(*codec.exactly("beta", self.beta, 3))
         if there >= 2:
-            out += _GYROSCOPE_BIAS_MODEL_PARAMETERS_2.write(*codec.exactly("noise", self.noise, 3))
+            out += _GYRO_BIAS_MODEL_2.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -3559,7 +3509,7 @@ class AutoZupt(Command):
 
 
 _EXTERNAL_HEADING_UPDATE_WITH_TIME_0 = codec.Block(
-    "dHffB", "gps_time", "gps_week", "heading", "heading_uncertainty", "type"
+    "dHffB", "tow", "week_number", "heading", "heading_uncertainty", "type"
 )
 
 
@@ -3572,8 +3522,8 @@ class ExternalHeadingUpdateWithTime(Command):
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     Better than `external_heading_update` where the heading changes quickly; the time must be
-    accurate. Refused unless external heading updates are enabled, by `heading_update_control` on
-    the 3DM-GX5 and by `aiding_measurement_control` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20
+    accurate. Refused unless external heading updates are enabled, by `heading_source` on the
+    3DM-GX5 and by `aiding_measurement_enable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20
     updates per second. If the declination source is not valid, -25 models refuse true headings and
     -45 models magnetic ones.
 
@@ -3586,9 +3536,9 @@ class ExternalHeadingUpdateWithTime(Command):
     NAME = "filter.external_heading_update_with_time"
     ROLE = "command"
 
-    gps_time: float
+    tow: float
     """GPS time of week of the measurement. Unit: s."""
-    gps_week: int
+    week_number: int
     """GPS week, counted without rollover. Unit: week."""
     heading: float
     """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
@@ -3605,35 +3555,34 @@ class ExternalHeadingUpdateWithTime(Command):
     def _read(cls, raw: bytes, at: int) -> tuple[ExternalHeadingUpdateWithTime, int]:
         v = _EXTERNAL_HEADING_UPDATE_WITH_TIME_0.read(raw, at)
         at += 19
-        gps_time = v[0]
-        gps_week = v[1]
+        tow = v[0]
+        week_number = v[1]
         heading = v[2]
         heading_uncertainty = v[3]
         type = HeadingType(v[4])
-        return cls(gps_time, gps_week, heading, heading_uncertainty, type), at
+        return cls(tow, week_number, heading, heading_uncertainty, type), at
 
     def _write(self) -> bytes:
         out = _EXTERNAL_HEADING_UPDATE_WITH_TIME_0.write(
-            self.gps_time, self.gps_week, self.heading, self.heading_uncertainty, self.type
+            self.tow, self.week_number, self.heading, self.heading_uncertainty, self.type
         )
         return codec.finished(out)
 
 
-_ZERO_ANGULAR_RATE_UPDATE_CONTROL_0 = codec.Block("B", "function")
-_ZERO_ANGULAR_RATE_UPDATE_CONTROL_1 = codec.Block("B", "enable")
-_ZERO_ANGULAR_RATE_UPDATE_CONTROL_2 = codec.Block("f", "threshold")
-_ZERO_ANGULAR_RATE_UPDATE_CONTROL_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
+_AUTO_ANGULAR_ZUPT_0 = codec.Block("B", "function")
+_AUTO_ANGULAR_ZUPT_1 = codec.Block("B", "enable")
+_AUTO_ANGULAR_ZUPT_2 = codec.Block("f", "threshold")
+_AUTO_ANGULAR_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
 
 
 @dataclass(slots=True)
-class ZeroAngularRateUpdateControl(Command):
+class AutoAngularZupt(Command):
     """Zero angular rate update (0x0D,0x20).
 
     Lets the filter take the device as not rotating while its angular rate is small.
 
-    Also called `auto_angular_zupt`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `ZeroAngularRateUpdateControlResponse`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GX5-15.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoAngularZuptResponse`.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The update applies while the magnitude of the angular rate vector is at or below the threshold.
 
@@ -3643,9 +3592,9 @@ class ZeroAngularRateUpdateControl(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x20
-    NAME = "filter.zero_angular_rate_update_control"
+    NAME = "filter.auto_angular_zupt"
     ROLE = "command"
-    RESPONSES = (ZeroAngularRateUpdateControlResponse,)
+    RESPONSES = (AutoAngularZuptResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -3658,41 +3607,41 @@ class ZeroAngularRateUpdateControl(Command):
     """
 
     @classmethod
-    def write(cls, enable: int, threshold: float) -> ZeroAngularRateUpdateControl:
+    def write(cls, enable: int, threshold: float) -> AutoAngularZupt:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable, threshold=threshold)
 
     @classmethod
-    def read(cls) -> ZeroAngularRateUpdateControl:
+    def read(cls) -> AutoAngularZupt:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ZeroAngularRateUpdateControl:
+    def save(cls) -> AutoAngularZupt:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ZeroAngularRateUpdateControl:
+    def load(cls) -> AutoAngularZupt:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ZeroAngularRateUpdateControl:
+    def default(cls) -> AutoAngularZupt:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (ZeroAngularRateUpdateControlResponse,)
+            return (AutoAngularZuptResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ZeroAngularRateUpdateControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AutoAngularZupt, int]:
         enable: int | None = None
         threshold: float | None = None
-        v = _ZERO_ANGULAR_RATE_UPDATE_CONTROL_0.read(raw, at)
+        v = _AUTO_ANGULAR_ZUPT_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3700,13 +3649,13 @@ class ZeroAngularRateUpdateControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ZERO_ANGULAR_RATE_UPDATE_CONTROL_1.read(raw, at)
+            v = _AUTO_ANGULAR_ZUPT_1.read(raw, at)
             at += 1
             enable = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _ZERO_ANGULAR_RATE_UPDATE_CONTROL_2.read(raw, at)
+            v = _AUTO_ANGULAR_ZUPT_2.read(raw, at)
             at += 4
             threshold = v[0]
             done, end = 2, at
@@ -3717,13 +3666,13 @@ class ZeroAngularRateUpdateControl(Command):
         return cls(function, enable, threshold), at
 
     def _write(self) -> bytes:
-        out = _ZERO_ANGULAR_RATE_UPDATE_CONTROL_0.write(self.function)
+        out = _AUTO_ANGULAR_ZUPT_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ZERO_ANGULAR_RATE_UPDATE_CONTROL_GROUPS)
+        there = codec.present(self, required, _AUTO_ANGULAR_ZUPT_GROUPS)
         if there >= 1:
-            out += _ZERO_ANGULAR_RATE_UPDATE_CONTROL_1.write(self.enable)
+            out += _AUTO_ANGULAR_ZUPT_1.write(self.enable)
         if there >= 2:
-            out += _ZERO_ANGULAR_RATE_UPDATE_CONTROL_2.write(self.threshold)
+            out += _AUTO_ANGULAR_ZUPT_2.write(self.threshold)
         return codec.finished(out)
 
 
@@ -3845,12 +3794,12 @@ class CommandedZupt(Command):
 
 
 @dataclass(slots=True)
-class CommandedZeroAngularRateUpdate(Command):
+class CommandedAngularZupt(Command):
     """Commanded zero angular rate update (0x0D,0x23).
 
     Tells the filter once that the device is not rotating.
 
-    Also called `commanded_angular_zupt`. Supported by 3DM-GX5-15.
+    Supported by 3DM-GX5-15.
 
     At most 10 per second.
 
@@ -3859,23 +3808,23 @@ class CommandedZeroAngularRateUpdate(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x23
-    NAME = "filter.commanded_zero_angular_rate_update"
+    NAME = "filter.commanded_angular_zupt"
     ROLE = "command"
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommandedZeroAngularRateUpdate, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[CommandedAngularZupt, int]:
         return cls(), at
 
     def _write(self) -> bytes:
         return b""
 
 
-_SET_REFERENCE_POSITION_0 = codec.Block("B", "function")
-_SET_REFERENCE_POSITION_1 = codec.Block("B", "enable")
-_SET_REFERENCE_POSITION_2 = codec.Block("d", "latitude")
-_SET_REFERENCE_POSITION_3 = codec.Block("d", "longitude")
-_SET_REFERENCE_POSITION_4 = codec.Block("d", "altitude")
-_SET_REFERENCE_POSITION_GROUPS = (
+_REFERENCE_POSITION_0 = codec.Block("B", "function")
+_REFERENCE_POSITION_1 = codec.Block("B", "enable")
+_REFERENCE_POSITION_2 = codec.Block("d", "latitude")
+_REFERENCE_POSITION_3 = codec.Block("d", "longitude")
+_REFERENCE_POSITION_4 = codec.Block("d", "altitude")
+_REFERENCE_POSITION_GROUPS = (
     (1, ("enable",), False),
     (2, ("latitude",), False),
     (3, ("longitude",), False),
@@ -3884,22 +3833,22 @@ _SET_REFERENCE_POSITION_GROUPS = (
 
 
 @dataclass(slots=True)
-class SetReferencePosition(Command):
+class ReferencePosition(Command):
     """Set reference position (0x0D,0x26).
 
     Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
 
-    Also called `reference_position`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `SetReferencePositionResponse`. Supported by 3DM-GX5-15.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ReferencePositionResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x26
-    NAME = "filter.set_reference_position"
+    NAME = "filter.reference_position"
     ROLE = "command"
-    RESPONSES = (SetReferencePositionResponse,)
+    RESPONSES = (ReferencePositionResponse,)
     REQUIRED = {1: 4, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -3916,7 +3865,7 @@ class SetReferencePosition(Command):
     @classmethod
     def write(
         cls, enable: int, latitude: float, longitude: float, altitude: float
-    ) -> SetReferencePosition:
+    ) -> ReferencePosition:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -3927,38 +3876,38 @@ class SetReferencePosition(Command):
         )
 
     @classmethod
-    def read(cls) -> SetReferencePosition:
+    def read(cls) -> ReferencePosition:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SetReferencePosition:
+    def save(cls) -> ReferencePosition:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SetReferencePosition:
+    def load(cls) -> ReferencePosition:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SetReferencePosition:
+    def default(cls) -> ReferencePosition:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (SetReferencePositionResponse,)
+            return (ReferencePositionResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetReferencePosition, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePosition, int]:
         enable: int | None = None
         latitude: float | None = None
         longitude: float | None = None
         altitude: float | None = None
-        v = _SET_REFERENCE_POSITION_0.read(raw, at)
+        v = _REFERENCE_POSITION_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3966,25 +3915,25 @@ class SetReferencePosition(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _SET_REFERENCE_POSITION_1.read(raw, at)
+            v = _REFERENCE_POSITION_1.read(raw, at)
             at += 1
             enable = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _SET_REFERENCE_POSITION_2.read(raw, at)
+            v = _REFERENCE_POSITION_2.read(raw, at)
             at += 8
             latitude = v[0]
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _SET_REFERENCE_POSITION_3.read(raw, at)
+            v = _REFERENCE_POSITION_3.read(raw, at)
             at += 8
             longitude = v[0]
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _SET_REFERENCE_POSITION_4.read(raw, at)
+            v = _REFERENCE_POSITION_4.read(raw, at)
             at += 8
             altitude = v[0]
             done, end = 4, at
@@ -3995,42 +3944,41 @@ class SetReferencePosition(Command):
         return cls(function, enable, latitude, longitude, altitude), at
 
     def _write(self) -> bytes:
-        out = _SET_REFERENCE_POSITION_0.write(self.function)
+        out = _REFERENCE_POSITION_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SET_REFERENCE_POSITION_GROUPS)
+        there = codec.present(self, required, _REFERENCE_POSITION_GROUPS)
         if there >= 1:
-            out += _SET_REFERENCE_POSITION_1.write(self.enable)
+            out += _REFERENCE_POSITION_1.write(self.enable)
         if there >= 2:
-            out += _SET_REFERENCE_POSITION_2.write(self.latitude)
+            out += _REFERENCE_POSITION_2.write(self.latitude)
         if there >= 3:
-            out += _SET_REFERENCE_POSITION_3.write(self.longitude)
+            out += _REFERENCE_POSITION_3.write(self.longitude)
         if there >= 4:
-            out += _SET_REFERENCE_POSITION_4.write(self.altitude)
+            out += _REFERENCE_POSITION_4.write(self.altitude)
         return codec.finished(out)
 
 
-_MAG_CAPTURE_AUTO_CAL_0 = codec.Block("B", "function")
+_MAG_CAPTURE_AUTO_CALIBRATION_0 = codec.Block("B", "function")
 
 
 @dataclass(slots=True)
-class MagCaptureAutoCal(Command):
+class MagCaptureAutoCalibration(Command):
     """Capture automatic magnetometer calibration (0x0D,0x27).
 
     Makes the automatic magnetometer calibration part of the fixed one.
 
-    Functions: `write` and `save`.
+    Also called `mag_capture_auto_cal`. Functions: `write` and `save`.
 
-    A write combines the automatic calibration with the hard iron offset
-    `mip_3dm.MagnetometerHardIronOffset` (0x0C,0x3A) and the soft iron matrix
-    `mip_3dm.MagnetometerSoftIronMatrix` (0x0C,0x3B), and resets it. A save does the same as the
-    save of both of these commands.
+    A write combines the automatic calibration with the hard iron offset `mip_3dm.MagHardIronOffset`
+    (0x0C,0x3A) and the soft iron matrix `mip_3dm.MagSoftIronMatrix` (0x0C,0x3B), and resets it. A
+    save does the same as the save of both of these commands.
 
     - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x27
-    NAME = "filter.mag_capture_auto_cal"
+    NAME = "filter.mag_capture_auto_calibration"
     ROLE = "command"
     REQUIRED = {1: 0, 3: 0}
 
@@ -4038,40 +3986,40 @@ class MagCaptureAutoCal(Command):
     """What to do with the setting."""
 
     @classmethod
-    def write(cls) -> MagCaptureAutoCal:
+    def write(cls) -> MagCaptureAutoCalibration:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE)
 
     @classmethod
-    def save(cls) -> MagCaptureAutoCal:
+    def save(cls) -> MagCaptureAutoCalibration:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagCaptureAutoCal, int]:
-        v = _MAG_CAPTURE_AUTO_CAL_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MagCaptureAutoCalibration, int]:
+        v = _MAG_CAPTURE_AUTO_CALIBRATION_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         return cls(function), at
 
     def _write(self) -> bytes:
-        out = _MAG_CAPTURE_AUTO_CAL_0.write(self.function)
+        out = _MAG_CAPTURE_AUTO_CALIBRATION_0.write(self.function)
         return codec.finished(out)
 
 
-_GRAVITY_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
-_GRAVITY_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", *["noise"] * 3)
-_GRAVITY_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
+_GRAVITY_NOISE_0 = codec.Block("B", "function")
+_GRAVITY_NOISE_1 = codec.Block("fff", *["noise"] * 3)
+_GRAVITY_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
 @dataclass(slots=True)
-class GravityNoiseStandardDeviation(Command):
+class GravityNoise(Command):
     """Gravity noise (0x0D,0x28).
 
     Standard deviation of the gravity noise that the filter assumes (process noise).
 
-    Also called `gravity_noise`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `GravityNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GravityNoiseResponse`.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The factory values suit most laboratory conditions.
 
@@ -4081,9 +4029,9 @@ class GravityNoiseStandardDeviation(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x28
-    NAME = "filter.gravity_noise_standard_deviation"
+    NAME = "filter.gravity_noise"
     ROLE = "command"
-    RESPONSES = (GravityNoiseStandardDeviationResponse,)
+    RESPONSES = (GravityNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -4094,40 +4042,40 @@ class GravityNoiseStandardDeviation(Command):
     """
 
     @classmethod
-    def write(cls, noise: types.Vector3f) -> GravityNoiseStandardDeviation:
+    def write(cls, noise: types.Vector3f) -> GravityNoise:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
     @classmethod
-    def read(cls) -> GravityNoiseStandardDeviation:
+    def read(cls) -> GravityNoise:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GravityNoiseStandardDeviation:
+    def save(cls) -> GravityNoise:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GravityNoiseStandardDeviation:
+    def load(cls) -> GravityNoise:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GravityNoiseStandardDeviation:
+    def default(cls) -> GravityNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (GravityNoiseStandardDeviationResponse,)
+            return (GravityNoiseResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseStandardDeviation, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GravityNoise, int]:
         noise: types.Vector3f | None = None
-        v = _GRAVITY_NOISE_STANDARD_DEVIATION_0.read(raw, at)
+        v = _GRAVITY_NOISE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -4135,7 +4083,7 @@ class GravityNoiseStandardDeviation(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GRAVITY_NOISE_STANDARD_DEVIATION_1.read(raw, at)
+            v = _GRAVITY_NOISE_1.read(raw, at)
             at += 12
             noise = v[0:3]
             done, end = 1, at
@@ -4146,11 +4094,11 @@ class GravityNoiseStandardDeviation(Command):
         return cls(function, noise), at
 
     def _write(self) -> bytes:
-        out = _GRAVITY_NOISE_STANDARD_DEVIATION_0.write(self.function)
+        out = _GRAVITY_NOISE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GRAVITY_NOISE_STANDARD_DEVIATION_GROUPS)
+        there = codec.present(self, required, _GRAVITY_NOISE_GROUPS)
         if there >= 1:
-            out += _GRAVITY_NOISE_STANDARD_DEVIATION_1.write(*codec.exactly("noise", self.noise, 3))
+            out += _GRAVITY_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -4430,28 +4378,28 @@ class SoftIronMatrixNoise(Command):
         return codec.finished(out)
 
 
-_ENABLE_DISABLE_MEASUREMENTS_0 = codec.Block("B", "function")
-_ENABLE_DISABLE_MEASUREMENTS_1 = codec.Block("H", "control")
-_ENABLE_DISABLE_MEASUREMENTS_GROUPS = ((1, ("control",), False),)
+_ENABLE_MEASUREMENTS_0 = codec.Block("B", "function")
+_ENABLE_MEASUREMENTS_1 = codec.Block("H", "control")
+_ENABLE_MEASUREMENTS_GROUPS = ((1, ("control",), False),)
 
 
 @dataclass(slots=True)
-class EnableDisableMeasurements(Command):
+class EnableMeasurements(Command):
     """Enable or disable measurements (0x0D,0x41).
 
     Which inertial measurements the filter uses.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `EnableDisableMeasurementsResponse`. Supported by 3DM-GX5-15.
+    `EnableMeasurementsResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x41
-    NAME = "filter.enable_disable_measurements"
+    NAME = "filter.enable_measurements"
     ROLE = "command"
-    RESPONSES = (EnableDisableMeasurementsResponse,)
+    RESPONSES = (EnableMeasurementsResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -4460,40 +4408,40 @@ class EnableDisableMeasurements(Command):
     """Measurements to use. Required for `write`."""
 
     @classmethod
-    def write(cls, control: MeasurementFlags) -> EnableDisableMeasurements:
+    def write(cls, control: MeasurementFlags) -> EnableMeasurements:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, control=control)
 
     @classmethod
-    def read(cls) -> EnableDisableMeasurements:
+    def read(cls) -> EnableMeasurements:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> EnableDisableMeasurements:
+    def save(cls) -> EnableMeasurements:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> EnableDisableMeasurements:
+    def load(cls) -> EnableMeasurements:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> EnableDisableMeasurements:
+    def default(cls) -> EnableMeasurements:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (EnableDisableMeasurementsResponse,)
+            return (EnableMeasurementsResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EnableDisableMeasurements, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EnableMeasurements, int]:
         control: MeasurementFlags | None = None
-        v = _ENABLE_DISABLE_MEASUREMENTS_0.read(raw, at)
+        v = _ENABLE_MEASUREMENTS_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -4501,7 +4449,7 @@ class EnableDisableMeasurements(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ENABLE_DISABLE_MEASUREMENTS_1.read(raw, at)
+            v = _ENABLE_MEASUREMENTS_1.read(raw, at)
             at += 2
             control = MeasurementFlags(v[0])
             done, end = 1, at
@@ -4512,11 +4460,11 @@ class EnableDisableMeasurements(Command):
         return cls(function, control), at
 
     def _write(self) -> bytes:
-        out = _ENABLE_DISABLE_MEASUREMENTS_0.write(self.function)
+        out = _ENABLE_MEASUREMENTS_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ENABLE_DISABLE_MEASUREMENTS_GROUPS)
+        there = codec.present(self, required, _ENABLE_MEASUREMENTS_GROUPS)
         if there >= 1:
-            out += _ENABLE_DISABLE_MEASUREMENTS_1.write(self.control)
+            out += _ENABLE_MEASUREMENTS_1.write(self.control)
         return codec.finished(out)
 
 
@@ -4612,24 +4560,20 @@ class MagNoise(Command):
         return codec.finished(out)
 
 
-_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_0 = codec.Block("B", "function")
-_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_1 = codec.Block("B", "source")
-_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_2 = codec.Block("f", "declination")
-_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_GROUPS = (
-    (1, ("source",), False),
-    (2, ("declination",), False),
-)
+_MAGNETIC_DECLINATION_SOURCE_0 = codec.Block("B", "function")
+_MAGNETIC_DECLINATION_SOURCE_1 = codec.Block("B", "source")
+_MAGNETIC_DECLINATION_SOURCE_2 = codec.Block("f", "declination")
+_MAGNETIC_DECLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("declination",), False))
 
 
 @dataclass(slots=True)
-class MagneticFieldDeclinationSourceControl(Command):
+class MagneticDeclinationSource(Command):
     """Magnetic declination source (0x0D,0x43).
 
     Source of the local declination of the magnetic field.
 
-    Also called `magnetic_declination_source`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `MagneticFieldDeclinationSourceControlResponse`. Supported by
-    3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagneticDeclinationSourceResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     Without a good declination source, keep automatic magnetometer calibration off.
 
@@ -4638,9 +4582,9 @@ class MagneticFieldDeclinationSourceControl(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x43
-    NAME = "filter.magnetic_field_declination_source_control"
+    NAME = "filter.magnetic_declination_source"
     ROLE = "command"
-    RESPONSES = (MagneticFieldDeclinationSourceControlResponse,)
+    RESPONSES = (MagneticDeclinationSourceResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -4651,43 +4595,41 @@ class MagneticFieldDeclinationSourceControl(Command):
     """Declination; used only if `source` is manual. Unit: rad. Required for `write`."""
 
     @classmethod
-    def write(
-        cls, source: MagParameterSource, declination: float
-    ) -> MagneticFieldDeclinationSourceControl:
+    def write(cls, source: MagParameterSource, declination: float) -> MagneticDeclinationSource:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=source, declination=declination)
 
     @classmethod
-    def read(cls) -> MagneticFieldDeclinationSourceControl:
+    def read(cls) -> MagneticDeclinationSource:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagneticFieldDeclinationSourceControl:
+    def save(cls) -> MagneticDeclinationSource:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagneticFieldDeclinationSourceControl:
+    def load(cls) -> MagneticDeclinationSource:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagneticFieldDeclinationSourceControl:
+    def default(cls) -> MagneticDeclinationSource:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (MagneticFieldDeclinationSourceControlResponse,)
+            return (MagneticDeclinationSourceResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticFieldDeclinationSourceControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticDeclinationSource, int]:
         source: MagParameterSource | None = None
         declination: float | None = None
-        v = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_0.read(raw, at)
+        v = _MAGNETIC_DECLINATION_SOURCE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -4695,13 +4637,13 @@ class MagneticFieldDeclinationSourceControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_1.read(raw, at)
+            v = _MAGNETIC_DECLINATION_SOURCE_1.read(raw, at)
             at += 1
             source = MagParameterSource(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_2.read(raw, at)
+            v = _MAGNETIC_DECLINATION_SOURCE_2.read(raw, at)
             at += 4
             declination = v[0]
             done, end = 2, at
@@ -4712,25 +4654,25 @@ class MagneticFieldDeclinationSourceControl(Command):
         return cls(function, source, declination), at
 
     def _write(self) -> bytes:
-        out = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_0.write(self.function)
+        out = _MAGNETIC_DECLINATION_SOURCE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_GROUPS)
+        there = codec.present(self, required, _MAGNETIC_DECLINATION_SOURCE_GROUPS)
         if there >= 1:
-            out += _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_1.write(self.source)
+            out += _MAGNETIC_DECLINATION_SOURCE_1.write(self.source)
         if there >= 2:
-            out += _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_2.write(self.declination)
+            out += _MAGNETIC_DECLINATION_SOURCE_2.write(self.declination)
         return codec.finished(out)
 
 
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "adaptive_measurement")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "low_limit")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "low_limit_uncertainty")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6 = codec.Block("f", "high_limit_uncertainty")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7 = codec.Block("f", "minimum_uncertainty")
-_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "adaptive_measurement")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "low_limit")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "low_limit_uncertainty")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6 = codec.Block("f", "high_limit_uncertainty")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7 = codec.Block("f", "minimum_uncertainty")
+_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
     (1, ("adaptive_measurement",), False),
     (2, ("frequency",), False),
     (3, ("low_limit",), False),
@@ -4742,14 +4684,13 @@ _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
 
 
 @dataclass(slots=True)
-class GravityMagnitudeErrorAdaptiveMeasurement(Command):
+class AccelMagnitudeErrorAdaptiveMeasurement(Command):
     """Gravity magnitude error adaptive measurement (0x0D,0x44).
 
     How far the filter trusts gravity measurements whose magnitude is not that of gravity.
 
-    Also called `accel_magnitude_error_adaptive_measurement`. Functions: `write`, `read`, `save`,
-    `load` and `default`. Answered by `GravityMagnitudeErrorAdaptiveMeasurementResponse`. Supported
-    by 3DM-GX5-15.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-15.
 
     Also called accelerometer magnitude error adaptive measurement. All parameters after the
     selector keep their values if they are left out. Filter and limits take effect only with
@@ -4761,9 +4702,9 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x44
-    NAME = "filter.gravity_magnitude_error_adaptive_measurement"
+    NAME = "filter.accel_magnitude_error_adaptive_measurement"
     ROLE = "command"
-    RESPONSES = (GravityMagnitudeErrorAdaptiveMeasurementResponse,)
+    RESPONSES = (AccelMagnitudeErrorAdaptiveMeasurementResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -4793,7 +4734,7 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
         low_limit_uncertainty: float | None = None,
         high_limit_uncertainty: float | None = None,
         minimum_uncertainty: float | None = None,
-    ) -> GravityMagnitudeErrorAdaptiveMeasurement:
+    ) -> AccelMagnitudeErrorAdaptiveMeasurement:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -4807,33 +4748,33 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
         )
 
     @classmethod
-    def read(cls) -> GravityMagnitudeErrorAdaptiveMeasurement:
+    def read(cls) -> AccelMagnitudeErrorAdaptiveMeasurement:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GravityMagnitudeErrorAdaptiveMeasurement:
+    def save(cls) -> AccelMagnitudeErrorAdaptiveMeasurement:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GravityMagnitudeErrorAdaptiveMeasurement:
+    def load(cls) -> AccelMagnitudeErrorAdaptiveMeasurement:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GravityMagnitudeErrorAdaptiveMeasurement:
+    def default(cls) -> AccelMagnitudeErrorAdaptiveMeasurement:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (GravityMagnitudeErrorAdaptiveMeasurementResponse,)
+            return (AccelMagnitudeErrorAdaptiveMeasurementResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GravityMagnitudeErrorAdaptiveMeasurement, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelMagnitudeErrorAdaptiveMeasurement, int]:
         adaptive_measurement: AdaptiveMeasurementSelector | None = None
         frequency: float | None = None
         low_limit: float | None = None
@@ -4841,7 +4782,7 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
         low_limit_uncertainty: float | None = None
         high_limit_uncertainty: float | None = None
         minimum_uncertainty: float | None = None
-        v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
+        v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -4849,43 +4790,43 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
+            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
             at += 1
             adaptive_measurement = AdaptiveMeasurementSelector(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
+            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
             at += 4
             frequency = v[0]
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
+            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
             at += 4
             low_limit = v[0]
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
+            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
             at += 4
             high_limit = v[0]
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
-            v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
+            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
             at += 4
             low_limit_uncertainty = v[0]
             done, end = 5, at
             if at == len(raw) and required < 6:
                 raise Truncated(1, 0)
-            v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.read(raw, at)
+            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.read(raw, at)
             at += 4
             high_limit_uncertainty = v[0]
             done, end = 6, at
             if at == len(raw) and required < 7:
                 raise Truncated(1, 0)
-            v = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.read(raw, at)
+            v = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.read(raw, at)
             at += 4
             minimum_uncertainty = v[0]
             done, end = 7, at
@@ -4905,25 +4846,23 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
         ), at
 
     def _write(self) -> bytes:
-        out = _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
+        out = _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
+        there = codec.present(self, required, _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
         if there >= 1:
-            out += _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.adaptive_measurement)
+            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.adaptive_measurement)
         if there >= 2:
-            out += _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
+            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
         if there >= 3:
-            out += _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.low_limit)
+            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.low_limit)
         if there >= 4:
-            out += _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit)
+            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit)
         if there >= 5:
-            out += _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.low_limit_uncertainty)
+            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.low_limit_uncertainty)
         if there >= 6:
-            out += _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.write(
-                self.high_limit_uncertainty
-            )
+            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.write(self.high_limit_uncertainty)
         if there >= 7:
-            out += _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.write(self.minimum_uncertainty)
+            out += _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.write(self.minimum_uncertainty)
         return codec.finished(out)
 
 
@@ -4954,7 +4893,7 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `MagMagnitudeErrorAdaptiveMeasurementResponse`. Uncertain: Whether the parameters behind the
-    selector may be left out on write, as those of `GravityMagnitudeErrorAdaptiveMeasurement`
+    selector may be left out on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement`
     (0x0D,0x44) may.
 
     The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
@@ -5166,7 +5105,7 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `MagDipAngleErrorAdaptiveMeasurementResponse`.
 
-    It has no effect while `GravityMagnitudeErrorAdaptiveMeasurement` (0x0D,0x44) or
+    It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` (0x0D,0x44) or
     `MagMagnitudeErrorAdaptiveMeasurement` (0x0D,0x45) is set to `auto`. High limits suit high
     dynamics but let disturbances of the field through; low limits can spoil the heading.
 
@@ -5404,28 +5343,28 @@ class AltitudeAiding(Command):
         return codec.finished(out)
 
 
-_PITCH_ROLL_AIDING_CONTROL_0 = codec.Block("B", "function")
-_PITCH_ROLL_AIDING_CONTROL_1 = codec.Block("B", "aiding")
-_PITCH_ROLL_AIDING_CONTROL_GROUPS = ((1, ("aiding",), False),)
+_PITCH_ROLL_AIDING_0 = codec.Block("B", "function")
+_PITCH_ROLL_AIDING_1 = codec.Block("B", "aiding")
+_PITCH_ROLL_AIDING_GROUPS = ((1, ("aiding",), False),)
 
 
 @dataclass(slots=True)
-class PitchRollAidingControl(Command):
+class PitchRollAiding(Command):
     """Pitch and roll aiding (0x0D,0x4B).
 
     What aids pitch and roll while the motion is gentle.
 
-    Also called `pitch_roll_aiding`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `PitchRollAidingControlResponse`. Supported by 3DM-GX5-15.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PitchRollAidingResponse`.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x4B
-    NAME = "filter.pitch_roll_aiding_control"
+    NAME = "filter.pitch_roll_aiding"
     ROLE = "command"
-    RESPONSES = (PitchRollAidingControlResponse,)
+    RESPONSES = (PitchRollAidingResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -5434,40 +5373,40 @@ class PitchRollAidingControl(Command):
     """Source of the aiding. Required for `write`."""
 
     @classmethod
-    def write(cls, aiding: PitchRollAidingSource) -> PitchRollAidingControl:
+    def write(cls, aiding: PitchRollAidingSource) -> PitchRollAiding:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, aiding=aiding)
 
     @classmethod
-    def read(cls) -> PitchRollAidingControl:
+    def read(cls) -> PitchRollAiding:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> PitchRollAidingControl:
+    def save(cls) -> PitchRollAiding:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> PitchRollAidingControl:
+    def load(cls) -> PitchRollAiding:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> PitchRollAidingControl:
+    def default(cls) -> PitchRollAiding:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (PitchRollAidingControlResponse,)
+            return (PitchRollAidingResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAiding, int]:
         aiding: PitchRollAidingSource | None = None
-        v = _PITCH_ROLL_AIDING_CONTROL_0.read(raw, at)
+        v = _PITCH_ROLL_AIDING_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -5475,7 +5414,7 @@ class PitchRollAidingControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _PITCH_ROLL_AIDING_CONTROL_1.read(raw, at)
+            v = _PITCH_ROLL_AIDING_1.read(raw, at)
             at += 1
             aiding = PitchRollAidingSource(v[0])
             done, end = 1, at
@@ -5486,28 +5425,28 @@ class PitchRollAidingControl(Command):
         return cls(function, aiding), at
 
     def _write(self) -> bytes:
-        out = _PITCH_ROLL_AIDING_CONTROL_0.write(self.function)
+        out = _PITCH_ROLL_AIDING_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _PITCH_ROLL_AIDING_CONTROL_GROUPS)
+        there = codec.present(self, required, _PITCH_ROLL_AIDING_GROUPS)
         if there >= 1:
-            out += _PITCH_ROLL_AIDING_CONTROL_1.write(self.aiding)
+            out += _PITCH_ROLL_AIDING_1.write(self.aiding)
         return codec.finished(out)
 
 
-_INCLINATION_SOURCE_0 = codec.Block("B", "function")
-_INCLINATION_SOURCE_1 = codec.Block("B", "source")
-_INCLINATION_SOURCE_2 = codec.Block("f", "inclination")
-_INCLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("inclination",), False))
+_MAGNETIC_INCLINATION_SOURCE_0 = codec.Block("B", "function")
+_MAGNETIC_INCLINATION_SOURCE_1 = codec.Block("B", "source")
+_MAGNETIC_INCLINATION_SOURCE_2 = codec.Block("f", "inclination")
+_MAGNETIC_INCLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("inclination",), False))
 
 
 @dataclass(slots=True)
-class InclinationSource(Command):
+class MagneticInclinationSource(Command):
     """Magnetic inclination source (0x0D,0x4C).
 
     Source of the local inclination (dip angle) of the magnetic field.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `InclinationSourceResponse`.
+    Also called `inclination_source`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `MagneticInclinationSourceResponse`.
 
     Without a good inclination source, keep automatic magnetometer calibration off.
 
@@ -5516,9 +5455,9 @@ class InclinationSource(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x4C
-    NAME = "filter.inclination_source"
+    NAME = "filter.magnetic_inclination_source"
     ROLE = "command"
-    RESPONSES = (InclinationSourceResponse,)
+    RESPONSES = (MagneticInclinationSourceResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -5531,41 +5470,41 @@ class InclinationSource(Command):
     """
 
     @classmethod
-    def write(cls, source: MagParameterSource, inclination: float) -> InclinationSource:
+    def write(cls, source: MagParameterSource, inclination: float) -> MagneticInclinationSource:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=source, inclination=inclination)
 
     @classmethod
-    def read(cls) -> InclinationSource:
+    def read(cls) -> MagneticInclinationSource:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> InclinationSource:
+    def save(cls) -> MagneticInclinationSource:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> InclinationSource:
+    def load(cls) -> MagneticInclinationSource:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> InclinationSource:
+    def default(cls) -> MagneticInclinationSource:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (InclinationSourceResponse,)
+            return (MagneticInclinationSourceResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[InclinationSource, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticInclinationSource, int]:
         source: MagParameterSource | None = None
         inclination: float | None = None
-        v = _INCLINATION_SOURCE_0.read(raw, at)
+        v = _MAGNETIC_INCLINATION_SOURCE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -5573,13 +5512,13 @@ class InclinationSource(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _INCLINATION_SOURCE_1.read(raw, at)
+            v = _MAGNETIC_INCLINATION_SOURCE_1.read(raw, at)
             at += 1
             source = MagParameterSource(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _INCLINATION_SOURCE_2.read(raw, at)
+            v = _MAGNETIC_INCLINATION_SOURCE_2.read(raw, at)
             at += 4
             inclination = v[0]
             done, end = 2, at
@@ -5590,30 +5529,30 @@ class InclinationSource(Command):
         return cls(function, source, inclination), at
 
     def _write(self) -> bytes:
-        out = _INCLINATION_SOURCE_0.write(self.function)
+        out = _MAGNETIC_INCLINATION_SOURCE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _INCLINATION_SOURCE_GROUPS)
+        there = codec.present(self, required, _MAGNETIC_INCLINATION_SOURCE_GROUPS)
         if there >= 1:
-            out += _INCLINATION_SOURCE_1.write(self.source)
+            out += _MAGNETIC_INCLINATION_SOURCE_1.write(self.source)
         if there >= 2:
-            out += _INCLINATION_SOURCE_2.write(self.inclination)
+            out += _MAGNETIC_INCLINATION_SOURCE_2.write(self.inclination)
         return codec.finished(out)
 
 
-_MAG_FIELD_MAGNITUDE_SOURCE_0 = codec.Block("B", "function")
-_MAG_FIELD_MAGNITUDE_SOURCE_1 = codec.Block("B", "source")
-_MAG_FIELD_MAGNITUDE_SOURCE_2 = codec.Block("f", "magnitude")
-_MAG_FIELD_MAGNITUDE_SOURCE_GROUPS = ((1, ("source",), False), (2, ("magnitude",), False))
+_MAGNETIC_MAGNITUDE_SOURCE_0 = codec.Block("B", "function")
+_MAGNETIC_MAGNITUDE_SOURCE_1 = codec.Block("B", "source")
+_MAGNETIC_MAGNITUDE_SOURCE_2 = codec.Block("f", "magnitude")
+_MAGNETIC_MAGNITUDE_SOURCE_GROUPS = ((1, ("source",), False), (2, ("magnitude",), False))
 
 
 @dataclass(slots=True)
-class MagFieldMagnitudeSource(Command):
+class MagneticMagnitudeSource(Command):
     """Magnetic field magnitude source (0x0D,0x4D).
 
     Source of the local magnitude of the magnetic field.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagFieldMagnitudeSourceResponse`.
+    Also called `mag_field_magnitude_source`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `MagneticMagnitudeSourceResponse`.
 
     Without a good magnitude source, keep automatic magnetometer calibration off. The adaptive
     measurement `MagMagnitudeErrorAdaptiveMeasurement` (0x0D,0x45) relies on it too.
@@ -5623,9 +5562,9 @@ class MagFieldMagnitudeSource(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x4D
-    NAME = "filter.mag_field_magnitude_source"
+    NAME = "filter.magnetic_magnitude_source"
     ROLE = "command"
-    RESPONSES = (MagFieldMagnitudeSourceResponse,)
+    RESPONSES = (MagneticMagnitudeSourceResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -5638,41 +5577,41 @@ class MagFieldMagnitudeSource(Command):
     """
 
     @classmethod
-    def write(cls, source: MagParameterSource, magnitude: float) -> MagFieldMagnitudeSource:
+    def write(cls, source: MagParameterSource, magnitude: float) -> MagneticMagnitudeSource:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=source, magnitude=magnitude)
 
     @classmethod
-    def read(cls) -> MagFieldMagnitudeSource:
+    def read(cls) -> MagneticMagnitudeSource:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagFieldMagnitudeSource:
+    def save(cls) -> MagneticMagnitudeSource:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagFieldMagnitudeSource:
+    def load(cls) -> MagneticMagnitudeSource:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagFieldMagnitudeSource:
+    def default(cls) -> MagneticMagnitudeSource:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (MagFieldMagnitudeSourceResponse,)
+            return (MagneticMagnitudeSourceResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagFieldMagnitudeSource, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticMagnitudeSource, int]:
         source: MagParameterSource | None = None
         magnitude: float | None = None
-        v = _MAG_FIELD_MAGNITUDE_SOURCE_0.read(raw, at)
+        v = _MAGNETIC_MAGNITUDE_SOURCE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -5680,13 +5619,13 @@ class MagFieldMagnitudeSource(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _MAG_FIELD_MAGNITUDE_SOURCE_1.read(raw, at)
+            v = _MAGNETIC_MAGNITUDE_SOURCE_1.read(raw, at)
             at += 1
             source = MagParameterSource(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _MAG_FIELD_MAGNITUDE_SOURCE_2.read(raw, at)
+            v = _MAGNETIC_MAGNITUDE_SOURCE_2.read(raw, at)
             at += 4
             magnitude = v[0]
             done, end = 2, at
@@ -5697,13 +5636,13 @@ class MagFieldMagnitudeSource(Command):
         return cls(function, source, magnitude), at
 
     def _write(self) -> bytes:
-        out = _MAG_FIELD_MAGNITUDE_SOURCE_0.write(self.function)
+        out = _MAGNETIC_MAGNITUDE_SOURCE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAG_FIELD_MAGNITUDE_SOURCE_GROUPS)
+        there = codec.present(self, required, _MAGNETIC_MAGNITUDE_SOURCE_GROUPS)
         if there >= 1:
-            out += _MAG_FIELD_MAGNITUDE_SOURCE_1.write(self.source)
+            out += _MAGNETIC_MAGNITUDE_SOURCE_1.write(self.source)
         if there >= 2:
-            out += _MAG_FIELD_MAGNITUDE_SOURCE_2.write(self.magnitude)
+            out += _MAGNETIC_MAGNITUDE_SOURCE_2.write(self.magnitude)
         return codec.finished(out)
 
 
@@ -5721,11 +5660,10 @@ class SensorToVehicleRotationDcm(Command):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `SensorToVehicleRotationDcmResponse`.
 
-    It is the inverse of the matrix that
-    `mip_3dm.SensorToVehicleFrameTransformationDirectionCosineMatrix` (0x0C,0x33) takes. It turns
-    the scaled acceleration, angular rate and magnetic field, delta theta and delta velocity, and
-    the orientation, linear acceleration, angular rate and gravity vector of the filter. The device
-    refuses a matrix that is not orthonormal to 0.001. The device keeps a quaternion, so the
+    It is the inverse of the matrix that `mip_3dm.SensorToVehicleTransformDcm` (0x0C,0x33) takes. It
+    turns the scaled acceleration, angular rate and magnetic field, delta theta and delta velocity,
+    and the orientation, linear acceleration, angular rate and gravity vector of the filter. The
+    device refuses a matrix that is not orthonormal to 0.001. The device keeps a quaternion, so the
     elements read back may differ a little from those written.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
@@ -5807,8 +5745,8 @@ class SensorToVehicleRotationDcm(Command):
 
 
 _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1 = codec.Block("ffff", *["quat"] * 4)
-_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS = ((1, ("quat",), False),)
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS = ((1, ("q",), False),)
 
 
 @dataclass(slots=True)
@@ -5820,7 +5758,7 @@ class SensorToVehicleRotationQuaternion(Command):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `SensorToVehicleRotationQuaternionResponse`.
 
-    It is the inverse of the quaternion that `mip_3dm.SensorToVehicleFrameTransformationQuaternion`
+    It is the inverse of the quaternion that `mip_3dm.SensorToVehicleTransformQuaternion`
     (0x0C,0x32) takes. It turns the scaled acceleration, angular rate and magnetic field, delta
     theta and delta velocity, and the orientation, linear acceleration, angular rate and gravity
     vector of the filter. The device refuses a quaternion whose length is not 1 to 0.001. The device
@@ -5838,13 +5776,13 @@ class SensorToVehicleRotationQuaternion(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    quat: types.Quatf | None = None
+    q: types.Quatf | None = None
     """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Required for `write`."""
 
     @classmethod
-    def write(cls, quat: types.Quatf) -> SensorToVehicleRotationQuaternion:
+    def write(cls, q: types.Quatf) -> SensorToVehicleRotationQuaternion:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, quat=quat)
+        return cls(FunctionSelector.WRITE, q=q)
 
     @classmethod
     def read(cls) -> SensorToVehicleRotationQuaternion:
@@ -5874,7 +5812,7 @@ class SensorToVehicleRotationQuaternion(Command):
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternion, int]:
-        quat: types.Quatf | None = None
+        q: types.Quatf | None = None
         v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
@@ -5885,48 +5823,46 @@ class SensorToVehicleRotationQuaternion(Command):
                 raise Truncated(1, 0)
             v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.read(raw, at)
             at += 16
-            quat = v[0:4]
+            q = v[0:4]
             done, end = 1, at
         except Truncated:
             if done < required:
                 raise
         at = end
-        return cls(function, quat), at
+        return cls(function, q), at
 
     def _write(self) -> bytes:
         out = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.write(
-                *codec.exactly("quat", self.quat, 4)
-            )
+            out += _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.write(*codec.exactly("q", self.q, 4))
         return codec.finished(out)
 
 
-_AIDING_MEASUREMENT_CONTROL_0 = codec.Block("B", "function")
-_AIDING_MEASUREMENT_CONTROL_1 = codec.Block("H", "aiding_source")
-_AIDING_MEASUREMENT_CONTROL_2 = codec.Block("B", "enable")
-_AIDING_MEASUREMENT_CONTROL_GROUPS = ((1, ("aiding_source",), False), (2, ("enable",), False))
+_AIDING_MEASUREMENT_ENABLE_0 = codec.Block("B", "function")
+_AIDING_MEASUREMENT_ENABLE_1 = codec.Block("H", "aiding_source")
+_AIDING_MEASUREMENT_ENABLE_2 = codec.Block("B", "enable")
+_AIDING_MEASUREMENT_ENABLE_GROUPS = ((1, ("aiding_source",), False), (2, ("enable",), False))
 
 
 @dataclass(slots=True)
-class AidingMeasurementControl(Command):
+class AidingMeasurementEnable(Command):
     """Aiding measurement control (0x0D,0x50).
 
     Enables or disables one source of aiding measurements.
 
-    Also called `aiding_measurement_enable`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `AidingMeasurementControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AidingMeasurementEnableResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x50
-    NAME = "filter.aiding_measurement_control"
+    NAME = "filter.aiding_measurement_enable"
     ROLE = "command"
-    RESPONSES = (AidingMeasurementControlResponse,)
+    RESPONSES = (AidingMeasurementEnableResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
@@ -5937,41 +5873,41 @@ class AidingMeasurementControl(Command):
     """Whether the filter uses the source. Required for `write`."""
 
     @classmethod
-    def write(cls, aiding_source: AidingSource, enable: bool) -> AidingMeasurementControl:
+    def write(cls, aiding_source: AidingSource, enable: bool) -> AidingMeasurementEnable:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, aiding_source=aiding_source, enable=enable)
 
     @classmethod
-    def read(cls, aiding_source: AidingSource) -> AidingMeasurementControl:
+    def read(cls, aiding_source: AidingSource) -> AidingMeasurementEnable:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, aiding_source=aiding_source)
 
     @classmethod
-    def save(cls, aiding_source: AidingSource) -> AidingMeasurementControl:
+    def save(cls, aiding_source: AidingSource) -> AidingMeasurementEnable:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, aiding_source=aiding_source)
 
     @classmethod
-    def load(cls, aiding_source: AidingSource) -> AidingMeasurementControl:
+    def load(cls, aiding_source: AidingSource) -> AidingMeasurementEnable:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, aiding_source=aiding_source)
 
     @classmethod
-    def default(cls, aiding_source: AidingSource) -> AidingMeasurementControl:
+    def default(cls, aiding_source: AidingSource) -> AidingMeasurementEnable:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, aiding_source=aiding_source)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (AidingMeasurementControlResponse,)
+            return (AidingMeasurementEnableResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementEnable, int]:
         aiding_source: AidingSource | None = None
         enable: bool | None = None
-        v = _AIDING_MEASUREMENT_CONTROL_0.read(raw, at)
+        v = _AIDING_MEASUREMENT_ENABLE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -5979,13 +5915,13 @@ class AidingMeasurementControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _AIDING_MEASUREMENT_CONTROL_1.read(raw, at)
+            v = _AIDING_MEASUREMENT_ENABLE_1.read(raw, at)
             at += 2
             aiding_source = AidingSource(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _AIDING_MEASUREMENT_CONTROL_2.read(raw, at)
+            v = _AIDING_MEASUREMENT_ENABLE_2.read(raw, at)
             at += 1
             enable = codec.truth(v[0])
             done, end = 2, at
@@ -5996,13 +5932,13 @@ class AidingMeasurementControl(Command):
         return cls(function, aiding_source, enable), at
 
     def _write(self) -> bytes:
-        out = _AIDING_MEASUREMENT_CONTROL_0.write(self.function)
+        out = _AIDING_MEASUREMENT_ENABLE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _AIDING_MEASUREMENT_CONTROL_GROUPS)
+        there = codec.present(self, required, _AIDING_MEASUREMENT_ENABLE_GROUPS)
         if there >= 1:
-            out += _AIDING_MEASUREMENT_CONTROL_1.write(self.aiding_source)
+            out += _AIDING_MEASUREMENT_ENABLE_1.write(self.aiding_source)
         if there >= 2:
-            out += _AIDING_MEASUREMENT_CONTROL_2.write(self.enable)
+            out += _AIDING_MEASUREMENT_ENABLE_2.write(self.enable)
         return codec.finished(out)
 
 
@@ -6136,19 +6072,19 @@ class KinematicConstraint(Command):
         return codec.finished(out)
 
 
-_NAVIGATION_FILTER_INITIALIZATION_0 = codec.Block("B", "function")
-_NAVIGATION_FILTER_INITIALIZATION_1 = codec.Block("B", "wait_for_run_command")
-_NAVIGATION_FILTER_INITIALIZATION_2 = codec.Block("B", "initial_cond_src")
-_NAVIGATION_FILTER_INITIALIZATION_3 = codec.Block("B", "auto_heading_alignment_selector")
-_NAVIGATION_FILTER_INITIALIZATION_4 = codec.Block("f", "initial_heading")
-_NAVIGATION_FILTER_INITIALIZATION_5 = codec.Block("f", "initial_pitch")
-_NAVIGATION_FILTER_INITIALIZATION_6 = codec.Block("f", "initial_roll")
-_NAVIGATION_FILTER_INITIALIZATION_7 = codec.Block("fff", *["initial_position"] * 3)
-_NAVIGATION_FILTER_INITIALIZATION_8 = codec.Block("fff", *["initial_velocity"] * 3)
-_NAVIGATION_FILTER_INITIALIZATION_9 = codec.Block("B", "reference_frame_selector")
-_NAVIGATION_FILTER_INITIALIZATION_GROUPS = (
+_INITIALIZATION_CONFIG_0 = codec.Block("B", "function")
+_INITIALIZATION_CONFIG_1 = codec.Block("B", "wait_for_run_command")
+_INITIALIZATION_CONFIG_2 = codec.Block("B", "initial_condition_source")
+_INITIALIZATION_CONFIG_3 = codec.Block("B", "auto_heading_alignment_selector")
+_INITIALIZATION_CONFIG_4 = codec.Block("f", "initial_heading")
+_INITIALIZATION_CONFIG_5 = codec.Block("f", "initial_pitch")
+_INITIALIZATION_CONFIG_6 = codec.Block("f", "initial_roll")
+_INITIALIZATION_CONFIG_7 = codec.Block("fff", *["initial_position"] * 3)
+_INITIALIZATION_CONFIG_8 = codec.Block("fff", *["initial_velocity"] * 3)
+_INITIALIZATION_CONFIG_9 = codec.Block("B", "reference_frame_selector")
+_INITIALIZATION_CONFIG_GROUPS = (
     (1, ("wait_for_run_command",), False),
-    (2, ("initial_cond_src",), False),
+    (2, ("initial_condition_source",), False),
     (3, ("auto_heading_alignment_selector",), False),
     (4, ("initial_heading",), False),
     (5, ("initial_pitch",), False),
@@ -6160,13 +6096,13 @@ _NAVIGATION_FILTER_INITIALIZATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class NavigationFilterInitialization(Command):
+class InitializationConfig(Command):
     """Navigation filter initialization (0x0D,0x52).
 
     Sources and values of the initial attitude, position and velocity of the filter.
 
     Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `NavigationFilterInitializationResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `default`. Answered by `InitializationConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     Single precision resolves the latitude and longitude of the initial position to about a metre
     only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment
@@ -6177,18 +6113,18 @@ class NavigationFilterInitialization(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x52
-    NAME = "filter.navigation_filter_initialization"
+    NAME = "filter.initialization_config"
     ROLE = "command"
-    RESPONSES = (NavigationFilterInitializationResponse,)
+    RESPONSES = (InitializationConfigResponse,)
     REQUIRED = {1: 9, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     wait_for_run_command: int | None = None
-    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
-    Required for `write`.
+    """1: the filter starts only after `run`; 0: as soon as it can. Range: 0 to 1. Required for
+    `write`.
     """
-    initial_cond_src: InitialConditionSource | None = None
+    initial_condition_source: InitialConditionSource | None = None
     """Which initial conditions are found and which are given. Required for `write`."""
     auto_heading_alignment_selector: HeadingAlignment | None = None
     """Ways in which the initial heading may be found. Required for `write`."""
@@ -6217,7 +6153,7 @@ class NavigationFilterInitialization(Command):
     def write(
         cls,
         wait_for_run_command: int,
-        initial_cond_src: InitialConditionSource,
+        initial_condition_source: InitialConditionSource,
         auto_heading_alignment_selector: HeadingAlignment,
         initial_heading: float,
         initial_pitch: float,
@@ -6225,12 +6161,12 @@ class NavigationFilterInitialization(Command):
         initial_position: types.Vector3f,
         initial_velocity: types.Vector3f,
         reference_frame_selector: ReferenceFrame,
-    ) -> NavigationFilterInitialization:
+    ) -> InitializationConfig:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
             wait_for_run_command=wait_for_run_command,
-            initial_cond_src=initial_cond_src,
+            initial_condition_source=initial_condition_source,
             auto_heading_alignment_selector=auto_heading_alignment_selector,
             initial_heading=initial_heading,
             initial_pitch=initial_pitch,
@@ -6241,35 +6177,35 @@ class NavigationFilterInitialization(Command):
         )
 
     @classmethod
-    def read(cls) -> NavigationFilterInitialization:
+    def read(cls) -> InitializationConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> NavigationFilterInitialization:
+    def save(cls) -> InitializationConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> NavigationFilterInitialization:
+    def load(cls) -> InitializationConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> NavigationFilterInitialization:
+    def default(cls) -> InitializationConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (NavigationFilterInitializationResponse,)
+            return (InitializationConfigResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NavigationFilterInitialization, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[InitializationConfig, int]:
         wait_for_run_command: int | None = None
-        initial_cond_src: InitialConditionSource | None = None
+        initial_condition_source: InitialConditionSource | None = None
         auto_heading_alignment_selector: HeadingAlignment | None = None
         initial_heading: float | None = None
         initial_pitch: float | None = None
@@ -6277,7 +6213,7 @@ class NavigationFilterInitialization(Command):
         initial_position: types.Vector3f | None = None
         initial_velocity: types.Vector3f | None = None
         reference_frame_selector: ReferenceFrame | None = None
-        v = _NAVIGATION_FILTER_INITIALIZATION_0.read(raw, at)
+        v = _INITIALIZATION_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -6285,55 +6221,55 @@ class NavigationFilterInitialization(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_1.read(raw, at)
+            v = _INITIALIZATION_CONFIG_1.read(raw, at)
             at += 1
             wait_for_run_command = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_2.read(raw, at)
+            v = _INITIALIZATION_CONFIG_2.read(raw, at)
             at += 1
-            initial_cond_src = InitialConditionSource(v[0])
+            initial_condition_source = InitialConditionSource(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_3.read(raw, at)
+            v = _INITIALIZATION_CONFIG_3.read(raw, at)
             at += 1
             auto_heading_alignment_selector = HeadingAlignment(v[0])
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_4.read(raw, at)
+            v = _INITIALIZATION_CONFIG_4.read(raw, at)
             at += 4
             initial_heading = v[0]
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_5.read(raw, at)
+            v = _INITIALIZATION_CONFIG_5.read(raw, at)
             at += 4
             initial_pitch = v[0]
             done, end = 5, at
             if at == len(raw) and required < 6:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_6.read(raw, at)
+            v = _INITIALIZATION_CONFIG_6.read(raw, at)
             at += 4
             initial_roll = v[0]
             done, end = 6, at
             if at == len(raw) and required < 7:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_7.read(raw, at)
+            v = _INITIALIZATION_CONFIG_7.read(raw, at)
             at += 12
             initial_position = v[0:3]
             done, end = 7, at
             if at == len(raw) and required < 8:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_8.read(raw, at)
+            v = _INITIALIZATION_CONFIG_8.read(raw, at)
             at += 12
             initial_velocity = v[0:3]
             done, end = 8, at
             if at == len(raw) and required < 9:
                 raise Truncated(1, 0)
-            v = _NAVIGATION_FILTER_INITIALIZATION_9.read(raw, at)
+            v = _INITIALIZATION_CONFIG_9.read(raw, at)
             at += 1
             reference_frame_selector = ReferenceFrame(v[0])
             done, end = 9, at
@@ -6344,7 +6280,7 @@ class NavigationFilterInitialization(Command):
         return cls(
             function,
             wait_for_run_command,
-            initial_cond_src,
+            initial_condition_source,
             auto_heading_alignment_selector,
             initial_heading,
             initial_pitch,
@@ -6355,57 +6291,57 @@ class NavigationFilterInitialization(Command):
         ), at
 
     def _write(self) -> bytes:
-        out = _NAVIGATION_FILTER_INITIALIZATION_0.write(self.function)
+        out = _INITIALIZATION_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _NAVIGATION_FILTER_INITIALIZATION_GROUPS)
+        there = codec.present(self, required, _INITIALIZATION_CONFIG_GROUPS)
         if there >= 1:
-            out += _NAVIGATION_FILTER_INITIALIZATION_1.write(self.wait_for_run_command)
+            out += _INITIALIZATION_CONFIG_1.write(self.wait_for_run_command)
         if there >= 2:
-            out += _NAVIGATION_FILTER_INITIALIZATION_2.write(self.initial_cond_src)
+            out += _INITIALIZATION_CONFIG_2.write(self.initial_condition_source)
         if there >= 3:
-            out += _NAVIGATION_FILTER_INITIALIZATION_3.write(self.auto_heading_alignment_selector)
+            out += _INITIALIZATION_CONFIG_3.write(self.auto_heading_alignment_selector)
         if there >= 4:
-            out += _NAVIGATION_FILTER_INITIALIZATION_4.write(self.initial_heading)
+            out += _INITIALIZATION_CONFIG_4.write(self.initial_heading)
         if there >= 5:
-            out += _NAVIGATION_FILTER_INITIALIZATION_5.write(self.initial_pitch)
+            out += _INITIALIZATION_CONFIG_5.write(self.initial_pitch)
         if there >= 6:
-            out += _NAVIGATION_FILTER_INITIALIZATION_6.write(self.initial_roll)
+            out += _INITIALIZATION_CONFIG_6.write(self.initial_roll)
         if there >= 7:
-            out += _NAVIGATION_FILTER_INITIALIZATION_7.write(
+            out += _INITIALIZATION_CONFIG_7.write(
                 *codec.exactly("initial_position", self.initial_position, 3)
             )
         if there >= 8:
-            out += _NAVIGATION_FILTER_INITIALIZATION_8.write(
+            out += _INITIALIZATION_CONFIG_8.write(
                 *codec.exactly("initial_velocity", self.initial_velocity, 3)
             )
         if there >= 9:
-            out += _NAVIGATION_FILTER_INITIALIZATION_9.write(self.reference_frame_selector)
+            out += _INITIALIZATION_CONFIG_9.write(self.reference_frame_selector)
         return codec.finished(out)
 
 
-_ADAPTIVE_FILTER_CONTROL_0 = codec.Block("B", "function")
-_ADAPTIVE_FILTER_CONTROL_1 = codec.Block("B", "level")
-_ADAPTIVE_FILTER_CONTROL_2 = codec.Block("H", "time_limit")
-_ADAPTIVE_FILTER_CONTROL_GROUPS = ((1, ("level",), False), (2, ("time_limit",), False))
+_ADAPTIVE_FILTER_OPTIONS_0 = codec.Block("B", "function")
+_ADAPTIVE_FILTER_OPTIONS_1 = codec.Block("B", "level")
+_ADAPTIVE_FILTER_OPTIONS_2 = codec.Block("H", "time_limit")
+_ADAPTIVE_FILTER_OPTIONS_GROUPS = ((1, ("level",), False), (2, ("time_limit",), False))
 
 
 @dataclass(slots=True)
-class AdaptiveFilterControl(Command):
+class AdaptiveFilterOptions(Command):
     """Adaptive filter control (0x0D,0x53).
 
     How the filter adapts to measurements that do not fit its model.
 
-    Also called `adaptive_filter_options`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `AdaptiveFilterControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AdaptiveFilterOptionsResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x53
-    NAME = "filter.adaptive_filter_control"
+    NAME = "filter.adaptive_filter_options"
     ROLE = "command"
-    RESPONSES = (AdaptiveFilterControlResponse,)
+    RESPONSES = (AdaptiveFilterOptionsResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -6418,41 +6354,41 @@ class AdaptiveFilterControl(Command):
     """
 
     @classmethod
-    def write(cls, level: AdaptiveLevel, time_limit: int) -> AdaptiveFilterControl:
+    def write(cls, level: AdaptiveLevel, time_limit: int) -> AdaptiveFilterOptions:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, level=level, time_limit=time_limit)
 
     @classmethod
-    def read(cls) -> AdaptiveFilterControl:
+    def read(cls) -> AdaptiveFilterOptions:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AdaptiveFilterControl:
+    def save(cls) -> AdaptiveFilterOptions:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AdaptiveFilterControl:
+    def load(cls) -> AdaptiveFilterOptions:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AdaptiveFilterControl:
+    def default(cls) -> AdaptiveFilterOptions:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (AdaptiveFilterControlResponse,)
+            return (AdaptiveFilterOptionsResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterOptions, int]:
         level: AdaptiveLevel | None = None
         time_limit: int | None = None
-        v = _ADAPTIVE_FILTER_CONTROL_0.read(raw, at)
+        v = _ADAPTIVE_FILTER_OPTIONS_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -6460,13 +6396,13 @@ class AdaptiveFilterControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ADAPTIVE_FILTER_CONTROL_1.read(raw, at)
+            v = _ADAPTIVE_FILTER_OPTIONS_1.read(raw, at)
             at += 1
             level = AdaptiveLevel(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _ADAPTIVE_FILTER_CONTROL_2.read(raw, at)
+            v = _ADAPTIVE_FILTER_OPTIONS_2.read(raw, at)
             at += 2
             time_limit = v[0]
             done, end = 2, at
@@ -6477,33 +6413,30 @@ class AdaptiveFilterControl(Command):
         return cls(function, level, time_limit), at
 
     def _write(self) -> bytes:
-        out = _ADAPTIVE_FILTER_CONTROL_0.write(self.function)
+        out = _ADAPTIVE_FILTER_OPTIONS_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ADAPTIVE_FILTER_CONTROL_GROUPS)
+        there = codec.present(self, required, _ADAPTIVE_FILTER_OPTIONS_GROUPS)
         if there >= 1:
-            out += _ADAPTIVE_FILTER_CONTROL_1.write(self.level)
+            out += _ADAPTIVE_FILTER_OPTIONS_1.write(self.level)
         if there >= 2:
-            out += _ADAPTIVE_FILTER_CONTROL_2.write(self.time_limit)
+            out += _ADAPTIVE_FILTER_OPTIONS_2.write(self.time_limit)
         return codec.finished(out)
 
 
-_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_0 = codec.Block("B", "function")
-_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_1 = codec.Block("B", "receiver_id")
-_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_2 = codec.Block("fff", *["antenna_offset"] * 3)
-_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_GROUPS = (
-    (1, ("receiver_id",), False),
-    (2, ("antenna_offset",), False),
-)
+_MULTI_ANTENNA_OFFSET_0 = codec.Block("B", "function")
+_MULTI_ANTENNA_OFFSET_1 = codec.Block("B", "receiver_id")
+_MULTI_ANTENNA_OFFSET_2 = codec.Block("fff", *["antenna_offset"] * 3)
+_MULTI_ANTENNA_OFFSET_GROUPS = ((1, ("receiver_id",), False), (2, ("antenna_offset",), False))
 
 
 @dataclass(slots=True)
-class GnssMultiAntennaOffsetControl(Command):
+class MultiAntennaOffset(Command):
     """GNSS multi-antenna offset (0x0D,0x54).
 
     Position of the antenna of one receiver on devices with several antennas.
 
-    Also called `multi_antenna_offset`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `GnssMultiAntennaOffsetControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MultiAntennaOffsetResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     The magnitude of the vector is limited to 10.
 
@@ -6512,9 +6445,9 @@ class GnssMultiAntennaOffsetControl(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x54
-    NAME = "filter.gnss_multi_antenna_offset_control"
+    NAME = "filter.multi_antenna_offset"
     ROLE = "command"
-    RESPONSES = (GnssMultiAntennaOffsetControlResponse,)
+    RESPONSES = (MultiAntennaOffsetResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
@@ -6527,43 +6460,41 @@ class GnssMultiAntennaOffsetControl(Command):
     """
 
     @classmethod
-    def write(
-        cls, receiver_id: int, antenna_offset: types.Vector3f
-    ) -> GnssMultiAntennaOffsetControl:
+    def write(cls, receiver_id: int, antenna_offset: types.Vector3f) -> MultiAntennaOffset:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, receiver_id=receiver_id, antenna_offset=antenna_offset)
 
     @classmethod
-    def read(cls, receiver_id: int) -> GnssMultiAntennaOffsetControl:
+    def read(cls, receiver_id: int) -> MultiAntennaOffset:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, receiver_id=receiver_id)
 
     @classmethod
-    def save(cls, receiver_id: int) -> GnssMultiAntennaOffsetControl:
+    def save(cls, receiver_id: int) -> MultiAntennaOffset:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, receiver_id=receiver_id)
 
     @classmethod
-    def load(cls, receiver_id: int) -> GnssMultiAntennaOffsetControl:
+    def load(cls, receiver_id: int) -> MultiAntennaOffset:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, receiver_id=receiver_id)
 
     @classmethod
-    def default(cls, receiver_id: int) -> GnssMultiAntennaOffsetControl:
+    def default(cls, receiver_id: int) -> MultiAntennaOffset:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, receiver_id=receiver_id)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (GnssMultiAntennaOffsetControlResponse,)
+            return (MultiAntennaOffsetResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssMultiAntennaOffsetControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffset, int]:
         receiver_id: int | None = None
         antenna_offset: types.Vector3f | None = None
-        v = _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_0.read(raw, at)
+        v = _MULTI_ANTENNA_OFFSET_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -6571,13 +6502,13 @@ class GnssMultiAntennaOffsetControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_1.read(raw, at)
+            v = _MULTI_ANTENNA_OFFSET_1.read(raw, at)
             at += 1
             receiver_id = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_2.read(raw, at)
+            v = _MULTI_ANTENNA_OFFSET_2.read(raw, at)
             at += 12
             antenna_offset = v[0:3]
             done, end = 2, at
@@ -6588,23 +6519,23 @@ class GnssMultiAntennaOffsetControl(Command):
         return cls(function, receiver_id, antenna_offset), at
 
     def _write(self) -> bytes:
-        out = _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_0.write(self.function)
+        out = _MULTI_ANTENNA_OFFSET_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_GROUPS)
+        there = codec.present(self, required, _MULTI_ANTENNA_OFFSET_GROUPS)
         if there >= 1:
-            out += _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_1.write(self.receiver_id)
+            out += _MULTI_ANTENNA_OFFSET_1.write(self.receiver_id)
         if there >= 2:
-            out += _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_2.write(
+            out += _MULTI_ANTENNA_OFFSET_2.write(
                 *codec.exactly("antenna_offset", self.antenna_offset, 3)
             )
         return codec.finished(out)
 
 
-_RELATIVE_POSITION_CONFIGURATION_0 = codec.Block("B", "function")
-_RELATIVE_POSITION_CONFIGURATION_1 = codec.Block("B", "source")
-_RELATIVE_POSITION_CONFIGURATION_2 = codec.Block("B", "reference_frame_selector")
-_RELATIVE_POSITION_CONFIGURATION_3 = codec.Block("ddd", *["reference_coordinates"] * 3)
-_RELATIVE_POSITION_CONFIGURATION_GROUPS = (
+_RELATIVE_POSITION_CONFIG_0 = codec.Block("B", "function")
+_RELATIVE_POSITION_CONFIG_1 = codec.Block("B", "source")
+_RELATIVE_POSITION_CONFIG_2 = codec.Block("B", "reference_frame_selector")
+_RELATIVE_POSITION_CONFIG_3 = codec.Block("ddd", *["reference_coordinates"] * 3)
+_RELATIVE_POSITION_CONFIG_GROUPS = (
     (1, ("source",), False),
     (2, ("reference_frame_selector",), False),
     (3, ("reference_coordinates",), False),
@@ -6612,22 +6543,22 @@ _RELATIVE_POSITION_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class RelativePositionConfiguration(Command):
+class RelativePositionConfig(Command):
     """Relative position configuration (0x0D,0x55).
 
     Reference point of the relative position that the filter reports.
 
     Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `RelativePositionConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Answered by `RelativePositionConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x55
-    NAME = "filter.relative_position_configuration"
+    NAME = "filter.relative_position_config"
     ROLE = "command"
-    RESPONSES = (RelativePositionConfigurationResponse,)
+    RESPONSES = (RelativePositionConfigResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -6649,7 +6580,7 @@ class RelativePositionConfiguration(Command):
         source: RelativePositionSource,
         reference_frame_selector: ReferenceFrame,
         reference_coordinates: types.Vector3d,
-    ) -> RelativePositionConfiguration:
+    ) -> RelativePositionConfig:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -6659,37 +6590,37 @@ class RelativePositionConfiguration(Command):
         )
 
     @classmethod
-    def read(cls) -> RelativePositionConfiguration:
+    def read(cls) -> RelativePositionConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> RelativePositionConfiguration:
+    def save(cls) -> RelativePositionConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> RelativePositionConfiguration:
+    def load(cls) -> RelativePositionConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> RelativePositionConfiguration:
+    def default(cls) -> RelativePositionConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (RelativePositionConfigurationResponse,)
+            return (RelativePositionConfigResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfig, int]:
         source: RelativePositionSource | None = None
         reference_frame_selector: ReferenceFrame | None = None
         reference_coordinates: types.Vector3d | None = None
-        v = _RELATIVE_POSITION_CONFIGURATION_0.read(raw, at)
+        v = _RELATIVE_POSITION_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -6697,19 +6628,19 @@ class RelativePositionConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _RELATIVE_POSITION_CONFIGURATION_1.read(raw, at)
+            v = _RELATIVE_POSITION_CONFIG_1.read(raw, at)
             at += 1
             source = RelativePositionSource(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _RELATIVE_POSITION_CONFIGURATION_2.read(raw, at)
+            v = _RELATIVE_POSITION_CONFIG_2.read(raw, at)
             at += 1
             reference_frame_selector = ReferenceFrame(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _RELATIVE_POSITION_CONFIGURATION_3.read(raw, at)
+            v = _RELATIVE_POSITION_CONFIG_3.read(raw, at)
             at += 24
             reference_coordinates = v[0:3]
             done, end = 3, at
@@ -6720,25 +6651,25 @@ class RelativePositionConfiguration(Command):
         return cls(function, source, reference_frame_selector, reference_coordinates), at
 
     def _write(self) -> bytes:
-        out = _RELATIVE_POSITION_CONFIGURATION_0.write(self.function)
+        out = _RELATIVE_POSITION_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _RELATIVE_POSITION_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _RELATIVE_POSITION_CONFIG_GROUPS)
         if there >= 1:
-            out += _RELATIVE_POSITION_CONFIGURATION_1.write(self.source)
+            out += _RELATIVE_POSITION_CONFIG_1.write(self.source)
         if there >= 2:
-            out += _RELATIVE_POSITION_CONFIGURATION_2.write(self.reference_frame_selector)
+            out += _RELATIVE_POSITION_CONFIG_2.write(self.reference_frame_selector)
         if there >= 3:
-            out += _RELATIVE_POSITION_CONFIGURATION_3.write(
+            out += _RELATIVE_POSITION_CONFIG_3.write(
                 *codec.exactly("reference_coordinates", self.reference_coordinates, 3)
             )
         return codec.finished(out)
 
 
 _REFERENCE_POINT_LEVER_ARM_0 = codec.Block("B", "function")
-_REFERENCE_POINT_LEVER_ARM_1 = codec.Block("B", "ref_point_sel")
+_REFERENCE_POINT_LEVER_ARM_1 = codec.Block("B", "reference_point")
 _REFERENCE_POINT_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
 _REFERENCE_POINT_LEVER_ARM_GROUPS = (
-    (1, ("ref_point_sel",), False),
+    (1, ("reference_point",), False),
     (2, ("lever_arm_offset",), False),
 )
 
@@ -6752,7 +6683,7 @@ class ReferencePointLeverArm(Command):
     Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `ReferencePointLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
 
-    It shifts `llh_position`, `velocity_ned`, `ecef_position`, `ecef_velocity` and
+    It shifts `llh_position`, `ned_velocity`, `ecef_position`, `ecef_velocity` and
     `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
     the angular rate. The magnitude of the vector is limited to 10.
 
@@ -6768,7 +6699,7 @@ class ReferencePointLeverArm(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    ref_point_sel: ReferencePoint | None = None
+    reference_point: ReferencePoint | None = None
     """Point to move; it must be 1. Required for `write`."""
     lever_arm_offset: types.Vector3f | None = None
     """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
@@ -6777,11 +6708,13 @@ class ReferencePointLeverArm(Command):
 
     @classmethod
     def write(
-        cls, ref_point_sel: ReferencePoint, lever_arm_offset: types.Vector3f
+        cls, reference_point: ReferencePoint, lever_arm_offset: types.Vector3f
     ) -> ReferencePointLeverArm:
         """Apply the new setting."""
         return cls(
-            FunctionSelector.WRITE, ref_point_sel=ref_point_sel, lever_arm_offset=lever_arm_offset
+            FunctionSelector.WRITE,
+            reference_point=reference_point,
+            lever_arm_offset=lever_arm_offset,
         )
 
     @classmethod
@@ -6812,7 +6745,7 @@ class ReferencePointLeverArm(Command):
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArm, int]:
-        ref_point_sel: ReferencePoint | None = None
+        reference_point: ReferencePoint | None = None
         lever_arm_offset: types.Vector3f | None = None
         v = _REFERENCE_POINT_LEVER_ARM_0.read(raw, at)
         at += 1
@@ -6824,7 +6757,7 @@ class ReferencePointLeverArm(Command):
                 raise Truncated(1, 0)
             v = _REFERENCE_POINT_LEVER_ARM_1.read(raw, at)
             at += 1
-            ref_point_sel = ReferencePoint(v[0])
+            reference_point = ReferencePoint(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
@@ -6836,14 +6769,14 @@ class ReferencePointLeverArm(Command):
             if done < required:
                 raise
         at = end
-        return cls(function, ref_point_sel, lever_arm_offset), at
+        return cls(function, reference_point, lever_arm_offset), at
 
     def _write(self) -> bytes:
         out = _REFERENCE_POINT_LEVER_ARM_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _REFERENCE_POINT_LEVER_ARM_GROUPS)
         if there >= 1:
-            out += _REFERENCE_POINT_LEVER_ARM_1.write(self.ref_point_sel)
+            out += _REFERENCE_POINT_LEVER_ARM_1.write(self.reference_point)
         if there >= 2:
             out += _REFERENCE_POINT_LEVER_ARM_2.write(
                 *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
@@ -6897,20 +6830,20 @@ class SpeedMeasurement(Command):
         return codec.finished(out)
 
 
-_MEASUREMENT_SPEED_LEVER_ARM_0 = codec.Block("B", "function")
-_MEASUREMENT_SPEED_LEVER_ARM_1 = codec.Block("B", "source")
-_MEASUREMENT_SPEED_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
-_MEASUREMENT_SPEED_LEVER_ARM_GROUPS = ((1, ("source",), False), (2, ("lever_arm_offset",), False))
+_SPEED_LEVER_ARM_0 = codec.Block("B", "function")
+_SPEED_LEVER_ARM_1 = codec.Block("B", "source")
+_SPEED_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
+_SPEED_LEVER_ARM_GROUPS = ((1, ("source",), False), (2, ("lever_arm_offset",), False))
 
 
 @dataclass(slots=True)
-class MeasurementSpeedLeverArm(Command):
+class SpeedLeverArm(Command):
     """Speed measurement lever arm (0x0D,0x61).
 
     Position of the point whose speed is measured, such as the wheel that an odometer is on.
 
-    Also called `speed_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `MeasurementSpeedLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     It corrects for the speed that such a point has only because the vehicle turns.
 
@@ -6919,9 +6852,9 @@ class MeasurementSpeedLeverArm(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x61
-    NAME = "filter.measurement_speed_lever_arm"
+    NAME = "filter.speed_lever_arm"
     ROLE = "command"
-    RESPONSES = (MeasurementSpeedLeverArmResponse,)
+    RESPONSES = (SpeedLeverArmResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
@@ -6934,41 +6867,41 @@ class MeasurementSpeedLeverArm(Command):
     """
 
     @classmethod
-    def write(cls, lever_arm_offset: types.Vector3f) -> MeasurementSpeedLeverArm:
+    def write(cls, lever_arm_offset: types.Vector3f) -> SpeedLeverArm:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=1, lever_arm_offset=lever_arm_offset)
 
     @classmethod
-    def read(cls) -> MeasurementSpeedLeverArm:
+    def read(cls) -> SpeedLeverArm:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, source=1)
 
     @classmethod
-    def save(cls) -> MeasurementSpeedLeverArm:
+    def save(cls) -> SpeedLeverArm:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, source=1)
 
     @classmethod
-    def load(cls) -> MeasurementSpeedLeverArm:
+    def load(cls) -> SpeedLeverArm:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, source=1)
 
     @classmethod
-    def default(cls) -> MeasurementSpeedLeverArm:
+    def default(cls) -> SpeedLeverArm:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, source=1)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (MeasurementSpeedLeverArmResponse,)
+            return (SpeedLeverArmResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MeasurementSpeedLeverArm, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SpeedLeverArm, int]:
         source: int | None = None
         lever_arm_offset: types.Vector3f | None = None
-        v = _MEASUREMENT_SPEED_LEVER_ARM_0.read(raw, at)
+        v = _SPEED_LEVER_ARM_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -6976,13 +6909,13 @@ class MeasurementSpeedLeverArm(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _MEASUREMENT_SPEED_LEVER_ARM_1.read(raw, at)
+            v = _SPEED_LEVER_ARM_1.read(raw, at)
             at += 1
             source = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _MEASUREMENT_SPEED_LEVER_ARM_2.read(raw, at)
+            v = _SPEED_LEVER_ARM_2.read(raw, at)
             at += 12
             lever_arm_offset = v[0:3]
             done, end = 2, at
@@ -6993,13 +6926,13 @@ class MeasurementSpeedLeverArm(Command):
         return cls(function, source, lever_arm_offset), at
 
     def _write(self) -> bytes:
-        out = _MEASUREMENT_SPEED_LEVER_ARM_0.write(self.function)
+        out = _SPEED_LEVER_ARM_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MEASUREMENT_SPEED_LEVER_ARM_GROUPS)
+        there = codec.present(self, required, _SPEED_LEVER_ARM_GROUPS)
         if there >= 1:
-            out += _MEASUREMENT_SPEED_LEVER_ARM_1.write(self.source)
+            out += _SPEED_LEVER_ARM_1.write(self.source)
         if there >= 2:
-            out += _MEASUREMENT_SPEED_LEVER_ARM_2.write(
+            out += _SPEED_LEVER_ARM_2.write(
                 *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
             )
         return codec.finished(out)
@@ -7190,24 +7123,20 @@ class WheeledVehicleConstraintControl(Command):
         return codec.finished(out)
 
 
-_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_0 = codec.Block("B", "function")
-_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_1 = codec.Block("B", "enable")
-_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_2 = codec.Block("f", "max_offset")
-_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_GROUPS = (
-    (1, ("enable",), False),
-    (2, ("max_offset",), False),
-)
+_GNSS_ANTENNA_CALIBRATION_CONTROL_0 = codec.Block("B", "function")
+_GNSS_ANTENNA_CALIBRATION_CONTROL_1 = codec.Block("B", "enable")
+_GNSS_ANTENNA_CALIBRATION_CONTROL_2 = codec.Block("f", "max_offset")
+_GNSS_ANTENNA_CALIBRATION_CONTROL_GROUPS = ((1, ("enable",), False), (2, ("max_offset",), False))
 
 
 @dataclass(slots=True)
-class GnssAntennaOffsetCalibrationControl(Command):
+class GnssAntennaCalibrationControl(Command):
     """GNSS antenna offset calibration (0x0D,0x64).
 
     Lets the filter track the error of the antenna offset.
 
     Also called `gnss_antenna_cal_control`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `GnssAntennaOffsetCalibrationControlResponse`. Supported by
-    3DM-CV7-GNSS/INS.
+    `default`. Answered by `GnssAntennaCalibrationControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -7215,9 +7144,9 @@ class GnssAntennaOffsetCalibrationControl(Command):
 
     SET = 0x0D
     DESCRIPTOR = 0x64
-    NAME = "filter.gnss_antenna_offset_calibration_control"
+    NAME = "filter.gnss_antenna_calibration_control"
     ROLE = "command"
-    RESPONSES = (GnssAntennaOffsetCalibrationControlResponse,)
+    RESPONSES = (GnssAntennaCalibrationControlResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -7230,41 +7159,41 @@ class GnssAntennaOffsetCalibrationControl(Command):
     """
 
     @classmethod
-    def write(cls, enable: int, max_offset: float) -> GnssAntennaOffsetCalibrationControl:
+    def write(cls, enable: int, max_offset: float) -> GnssAntennaCalibrationControl:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable, max_offset=max_offset)
 
     @classmethod
-    def read(cls) -> GnssAntennaOffsetCalibrationControl:
+    def read(cls) -> GnssAntennaCalibrationControl:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssAntennaOffsetCalibrationControl:
+    def save(cls) -> GnssAntennaCalibrationControl:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssAntennaOffsetCalibrationControl:
+    def load(cls) -> GnssAntennaCalibrationControl:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssAntennaOffsetCalibrationControl:
+    def default(cls) -> GnssAntennaCalibrationControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (GnssAntennaOffsetCalibrationControlResponse,)
+            return (GnssAntennaCalibrationControlResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetCalibrationControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaCalibrationControl, int]:
         enable: int | None = None
         max_offset: float | None = None
-        v = _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_0.read(raw, at)
+        v = _GNSS_ANTENNA_CALIBRATION_CONTROL_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -7272,13 +7201,13 @@ class GnssAntennaOffsetCalibrationControl(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_1.read(raw, at)
+            v = _GNSS_ANTENNA_CALIBRATION_CONTROL_1.read(raw, at)
             at += 1
             enable = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_2.read(raw, at)
+            v = _GNSS_ANTENNA_CALIBRATION_CONTROL_2.read(raw, at)
             at += 4
             max_offset = v[0]
             done, end = 2, at
@@ -7289,159 +7218,157 @@ class GnssAntennaOffsetCalibrationControl(Command):
         return cls(function, enable, max_offset), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_0.write(self.function)
+        out = _GNSS_ANTENNA_CALIBRATION_CONTROL_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_GROUPS)
+        there = codec.present(self, required, _GNSS_ANTENNA_CALIBRATION_CONTROL_GROUPS)
         if there >= 1:
-            out += _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_1.write(self.enable)
+            out += _GNSS_ANTENNA_CALIBRATION_CONTROL_1.write(self.enable)
         if there >= 2:
-            out += _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_2.write(self.max_offset)
+            out += _GNSS_ANTENNA_CALIBRATION_CONTROL_2.write(self.max_offset)
         return codec.finished(out)
 
 
 VehicleDynamicsModeResponse.COMMANDS = (VehicleDynamicsMode,)
-SensorToVehicleFrameTransformationResponse.COMMANDS = (SensorToVehicleFrameTransformation,)
+SensorToVehicleRotationEulerResponse.COMMANDS = (SensorToVehicleRotationEuler,)
 SensorToVehicleOffsetResponse.COMMANDS = (SensorToVehicleOffset,)
-GnssAntennaOffsetControlResponse.COMMANDS = (GnssAntennaOffsetControl,)
-EstimationControlFlagsResponse.COMMANDS = (EstimationControlFlags,)
-GnssAidingSourceControlResponse.COMMANDS = (GnssAidingSourceControl,)
-HeadingUpdateControlResponse.COMMANDS = (HeadingUpdateControl,)
+AntennaOffsetResponse.COMMANDS = (AntennaOffset,)
+EstimationControlResponse.COMMANDS = (EstimationControl,)
+GnssSourceResponse.COMMANDS = (GnssSource,)
+HeadingSourceResponse.COMMANDS = (HeadingSource,)
 AutoInitializationControlResponse.COMMANDS = (AutoInitializationControl,)
-AccelerometerNoiseStandardDeviationResponse.COMMANDS = (AccelerometerNoiseStandardDeviation,)
-GyroscopeNoiseStandardDeviationResponse.COMMANDS = (GyroscopeNoiseStandardDeviation,)
-AccelerometerBiasModelParametersResponse.COMMANDS = (AccelerometerBiasModelParameters,)
-GyroscopeBiasModelParametersResponse.COMMANDS = (GyroscopeBiasModelParameters,)
+AccelNoiseResponse.COMMANDS = (AccelNoise,)
+GyroNoiseResponse.COMMANDS = (GyroNoise,)
+AccelBiasModelResponse.COMMANDS = (AccelBiasModel,)
+GyroBiasModelResponse.COMMANDS = (GyroBiasModel,)
 AutoZuptResponse.COMMANDS = (AutoZupt,)
-ZeroAngularRateUpdateControlResponse.COMMANDS = (ZeroAngularRateUpdateControl,)
-SetReferencePositionResponse.COMMANDS = (SetReferencePosition,)
-GravityNoiseStandardDeviationResponse.COMMANDS = (GravityNoiseStandardDeviation,)
+AutoAngularZuptResponse.COMMANDS = (AutoAngularZupt,)
+ReferencePositionResponse.COMMANDS = (ReferencePosition,)
+GravityNoiseResponse.COMMANDS = (GravityNoise,)
 PressureAltitudeNoiseResponse.COMMANDS = (PressureAltitudeNoise,)
 HardIronOffsetNoiseResponse.COMMANDS = (HardIronOffsetNoise,)
 SoftIronMatrixNoiseResponse.COMMANDS = (SoftIronMatrixNoise,)
 TareOrientationResponse.COMMANDS = (TareOrientation,)
-EnableDisableMeasurementsResponse.COMMANDS = (EnableDisableMeasurements,)
+EnableMeasurementsResponse.COMMANDS = (EnableMeasurements,)
 MagNoiseResponse.COMMANDS = (MagNoise,)
-MagneticFieldDeclinationSourceControlResponse.COMMANDS = (MagneticFieldDeclinationSourceControl,)
-GravityMagnitudeErrorAdaptiveMeasurementResponse.COMMANDS = (
-    GravityMagnitudeErrorAdaptiveMeasurement,
-)
+MagneticDeclinationSourceResponse.COMMANDS = (MagneticDeclinationSource,)
+AccelMagnitudeErrorAdaptiveMeasurementResponse.COMMANDS = (AccelMagnitudeErrorAdaptiveMeasurement,)
 MagMagnitudeErrorAdaptiveMeasurementResponse.COMMANDS = (MagMagnitudeErrorAdaptiveMeasurement,)
 MagDipAngleErrorAdaptiveMeasurementResponse.COMMANDS = (MagDipAngleErrorAdaptiveMeasurement,)
 AltitudeAidingResponse.COMMANDS = (AltitudeAiding,)
-PitchRollAidingControlResponse.COMMANDS = (PitchRollAidingControl,)
-InclinationSourceResponse.COMMANDS = (InclinationSource,)
-MagFieldMagnitudeSourceResponse.COMMANDS = (MagFieldMagnitudeSource,)
+PitchRollAidingResponse.COMMANDS = (PitchRollAiding,)
+MagneticInclinationSourceResponse.COMMANDS = (MagneticInclinationSource,)
+MagneticMagnitudeSourceResponse.COMMANDS = (MagneticMagnitudeSource,)
 SensorToVehicleRotationDcmResponse.COMMANDS = (SensorToVehicleRotationDcm,)
 SensorToVehicleRotationQuaternionResponse.COMMANDS = (SensorToVehicleRotationQuaternion,)
-AidingMeasurementControlResponse.COMMANDS = (AidingMeasurementControl,)
+AidingMeasurementEnableResponse.COMMANDS = (AidingMeasurementEnable,)
 KinematicConstraintResponse.COMMANDS = (KinematicConstraint,)
-NavigationFilterInitializationResponse.COMMANDS = (NavigationFilterInitialization,)
-AdaptiveFilterControlResponse.COMMANDS = (AdaptiveFilterControl,)
-GnssMultiAntennaOffsetControlResponse.COMMANDS = (GnssMultiAntennaOffsetControl,)
-RelativePositionConfigurationResponse.COMMANDS = (RelativePositionConfiguration,)
+InitializationConfigResponse.COMMANDS = (InitializationConfig,)
+AdaptiveFilterOptionsResponse.COMMANDS = (AdaptiveFilterOptions,)
+MultiAntennaOffsetResponse.COMMANDS = (MultiAntennaOffset,)
+RelativePositionConfigResponse.COMMANDS = (RelativePositionConfig,)
 ReferencePointLeverArmResponse.COMMANDS = (ReferencePointLeverArm,)
-MeasurementSpeedLeverArmResponse.COMMANDS = (MeasurementSpeedLeverArm,)
+SpeedLeverArmResponse.COMMANDS = (SpeedLeverArm,)
 VerticalGyroConstraintControlResponse.COMMANDS = (VerticalGyroConstraintControl,)
 WheeledVehicleConstraintControlResponse.COMMANDS = (WheeledVehicleConstraintControl,)
-GnssAntennaOffsetCalibrationControlResponse.COMMANDS = (GnssAntennaOffsetCalibrationControl,)
+GnssAntennaCalibrationControlResponse.COMMANDS = (GnssAntennaCalibrationControl,)
 
 #: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0x01: (ResetNavigationFilter,),
+    0x01: (Reset,),
     0x02: (SetInitialAttitude,),
-    0x03: (SetInitialHeadingControl,),
-    0x05: (RunNavigationFilter,),
+    0x03: (SetInitialHeading,),
+    0x05: (Run,),
     0x10: (VehicleDynamicsMode,),
-    0x11: (SensorToVehicleFrameTransformation,),
+    0x11: (SensorToVehicleRotationEuler,),
     0x12: (SensorToVehicleOffset,),
-    0x13: (GnssAntennaOffsetControl,),
-    0x14: (EstimationControlFlags,),
-    0x15: (GnssAidingSourceControl,),
+    0x13: (AntennaOffset,),
+    0x14: (EstimationControl,),
+    0x15: (GnssSource,),
     0x16: (ExternalGnssUpdate,),
     0x17: (ExternalHeadingUpdate,),
-    0x18: (HeadingUpdateControl,),
+    0x18: (HeadingSource,),
     0x19: (AutoInitializationControl,),
-    0x1A: (AccelerometerNoiseStandardDeviation,),
-    0x1B: (GyroscopeNoiseStandardDeviation,),
-    0x1C: (AccelerometerBiasModelParameters,),
-    0x1D: (GyroscopeBiasModelParameters,),
+    0x1A: (AccelNoise,),
+    0x1B: (GyroNoise,),
+    0x1C: (AccelBiasModel,),
+    0x1D: (GyroBiasModel,),
     0x1E: (AutoZupt,),
     0x1F: (ExternalHeadingUpdateWithTime,),
-    0x20: (ZeroAngularRateUpdateControl,),
+    0x20: (AutoAngularZupt,),
     0x21: (TareOrientation,),
     0x22: (CommandedZupt,),
-    0x23: (CommandedZeroAngularRateUpdate,),
-    0x26: (SetReferencePosition,),
-    0x27: (MagCaptureAutoCal,),
-    0x28: (GravityNoiseStandardDeviation,),
+    0x23: (CommandedAngularZupt,),
+    0x26: (ReferencePosition,),
+    0x27: (MagCaptureAutoCalibration,),
+    0x28: (GravityNoise,),
     0x29: (PressureAltitudeNoise,),
     0x2B: (HardIronOffsetNoise,),
     0x2C: (SoftIronMatrixNoise,),
-    0x41: (EnableDisableMeasurements,),
+    0x41: (EnableMeasurements,),
     0x42: (MagNoise,),
-    0x43: (MagneticFieldDeclinationSourceControl,),
-    0x44: (GravityMagnitudeErrorAdaptiveMeasurement,),
+    0x43: (MagneticDeclinationSource,),
+    0x44: (AccelMagnitudeErrorAdaptiveMeasurement,),
     0x45: (MagMagnitudeErrorAdaptiveMeasurement,),
     0x46: (MagDipAngleErrorAdaptiveMeasurement,),
     0x47: (AltitudeAiding,),
-    0x4B: (PitchRollAidingControl,),
-    0x4C: (InclinationSource,),
-    0x4D: (MagFieldMagnitudeSource,),
+    0x4B: (PitchRollAiding,),
+    0x4C: (MagneticInclinationSource,),
+    0x4D: (MagneticMagnitudeSource,),
     0x4E: (SensorToVehicleRotationDcm,),
     0x4F: (SensorToVehicleRotationQuaternion,),
-    0x50: (AidingMeasurementControl,),
+    0x50: (AidingMeasurementEnable,),
     0x51: (KinematicConstraint,),
-    0x52: (NavigationFilterInitialization,),
-    0x53: (AdaptiveFilterControl,),
-    0x54: (GnssMultiAntennaOffsetControl,),
-    0x55: (RelativePositionConfiguration,),
+    0x52: (InitializationConfig,),
+    0x53: (AdaptiveFilterOptions,),
+    0x54: (MultiAntennaOffset,),
+    0x55: (RelativePositionConfig,),
     0x56: (ReferencePointLeverArm,),
     0x60: (SpeedMeasurement,),
-    0x61: (MeasurementSpeedLeverArm,),
+    0x61: (SpeedLeverArm,),
     0x62: (VerticalGyroConstraintControl,),
     0x63: (WheeledVehicleConstraintControl,),
-    0x64: (GnssAntennaOffsetCalibrationControl,),
+    0x64: (GnssAntennaCalibrationControl,),
     0x80: (VehicleDynamicsModeResponse,),
-    0x81: (SensorToVehicleFrameTransformationResponse,),
+    0x81: (SensorToVehicleRotationEulerResponse,),
     0x82: (SensorToVehicleOffsetResponse,),
-    0x83: (GnssAntennaOffsetControlResponse,),
-    0x84: (EstimationControlFlagsResponse,),
-    0x86: (GnssAidingSourceControlResponse,),
-    0x87: (HeadingUpdateControlResponse,),
+    0x83: (AntennaOffsetResponse,),
+    0x84: (EstimationControlResponse,),
+    0x86: (GnssSourceResponse,),
+    0x87: (HeadingSourceResponse,),
     0x88: (AutoInitializationControlResponse,),
-    0x89: (AccelerometerNoiseStandardDeviationResponse,),
-    0x8A: (GyroscopeNoiseStandardDeviationResponse,),
-    0x8B: (AccelerometerBiasModelParametersResponse,),
-    0x8C: (GyroscopeBiasModelParametersResponse,),
+    0x89: (AccelNoiseResponse,),
+    0x8A: (GyroNoiseResponse,),
+    0x8B: (AccelBiasModelResponse,),
+    0x8C: (GyroBiasModelResponse,),
     0x8D: (AutoZuptResponse,),
-    0x8E: (ZeroAngularRateUpdateControlResponse,),
-    0x90: (SetReferencePositionResponse,),
-    0x93: (GravityNoiseStandardDeviationResponse,),
+    0x8E: (AutoAngularZuptResponse,),
+    0x90: (ReferencePositionResponse,),
+    0x93: (GravityNoiseResponse,),
     0x94: (PressureAltitudeNoiseResponse,),
     0x96: (HardIronOffsetNoiseResponse,),
     0x97: (SoftIronMatrixNoiseResponse,),
     0xA1: (TareOrientationResponse,),
-    0xB0: (EnableDisableMeasurementsResponse,),
+    0xB0: (EnableMeasurementsResponse,),
     0xB1: (MagNoiseResponse,),
-    0xB2: (MagneticFieldDeclinationSourceControlResponse,),
-    0xB3: (GravityMagnitudeErrorAdaptiveMeasurementResponse,),
+    0xB2: (MagneticDeclinationSourceResponse,),
+    0xB3: (AccelMagnitudeErrorAdaptiveMeasurementResponse,),
     0xB4: (MagMagnitudeErrorAdaptiveMeasurementResponse,),
     0xB5: (MagDipAngleErrorAdaptiveMeasurementResponse,),
     0xB7: (AltitudeAidingResponse,),
-    0xBB: (PitchRollAidingControlResponse,),
-    0xBC: (InclinationSourceResponse,),
-    0xBD: (MagFieldMagnitudeSourceResponse,),
+    0xBB: (PitchRollAidingResponse,),
+    0xBC: (MagneticInclinationSourceResponse,),
+    0xBD: (MagneticMagnitudeSourceResponse,),
     0xBE: (SensorToVehicleRotationDcmResponse,),
     0xBF: (SensorToVehicleRotationQuaternionResponse,),
-    0xD0: (AidingMeasurementControlResponse,),
+    0xD0: (AidingMeasurementEnableResponse,),
     0xD1: (KinematicConstraintResponse,),
-    0xD2: (NavigationFilterInitializationResponse,),
-    0xD3: (AdaptiveFilterControlResponse,),
-    0xD4: (GnssMultiAntennaOffsetControlResponse,),
-    0xD5: (RelativePositionConfigurationResponse,),
+    0xD2: (InitializationConfigResponse,),
+    0xD3: (AdaptiveFilterOptionsResponse,),
+    0xD4: (MultiAntennaOffsetResponse,),
+    0xD5: (RelativePositionConfigResponse,),
     0xD6: (ReferencePointLeverArmResponse,),
-    0xE1: (MeasurementSpeedLeverArmResponse,),
+    0xE1: (SpeedLeverArmResponse,),
     0xE2: (VerticalGyroConstraintControlResponse,),
     0xE3: (WheeledVehicleConstraintControlResponse,),
-    0xE4: (GnssAntennaOffsetCalibrationControlResponse,),
+    0xE4: (GnssAntennaCalibrationControlResponse,),
 }

@@ -47,21 +47,21 @@ class GnssAidingStatus(IntFlag):
     """GPS L2 is used. Bit 4."""
     GPS_L5 = 1 << 5
     """GPS L5 is used; not on every model. Bit 5."""
-    GLO_L1 = 1 << 6
+    GLONASS_L1 = 1 << 6
     """GLONASS L1 is used. Bit 6."""
-    GLO_L2 = 1 << 7
+    GLONASS_L2 = 1 << 7
     """GLONASS L2 is used. Bit 7."""
-    GAL_E1 = 1 << 8
+    GALILEO_E1 = 1 << 8
     """Galileo E1 is used. Bit 8."""
-    GAL_E5 = 1 << 9
+    GALILEO_E5 = 1 << 9
     """Galileo E5 is used. Bit 9."""
-    GAL_E6 = 1 << 10
+    GALILEO_E6 = 1 << 10
     """Galileo E6 is used. Bit 10."""
-    BEI_B1 = 1 << 11
+    BEIDOU_B1 = 1 << 11
     """BeiDou B1 is used; not on every model. Bit 11."""
-    BEI_B2 = 1 << 12
+    BEIDOU_B2 = 1 << 12
     """BeiDou B2 is used; not on every model. Bit 12."""
-    BEI_B3 = 1 << 13
+    BEIDOU_B3 = 1 << 13
     """BeiDou B3 is used; not on every model. Bit 13."""
     NO_FIX = 1 << 14
     """The receiver has no position fix. Bit 14."""
@@ -94,23 +94,23 @@ class AidingMeasurementType(codec.OpenEnum):
     """Heading."""
     PRESSURE = 4
     """Pressure altitude."""
-    MAGNETOMETER = 5
+    MAG = 5
     """Magnetometer."""
     SPEED = 6
     """Speed or odometer."""
-    AIDING_POS_ECEF = 33
+    AIDING_ECEF_POSITION = 33
     """ECEF position by command."""
-    AIDING_POS_LLH = 34
+    AIDING_LLH_POSITION = 34
     """Latitude, longitude and height by command."""
     AIDING_HEIGHT_ABOVE_ELLIPSOID = 35
     """Height above the ellipsoid by command."""
-    AIDING_VEL_ECEF = 40
+    AIDING_ECEF_VELOCITY = 40
     """ECEF velocity by command."""
-    AIDING_VEL_NED = 41
+    AIDING_NED_VELOCITY = 41
     """NED velocity by command."""
-    AIDING_VEL_BODY_FRAME = 42
+    AIDING_BODY_FRAME_VELOCITY = 42
     """Body frame velocity by command."""
-    AIDING_HEADING_TRUE = 49
+    AIDING_TRUE_HEADING = 49
     """True heading by command."""
     AIDING_MAGNETIC_FIELD = 50
     """Magnetic field by command."""
@@ -130,9 +130,9 @@ class AidingMeasurementIndicator(IntFlag):
     """It disagrees with the estimate. Bit 2."""
     SAMPLE_TIME_WARNING = 1 << 3
     """Its time is doubtful. Bit 3."""
-    CONFIGURATION_ERROR = 1 << 4
+    CONFIG_ERROR = 1 << 4
     """Its configuration is wrong. Bit 4."""
-    MAX_NUM_MEAS_EXCEEDED = 1 << 5
+    MAX_MEASUREMENTS_EXCEEDED = 1 << 5
     """There are more measurements than the filter can take. Bit 5."""
 
 
@@ -151,9 +151,9 @@ class DualAntennaFixType(codec.OpenEnum):
 class DualAntennaStatusFlags(IntFlag):
     """What the heading solution of two antennas has to work with."""
 
-    RCV_1_DATA_VALID = 1 << 0
+    RECEIVER_1_DATA_VALID = 1 << 0
     """Data of receiver 1 are valid. Bit 0."""
-    RCV_2_DATA_VALID = 1 << 1
+    RECEIVER_2_DATA_VALID = 1 << 1
     """Data of receiver 2 are valid. Bit 1."""
     ANTENNA_OFFSETS_VALID = 1 << 2
     """The antenna offsets are valid. Bit 2."""
@@ -185,7 +185,7 @@ class Cv7FilterState(codec.OpenEnum):
 
     INIT = 1
     """Initialization; initial conditions are missing or the filter waits for a command."""
-    VERT_GYRO = 2
+    VERTICAL_GYRO = 2
     """Vertical gyro: pitch and roll, and heading relative to the initial one."""
     AHRS = 3
     """Pitch, roll and absolute heading."""
@@ -244,7 +244,7 @@ class Gx5StatusFlags(IntFlag):
     """The estimated accelerometer scale factor is high. Bit 11."""
     RUN_MAG_BIAS_EST_HIGH_WARNING = 1 << 12
     """The estimated magnetometer bias is high. Bit 12."""
-    RUN_ANT_OFFSET_CORRECTION_EST_HIGH_WARNING = 1 << 13
+    RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING = 1 << 13
     """The estimated correction of the antenna offset is high; on models with GNSS. Bit 13."""
     RUN_MAG_HARD_IRON_EST_HIGH_WARNING = 1 << 14
     """The estimated hard-iron offset is high. Bit 14."""
@@ -292,7 +292,7 @@ class Cv7StatusFlags(IntFlag):
     """The velocity is doubtful; check the GNSS reception and antennas. Bit 5."""
     IMU_BIAS_WARNING = 1 << 6
     """The sensor biases are doubtful; capture the gyroscope bias. Bit 6."""
-    GNSS_CLK_WARNING = 1 << 7
+    GNSS_CLOCK_WARNING = 1 << 7
     """The GNSS clock is doubtful; navigation goes on. Bit 7."""
     ANTENNA_LEVER_ARM_WARNING = 1 << 8
     """The antenna offsets are probably wrong. Bit 8."""
@@ -371,23 +371,23 @@ class LlhPosition(Data):
         return codec.finished(out)
 
 
-_VELOCITY_NED_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
+_NED_VELOCITY_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
 
 
 @dataclass(slots=True)
-class VelocityNed(Data):
+class NedVelocity(Data):
     """NED velocity (0x82,0x02).
 
     Estimated velocity.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
     """
 
     SET = 0x82
     DESCRIPTOR = 0x02
-    NAME = "filter_data.velocity_ned"
+    NAME = "filter_data.ned_velocity"
     ROLE = "data"
 
     north: float
@@ -401,8 +401,8 @@ class VelocityNed(Data):
     """Validity of the values."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[VelocityNed, int]:
-        v = _VELOCITY_NED_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
+        v = _NED_VELOCITY_0.read(raw, at)
         at += 14
         north = v[0]
         east = v[1]
@@ -411,7 +411,7 @@ class VelocityNed(Data):
         return cls(north, east, down, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _VELOCITY_NED_0.write(self.north, self.east, self.down, self.valid_flags)
+        out = _NED_VELOCITY_0.write(self.north, self.east, self.down, self.valid_flags)
         return codec.finished(out)
 
 
@@ -771,7 +771,7 @@ class EulerAnglesUncertainty(Data):
         return codec.finished(out)
 
 
-_GYRO_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncert"] * 3, "valid_flags")
+_GYRO_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncertainty"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -791,7 +791,7 @@ class GyroBiasUncertainty(Data):
     NAME = "filter_data.gyro_bias_uncertainty"
     ROLE = "data"
 
-    bias_uncert: types.Vector3f
+    bias_uncertainty: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
     `ValidFlags.VALID` of `valid_flags` is set.
     """
@@ -802,18 +802,18 @@ class GyroBiasUncertainty(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasUncertainty, int]:
         v = _GYRO_BIAS_UNCERTAINTY_0.read(raw, at)
         at += 14
-        bias_uncert = v[0:3]
+        bias_uncertainty = v[0:3]
         valid_flags = ValidFlags(v[3])
-        return cls(bias_uncert, valid_flags), at
+        return cls(bias_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _GYRO_BIAS_UNCERTAINTY_0.write(
-            *codec.exactly("bias_uncert", self.bias_uncert, 3), self.valid_flags
+            *codec.exactly("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
         )
         return codec.finished(out)
 
 
-_ACCEL_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncert"] * 3, "valid_flags")
+_ACCEL_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncertainty"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -832,7 +832,7 @@ class AccelBiasUncertainty(Data):
     NAME = "filter_data.accel_bias_uncertainty"
     ROLE = "data"
 
-    bias_uncert: types.Vector3f
+    bias_uncertainty: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
     `ValidFlags.VALID` of `valid_flags` is set.
     """
@@ -843,13 +843,13 @@ class AccelBiasUncertainty(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasUncertainty, int]:
         v = _ACCEL_BIAS_UNCERTAINTY_0.read(raw, at)
         at += 14
-        bias_uncert = v[0:3]
+        bias_uncertainty = v[0:3]
         valid_flags = ValidFlags(v[3])
-        return cls(bias_uncert, valid_flags), at
+        return cls(bias_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _ACCEL_BIAS_UNCERTAINTY_0.write(
-            *codec.exactly("bias_uncert", self.bias_uncert, 3), self.valid_flags
+            *codec.exactly("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
         )
         return codec.finished(out)
 
@@ -934,11 +934,11 @@ class CompAngularRate(Data):
         return codec.finished(out)
 
 
-_WGS84_LOCAL_GRAVITY_MAGNITUDE_0 = codec.Block("fH", "gravity_magnitude", "valid_flags")
+_WGS84_GRAVITY_MAGNITUDE_0 = codec.Block("fH", "gravity_magnitude", "valid_flags")
 
 
 @dataclass(slots=True)
-class Wgs84LocalGravityMagnitude(Data):
+class Wgs84GravityMagnitude(Data):
     """WGS84 local gravity magnitude (0x82,0x0F).
 
     Magnitude of gravity at the position of the device by the WGS84 model.
@@ -952,7 +952,7 @@ class Wgs84LocalGravityMagnitude(Data):
 
     SET = 0x82
     DESCRIPTOR = 0x0F
-    NAME = "filter_data.wgs84_local_gravity_magnitude"
+    NAME = "filter_data.wgs84_gravity_magnitude"
     ROLE = "data"
 
     gravity_magnitude: float
@@ -961,15 +961,15 @@ class Wgs84LocalGravityMagnitude(Data):
     """Validity of the values."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Wgs84LocalGravityMagnitude, int]:
-        v = _WGS84_LOCAL_GRAVITY_MAGNITUDE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[Wgs84GravityMagnitude, int]:
+        v = _WGS84_GRAVITY_MAGNITUDE_0.read(raw, at)
         at += 6
         gravity_magnitude = v[0]
         valid_flags = ValidFlags(v[1])
         return cls(gravity_magnitude, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _WGS84_LOCAL_GRAVITY_MAGNITUDE_0.write(self.gravity_magnitude, self.valid_flags)
+        out = _WGS84_GRAVITY_MAGNITUDE_0.write(self.gravity_magnitude, self.valid_flags)
         return codec.finished(out)
 
 
@@ -1172,18 +1172,18 @@ class GravityVector(Data):
         return codec.finished(out)
 
 
-_HEADING_UPDATE_SOURCE_STATE_0 = codec.Block(
+_HEADING_UPDATE_STATE_0 = codec.Block(
     "ffHH", "heading", "heading_uncertainty", "source", "valid_flags"
 )
 
 
 @dataclass(slots=True)
-class HeadingUpdateSourceState(Data):
+class HeadingUpdateState(Data):
     """Heading update source state (0x82,0x14).
 
     The last heading that updated the filter and where it came from.
 
-    Also called `heading_update_state`. Supported by 3DM-GX5-15.
+    Supported by 3DM-GX5-15.
 
     The valid bit means that the source gave data within the last 2 seconds.
 
@@ -1192,7 +1192,7 @@ class HeadingUpdateSourceState(Data):
 
     SET = 0x82
     DESCRIPTOR = 0x14
-    NAME = "filter_data.heading_update_source_state"
+    NAME = "filter_data.heading_update_state"
     ROLE = "data"
 
     heading: float
@@ -1209,8 +1209,8 @@ class HeadingUpdateSourceState(Data):
     """Validity of the values."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateSourceState, int]:
-        v = _HEADING_UPDATE_SOURCE_STATE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateState, int]:
+        v = _HEADING_UPDATE_STATE_0.read(raw, at)
         at += 12
         heading = v[0]
         heading_uncertainty = v[1]
@@ -1219,7 +1219,7 @@ class HeadingUpdateSourceState(Data):
         return cls(heading, heading_uncertainty, source, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _HEADING_UPDATE_SOURCE_STATE_0.write(
+        out = _HEADING_UPDATE_STATE_0.write(
             self.heading, self.heading_uncertainty, self.source, self.valid_flags
         )
         return codec.finished(out)
@@ -1535,16 +1535,16 @@ class MagBiasUncertainty(Data):
         return codec.finished(out)
 
 
-_COMPENSATED_ACCELERATION_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
+_COMP_ACCEL_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
-class CompensatedAcceleration(Data):
+class CompAccel(Data):
     """Compensated acceleration (0x82,0x1C).
 
     Acceleration without the estimated bias; gravity is still in it.
 
-    Also called `comp_accel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
     - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -1552,7 +1552,7 @@ class CompensatedAcceleration(Data):
 
     SET = 0x82
     DESCRIPTOR = 0x1C
-    NAME = "filter_data.compensated_acceleration"
+    NAME = "filter_data.comp_accel"
     ROLE = "data"
 
     accel: types.Vector3f
@@ -1563,17 +1563,15 @@ class CompensatedAcceleration(Data):
     """Validity of the values."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CompensatedAcceleration, int]:
-        v = _COMPENSATED_ACCELERATION_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[CompAccel, int]:
+        v = _COMP_ACCEL_0.read(raw, at)
         at += 14
         accel = v[0:3]
         valid_flags = ValidFlags(v[3])
         return cls(accel, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _COMPENSATED_ACCELERATION_0.write(
-            *codec.exactly("accel", self.accel, 3), self.valid_flags
-        )
+        out = _COMP_ACCEL_0.write(*codec.exactly("accel", self.accel, 3), self.valid_flags)
         return codec.finished(out)
 
 
@@ -1739,8 +1737,7 @@ class MagOffset(Data):
 
     Also called `magnetometer_offset`.
 
-    The filter adds it to the stored hard iron offset `mip_3dm.MagnetometerHardIronOffset`
-    (0x0C,0x3A).
+    The filter adds it to the stored hard iron offset `mip_3dm.MagHardIronOffset` (0x0C,0x3A).
 
     - mip-sdk-4: Magnetometer Offset (0x82,0x25)
     """
@@ -1781,8 +1778,8 @@ class MagMatrix(Data):
 
     Also called `magnetometer_matrix`.
 
-    The filter multiplies the stored soft iron matrix `mip_3dm.MagnetometerSoftIronMatrix`
-    (0x0C,0x3B) by it, from the right.
+    The filter multiplies the stored soft iron matrix `mip_3dm.MagSoftIronMatrix` (0x0C,0x3B) by it,
+    from the right.
 
     - mip-sdk-4: Magnetometer Matrix (0x82,0x26)
     """
@@ -1986,7 +1983,7 @@ class AntennaOffsetCorrection(Data):
 
     Estimated error of the offset of the GNSS antenna.
 
-    The filter adds it to the stored offset `filter.GnssAntennaOffsetControl` (0x0D,0x13).
+    The filter adds it to the stored offset `filter.AntennaOffset` (0x0D,0x13).
 
     - mip-sdk-4: Antenna Offset Correction (0x82,0x30)
     """
@@ -2199,7 +2196,7 @@ class MultiAntennaOffsetCorrection(Data):
 
 
 _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0 = codec.Block(
-    "BfffH", "receiver_id", *["offset_uncert"] * 3, "valid_flags"
+    "BfffH", "receiver_id", *["offset_uncertainty"] * 3, "valid_flags"
 )
 
 
@@ -2221,7 +2218,7 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
 
     receiver_id: int
     """Receiver that the antenna belongs to."""
-    offset_uncert: types.Vector3f
+    offset_uncertainty: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
     `ValidFlags.VALID` of `valid_flags` is set.
     """
@@ -2233,20 +2230,20 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
         v = _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.read(raw, at)
         at += 15
         receiver_id = v[0]
-        offset_uncert = v[1:4]
+        offset_uncertainty = v[1:4]
         valid_flags = ValidFlags(v[4])
-        return cls(receiver_id, offset_uncert, valid_flags), at
+        return cls(receiver_id, offset_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.write(
             self.receiver_id,
-            *codec.exactly("offset_uncert", self.offset_uncert, 3),
+            *codec.exactly("offset_uncertainty", self.offset_uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
 
 
-_ECEF_POSITION_UNCERTAINTY_0 = codec.Block("fffH", *["pos_uncertainty"] * 3, "valid_flags")
+_ECEF_POSITION_UNCERTAINTY_0 = codec.Block("fffH", *["position_uncertainty"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -2265,7 +2262,7 @@ class EcefPositionUncertainty(Data):
     NAME = "filter_data.ecef_position_uncertainty"
     ROLE = "data"
 
-    pos_uncertainty: types.Vector3f
+    position_uncertainty: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
     `ValidFlags.VALID` of `valid_flags` is set.
     """
@@ -2276,18 +2273,18 @@ class EcefPositionUncertainty(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[EcefPositionUncertainty, int]:
         v = _ECEF_POSITION_UNCERTAINTY_0.read(raw, at)
         at += 14
-        pos_uncertainty = v[0:3]
+        position_uncertainty = v[0:3]
         valid_flags = ValidFlags(v[3])
-        return cls(pos_uncertainty, valid_flags), at
+        return cls(position_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _ECEF_POSITION_UNCERTAINTY_0.write(
-            *codec.exactly("pos_uncertainty", self.pos_uncertainty, 3), self.valid_flags
+            *codec.exactly("position_uncertainty", self.position_uncertainty, 3), self.valid_flags
         )
         return codec.finished(out)
 
 
-_ECEF_VELOCITY_UNCERTAINTY_0 = codec.Block("fffH", *["vel_uncertainty"] * 3, "valid_flags")
+_ECEF_VELOCITY_UNCERTAINTY_0 = codec.Block("fffH", *["velocity_uncertainty"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -2306,7 +2303,7 @@ class EcefVelocityUncertainty(Data):
     NAME = "filter_data.ecef_velocity_uncertainty"
     ROLE = "data"
 
-    vel_uncertainty: types.Vector3f
+    velocity_uncertainty: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
     `ValidFlags.VALID` of `valid_flags` is set.
     """
@@ -2317,18 +2314,18 @@ class EcefVelocityUncertainty(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocityUncertainty, int]:
         v = _ECEF_VELOCITY_UNCERTAINTY_0.read(raw, at)
         at += 14
-        vel_uncertainty = v[0:3]
+        velocity_uncertainty = v[0:3]
         valid_flags = ValidFlags(v[3])
-        return cls(vel_uncertainty, valid_flags), at
+        return cls(velocity_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _ECEF_VELOCITY_UNCERTAINTY_0.write(
-            *codec.exactly("vel_uncertainty", self.vel_uncertainty, 3), self.valid_flags
+            *codec.exactly("velocity_uncertainty", self.velocity_uncertainty, 3), self.valid_flags
         )
         return codec.finished(out)
 
 
-_ECEF_POSITION_0 = codec.Block("dddH", *["position_ecef"] * 3, "valid_flags")
+_ECEF_POSITION_0 = codec.Block("dddH", *["position"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -2347,7 +2344,7 @@ class EcefPosition(Data):
     NAME = "filter_data.ecef_position"
     ROLE = "data"
 
-    position_ecef: types.Vector3d
+    position: types.Vector3d
     """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `ValidFlags.VALID` of
     `valid_flags` is set.
     """
@@ -2358,18 +2355,16 @@ class EcefPosition(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
         v = _ECEF_POSITION_0.read(raw, at)
         at += 26
-        position_ecef = v[0:3]
+        position = v[0:3]
         valid_flags = ValidFlags(v[3])
-        return cls(position_ecef, valid_flags), at
+        return cls(position, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _ECEF_POSITION_0.write(
-            *codec.exactly("position_ecef", self.position_ecef, 3), self.valid_flags
-        )
+        out = _ECEF_POSITION_0.write(*codec.exactly("position", self.position, 3), self.valid_flags)
         return codec.finished(out)
 
 
-_ECEF_VELOCITY_0 = codec.Block("fffH", *["velocity_ecef"] * 3, "valid_flags")
+_ECEF_VELOCITY_0 = codec.Block("fffH", *["velocity"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -2388,7 +2383,7 @@ class EcefVelocity(Data):
     NAME = "filter_data.ecef_velocity"
     ROLE = "data"
 
-    velocity_ecef: types.Vector3f
+    velocity: types.Vector3f
     """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if `ValidFlags.VALID` of
     `valid_flags` is set.
     """
@@ -2399,14 +2394,12 @@ class EcefVelocity(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
         v = _ECEF_VELOCITY_0.read(raw, at)
         at += 14
-        velocity_ecef = v[0:3]
+        velocity = v[0:3]
         valid_flags = ValidFlags(v[3])
-        return cls(velocity_ecef, valid_flags), at
+        return cls(velocity, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _ECEF_VELOCITY_0.write(
-            *codec.exactly("velocity_ecef", self.velocity_ecef, 3), self.valid_flags
-        )
+        out = _ECEF_VELOCITY_0.write(*codec.exactly("velocity", self.velocity, 3), self.valid_flags)
         return codec.finished(out)
 
 
@@ -2417,7 +2410,7 @@ _NED_RELATIVE_POSITION_0 = codec.Block("dddH", *["relative_position"] * 3, "vali
 class NedRelativePosition(Data):
     """NED relative position (0x82,0x42).
 
-    Estimated position relative to the point that `filter.RelativePositionConfiguration` sets.
+    Estimated position relative to the point that `filter.RelativePositionConfig` sets.
 
     Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
 
@@ -2452,7 +2445,7 @@ class NedRelativePosition(Data):
 
 
 _GNSS_POSITION_AIDING_STATUS_0 = codec.Block(
-    "BfHBBBBBBBB", "receiver_id", "time_of_week", "status", *["reserved"] * 8
+    "BfHBBBBBBBB", "receiver_id", "tow", "status", *["reserved"] * 8
 )
 
 
@@ -2476,7 +2469,7 @@ class GnssPositionAidingStatus(Data):
 
     receiver_id: int
     """Number of the receiver."""
-    time_of_week: float
+    tow: float
     """GPS time of week of the last measurement. Unit: s."""
     status: GnssAidingStatus
     """How the measurements are used."""
@@ -2488,17 +2481,14 @@ class GnssPositionAidingStatus(Data):
         v = _GNSS_POSITION_AIDING_STATUS_0.read(raw, at)
         at += 15
         receiver_id = v[0]
-        time_of_week = v[1]
+        tow = v[1]
         status = GnssAidingStatus(v[2])
         reserved = v[3:11]
-        return cls(receiver_id, time_of_week, status, reserved), at
+        return cls(receiver_id, tow, status, reserved), at
 
     def _write(self) -> bytes:
         out = _GNSS_POSITION_AIDING_STATUS_0.write(
-            self.receiver_id,
-            self.time_of_week,
-            self.status,
-            *codec.exactly("reserved", self.reserved, 8),
+            self.receiver_id, self.tow, self.status, *codec.exactly("reserved", self.reserved, 8)
         )
         return codec.finished(out)
 
@@ -2595,7 +2585,7 @@ class HeadingAidingStatus(Data):
         return codec.finished(out)
 
 
-_AIDING_MEASUREMENT_SUMMARY_0 = codec.Block("fBBB", "time_of_week", "source", "type", "indicator")
+_AIDING_MEASUREMENT_SUMMARY_0 = codec.Block("fBBB", "tow", "source", "type", "indicator")
 
 
 @dataclass(slots=True)
@@ -2616,7 +2606,7 @@ class AidingMeasurementSummary(Data):
     NAME = "filter_data.aiding_measurement_summary"
     ROLE = "data"
 
-    time_of_week: float
+    tow: float
     """GPS time of week at the end of the interval. Unit: s."""
     source: int
     """Number of the source of the measurement."""
@@ -2629,16 +2619,14 @@ class AidingMeasurementSummary(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementSummary, int]:
         v = _AIDING_MEASUREMENT_SUMMARY_0.read(raw, at)
         at += 7
-        time_of_week = v[0]
+        tow = v[0]
         source = v[1]
         type = AidingMeasurementType(v[2])
         indicator = AidingMeasurementIndicator(v[3])
-        return cls(time_of_week, source, type, indicator), at
+        return cls(tow, source, type, indicator), at
 
     def _write(self) -> bytes:
-        out = _AIDING_MEASUREMENT_SUMMARY_0.write(
-            self.time_of_week, self.source, self.type, self.indicator
-        )
+        out = _AIDING_MEASUREMENT_SUMMARY_0.write(self.tow, self.source, self.type, self.indicator)
         return codec.finished(out)
 
 
@@ -2725,7 +2713,7 @@ class OdometerScaleFactorErrorUncertainty(Data):
 
 
 _GNSS_DUAL_ANTENNA_STATUS_0 = codec.Block(
-    "fffBHH", "time_of_week", "heading", "heading_unc", "fix_type", "status_flags", "valid_flags"
+    "fffBHH", "tow", "heading", "heading_uncertainty", "fix_type", "status_flags", "valid_flags"
 )
 
 
@@ -2747,13 +2735,13 @@ class GnssDualAntennaStatus(Data):
     NAME = "filter_data.gnss_dual_antenna_status"
     ROLE = "data"
 
-    time_of_week: float
+    tow: float
     """GPS time of week of the last measurement. Unit: s. Valid if `ValidFlags.VALID` of
     `valid_flags` is set.
     """
     heading: float
     """Heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
-    heading_unc: float
+    heading_uncertainty: float
     """Uncertainty of the heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     fix_type: DualAntennaFixType
@@ -2767,19 +2755,19 @@ class GnssDualAntennaStatus(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[GnssDualAntennaStatus, int]:
         v = _GNSS_DUAL_ANTENNA_STATUS_0.read(raw, at)
         at += 17
-        time_of_week = v[0]
+        tow = v[0]
         heading = v[1]
-        heading_unc = v[2]
+        heading_uncertainty = v[2]
         fix_type = DualAntennaFixType(v[3])
         status_flags = DualAntennaStatusFlags(v[4])
         valid_flags = ValidFlags(v[5])
-        return cls(time_of_week, heading, heading_unc, fix_type, status_flags, valid_flags), at
+        return cls(tow, heading, heading_uncertainty, fix_type, status_flags, valid_flags), at
 
     def _write(self) -> bytes:
         out = _GNSS_DUAL_ANTENNA_STATUS_0.write(
-            self.time_of_week,
+            self.tow,
             self.heading,
-            self.heading_unc,
+            self.heading_uncertainty,
             self.fix_type,
             self.status_flags,
             self.valid_flags,
@@ -2787,25 +2775,25 @@ class GnssDualAntennaStatus(Data):
         return codec.finished(out)
 
 
-_AIDING_FRAME_CONFIGURATION_ERROR_0 = codec.Block(
+_AIDING_FRAME_CONFIG_ERROR_0 = codec.Block(
     "Bfffffff", "frame_id", *["translation"] * 3, *["attitude"] * 4
 )
 
 
 @dataclass(slots=True)
-class AidingFrameConfigurationError(Data):
+class AidingFrameConfigError(Data):
     """Aiding frame configuration error (0x82,0x50).
 
-    Estimated error of a frame that `aiding.FrameConfiguration` defines; it is corrected for.
+    Estimated error of a frame that `aiding.FrameConfig` defines; it is corrected for.
 
-    Also called `aiding_frame_config_error`. Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
     """
 
     SET = 0x82
     DESCRIPTOR = 0x50
-    NAME = "filter_data.aiding_frame_configuration_error"
+    NAME = "filter_data.aiding_frame_config_error"
     ROLE = "data"
 
     frame_id: int
@@ -2816,8 +2804,8 @@ class AidingFrameConfigurationError(Data):
     """Error of the rotation. Elements: w, x, y, z. Unit: 1."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigurationError, int]:
-        v = _AIDING_FRAME_CONFIGURATION_ERROR_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigError, int]:
+        v = _AIDING_FRAME_CONFIG_ERROR_0.read(raw, at)
         at += 29
         frame_id = v[0]
         translation = v[1:4]
@@ -2825,7 +2813,7 @@ class AidingFrameConfigurationError(Data):
         return cls(frame_id, translation, attitude), at
 
     def _write(self) -> bytes:
-        out = _AIDING_FRAME_CONFIGURATION_ERROR_0.write(
+        out = _AIDING_FRAME_CONFIG_ERROR_0.write(
             self.frame_id,
             *codec.exactly("translation", self.translation, 3),
             *codec.exactly("attitude", self.attitude, 4),
@@ -2833,48 +2821,48 @@ class AidingFrameConfigurationError(Data):
         return codec.finished(out)
 
 
-_AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_0 = codec.Block(
-    "Bffffff", "frame_id", *["translation_unc"] * 3, *["attitude_unc"] * 3
+_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_0 = codec.Block(
+    "Bffffff", "frame_id", *["translation_uncertainty"] * 3, *["attitude_uncertainty"] * 3
 )
 
 
 @dataclass(slots=True)
-class AidingFrameConfigurationErrorUncertainty(Data):
+class AidingFrameConfigErrorUncertainty(Data):
     """Aiding frame configuration error uncertainty (0x82,0x51).
 
-    Uncertainty of the estimated error of a frame that `aiding.FrameConfiguration` defines.
+    Uncertainty of the estimated error of a frame that `aiding.FrameConfig` defines.
 
-    Also called `aiding_frame_config_error_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
     """
 
     SET = 0x82
     DESCRIPTOR = 0x51
-    NAME = "filter_data.aiding_frame_configuration_error_uncertainty"
+    NAME = "filter_data.aiding_frame_config_error_uncertainty"
     ROLE = "data"
 
     frame_id: int
     """Number of the frame."""
-    translation_unc: types.Vector3f
+    translation_uncertainty: types.Vector3f
     """Uncertainty of the translation. Elements: x, y, z. Unit: m."""
-    attitude_unc: types.Vector3f
+    attitude_uncertainty: types.Vector3f
     """Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigurationErrorUncertainty, int]:
-        v = _AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigErrorUncertainty, int]:
+        v = _AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_0.read(raw, at)
         at += 25
         frame_id = v[0]
-        translation_unc = v[1:4]
-        attitude_unc = v[4:7]
-        return cls(frame_id, translation_unc, attitude_unc), at
+        translation_uncertainty = v[1:4]
+        attitude_uncertainty = v[4:7]
+        return cls(frame_id, translation_uncertainty, attitude_uncertainty), at
 
     def _write(self) -> bytes:
-        out = _AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_0.write(
+        out = _AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_0.write(
             self.frame_id,
-            *codec.exactly("translation_unc", self.translation_unc, 3),
-            *codec.exactly("attitude_unc", self.attitude_unc, 3),
+            *codec.exactly("translation_uncertainty", self.translation_uncertainty, 3),
+            *codec.exactly("attitude_uncertainty", self.attitude_uncertainty, 3),
         )
         return codec.finished(out)
 
@@ -2882,7 +2870,7 @@ class AidingFrameConfigurationErrorUncertainty(Data):
 #: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (LlhPosition,),
-    0x02: (VelocityNed,),
+    0x02: (NedVelocity,),
     0x03: (AttitudeQuaternion,),
     0x04: (AttitudeDcm,),
     0x05: (EulerAngles,),
@@ -2895,12 +2883,12 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x0C: (AccelBiasUncertainty,),
     0x0D: (LinearAccel,),
     0x0E: (CompAngularRate,),
-    0x0F: (Wgs84LocalGravityMagnitude,),
+    0x0F: (Wgs84GravityMagnitude,),
     0x10: (Status,),
     0x11: (Timestamp,),
     0x12: (QuaternionAttitudeUncertainty,),
     0x13: (GravityVector,),
-    0x14: (HeadingUpdateSourceState,),
+    0x14: (HeadingUpdateState,),
     0x15: (MagneticModel,),
     0x16: (GyroScaleFactor,),
     0x17: (AccelScaleFactor,),
@@ -2908,7 +2896,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x19: (AccelScaleFactorUncertainty,),
     0x1A: (MagBias,),
     0x1B: (MagBiasUncertainty,),
-    0x1C: (CompensatedAcceleration,),
+    0x1C: (CompAccel,),
     0x20: (StandardAtmosphere,),
     0x21: (PressureAltitude,),
     0x22: (DensityAltitude,),
@@ -2936,6 +2924,6 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x47: (OdometerScaleFactorError,),
     0x48: (OdometerScaleFactorErrorUncertainty,),
     0x49: (GnssDualAntennaStatus,),
-    0x50: (AidingFrameConfigurationError,),
-    0x51: (AidingFrameConfigurationErrorUncertainty,),
+    0x50: (AidingFrameConfigError,),
+    0x51: (AidingFrameConfigErrorUncertainty,),
 }

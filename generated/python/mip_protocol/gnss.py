@@ -147,16 +147,17 @@ class ReceiverInfoResponse(Response):
         return codec.finished(out)
 
 
-_SIGNAL_CONFIGURATION_RESPONSE_0 = codec.Block(
+_SIGNAL_CONFIG_RESPONSE_0 = codec.Block(
     "BBBBBBBB", "gps_enable", "glonass_enable", "galileo_enable", "beidou_enable", *["reserved"] * 4
 )
 
 
 @dataclass(slots=True)
-class SignalConfigurationResponse(Response):
+class SignalConfigResponse(Response):
     """Signal configuration response (0x0E,0x82).
 
-    Answers `SignalConfiguration`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `signal_configuration_response`. Answers `SignalConfig`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
     - 3dm-cv7-gnss-ins: GNSS
@@ -164,7 +165,7 @@ class SignalConfigurationResponse(Response):
 
     SET = 0x0E
     DESCRIPTOR = 0x82
-    NAME = "gnss.signal_configuration_response"
+    NAME = "gnss.signal_config_response"
     ROLE = "response"
 
     gps_enable: GpsSignals
@@ -179,8 +180,8 @@ class SignalConfigurationResponse(Response):
     """Reserved."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SignalConfigurationResponse, int]:
-        v = _SIGNAL_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SignalConfigResponse, int]:
+        v = _SIGNAL_CONFIG_RESPONSE_0.read(raw, at)
         at += 8
         gps_enable = GpsSignals(v[0])
         glonass_enable = GlonassSignals(v[1])
@@ -190,7 +191,7 @@ class SignalConfigurationResponse(Response):
         return cls(gps_enable, glonass_enable, galileo_enable, beidou_enable, reserved), at
 
     def _write(self) -> bytes:
-        out = _SIGNAL_CONFIGURATION_RESPONSE_0.write(
+        out = _SIGNAL_CONFIG_RESPONSE_0.write(
             self.gps_enable,
             self.glonass_enable,
             self.galileo_enable,
@@ -200,21 +201,21 @@ class SignalConfigurationResponse(Response):
         return codec.finished(out)
 
 
-_RTK_DONGLE_CONFIGURATION_RESPONSE_0 = codec.Block("BBBB", "enable", *["reserved"] * 3)
+_RTK_DONGLE_CONFIG_RESPONSE_0 = codec.Block("BBBB", "enable", *["reserved"] * 3)
 
 
 @dataclass(slots=True)
-class RtkDongleConfigurationResponse(Response):
+class RtkDongleConfigResponse(Response):
     """RTK dongle configuration response (0x0E,0x90).
 
-    Answers `RtkDongleConfiguration`.
+    Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
 
     SET = 0x0E
     DESCRIPTOR = 0x90
-    NAME = "gnss.rtk_dongle_configuration_response"
+    NAME = "gnss.rtk_dongle_config_response"
     ROLE = "response"
 
     enable: int
@@ -223,21 +224,21 @@ class RtkDongleConfigurationResponse(Response):
     """Reserved. Uncertain: What to send; 0 is assumed."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfigurationResponse, int]:
-        v = _RTK_DONGLE_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfigResponse, int]:
+        v = _RTK_DONGLE_CONFIG_RESPONSE_0.read(raw, at)
         at += 4
         enable = v[0]
         reserved = v[1:4]
         return cls(enable, reserved), at
 
     def _write(self) -> bytes:
-        out = _RTK_DONGLE_CONFIGURATION_RESPONSE_0.write(
+        out = _RTK_DONGLE_CONFIG_RESPONSE_0.write(
             self.enable, *codec.exactly("reserved", self.reserved, 3)
         )
         return codec.finished(out)
 
 
-_SPARTN_CONFIGURATION_RESPONSE_0 = codec.Block(
+_SPARTN_CONFIG_RESPONSE_0 = codec.Block(
     "BBIHBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBIHBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB",
     "enable",
     "type",
@@ -251,10 +252,11 @@ _SPARTN_CONFIGURATION_RESPONSE_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class SpartnConfigurationResponse(Response):
+class SpartnConfigResponse(Response):
     """SPARTN configuration response (0x0E,0xA0).
 
-    Answers `SpartnConfiguration`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `spartn_configuration_response`. Answers `SpartnConfig`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
     - 3dm-cv7-gnss-ins: SPARTN Corrections
@@ -263,7 +265,7 @@ class SpartnConfigurationResponse(Response):
 
     SET = 0x0E
     DESCRIPTOR = 0xA0
-    NAME = "gnss.spartn_configuration_response"
+    NAME = "gnss.spartn_config_response"
     ROLE = "response"
 
     enable: int
@@ -284,8 +286,8 @@ class SpartnConfigurationResponse(Response):
     """Next key in ASCII digits."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfigurationResponse, int]:
-        v = _SPARTN_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfigResponse, int]:
+        v = _SPARTN_CONFIG_RESPONSE_0.read(raw, at)
         at += 78
         enable = v[0]
         type = SpartnConnection(v[1])
@@ -307,7 +309,7 @@ class SpartnConfigurationResponse(Response):
         ), at
 
     def _write(self) -> bytes:
-        out = _SPARTN_CONFIGURATION_RESPONSE_0.write(
+        out = _SPARTN_CONFIG_RESPONSE_0.write(
             self.enable,
             self.type,
             self.current_key_tow,
@@ -345,13 +347,13 @@ class ReceiverInfo(Command):
         return b""
 
 
-_SIGNAL_CONFIGURATION_0 = codec.Block("B", "function")
-_SIGNAL_CONFIGURATION_1 = codec.Block("B", "gps_enable")
-_SIGNAL_CONFIGURATION_2 = codec.Block("B", "glonass_enable")
-_SIGNAL_CONFIGURATION_3 = codec.Block("B", "galileo_enable")
-_SIGNAL_CONFIGURATION_4 = codec.Block("B", "beidou_enable")
-_SIGNAL_CONFIGURATION_5 = codec.Block("BBBB", *["reserved"] * 4)
-_SIGNAL_CONFIGURATION_GROUPS = (
+_SIGNAL_CONFIG_0 = codec.Block("B", "function")
+_SIGNAL_CONFIG_1 = codec.Block("B", "gps_enable")
+_SIGNAL_CONFIG_2 = codec.Block("B", "glonass_enable")
+_SIGNAL_CONFIG_3 = codec.Block("B", "galileo_enable")
+_SIGNAL_CONFIG_4 = codec.Block("B", "beidou_enable")
+_SIGNAL_CONFIG_5 = codec.Block("BBBB", *["reserved"] * 4)
+_SIGNAL_CONFIG_GROUPS = (
     (1, ("gps_enable",), False),
     (2, ("glonass_enable",), False),
     (3, ("galileo_enable",), False),
@@ -361,13 +363,13 @@ _SIGNAL_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class SignalConfiguration(Command):
+class SignalConfig(Command):
     """Signal configuration (0x0E,0x02).
 
     GNSS signals that the device uses.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SignalConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `SignalConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     A device takes certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses
     GPS L1 with BeiDou L1 alone. It takes for GPS and BeiDou none, L1, or L1 and L5; for Galileo
@@ -379,9 +381,9 @@ class SignalConfiguration(Command):
 
     SET = 0x0E
     DESCRIPTOR = 0x02
-    NAME = "gnss.signal_configuration"
+    NAME = "gnss.signal_config"
     ROLE = "command"
-    RESPONSES = (SignalConfigurationResponse,)
+    RESPONSES = (SignalConfigResponse,)
     REQUIRED = {1: 5, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -404,7 +406,7 @@ class SignalConfiguration(Command):
         glonass_enable: GlonassSignals,
         galileo_enable: GalileoSignals,
         beidou_enable: BeidouSignals,
-    ) -> SignalConfiguration:
+    ) -> SignalConfig:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -416,39 +418,39 @@ class SignalConfiguration(Command):
         )
 
     @classmethod
-    def read(cls) -> SignalConfiguration:
+    def read(cls) -> SignalConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SignalConfiguration:
+    def save(cls) -> SignalConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SignalConfiguration:
+    def load(cls) -> SignalConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SignalConfiguration:
+    def default(cls) -> SignalConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (SignalConfigurationResponse,)
+            return (SignalConfigResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SignalConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SignalConfig, int]:
         gps_enable: GpsSignals | None = None
         glonass_enable: GlonassSignals | None = None
         galileo_enable: GalileoSignals | None = None
         beidou_enable: BeidouSignals | None = None
         reserved: tuple[int, int, int, int] | None = None
-        v = _SIGNAL_CONFIGURATION_0.read(raw, at)
+        v = _SIGNAL_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -456,31 +458,31 @@ class SignalConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _SIGNAL_CONFIGURATION_1.read(raw, at)
+            v = _SIGNAL_CONFIG_1.read(raw, at)
             at += 1
             gps_enable = GpsSignals(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _SIGNAL_CONFIGURATION_2.read(raw, at)
+            v = _SIGNAL_CONFIG_2.read(raw, at)
             at += 1
             glonass_enable = GlonassSignals(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _SIGNAL_CONFIGURATION_3.read(raw, at)
+            v = _SIGNAL_CONFIG_3.read(raw, at)
             at += 1
             galileo_enable = GalileoSignals(v[0])
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _SIGNAL_CONFIGURATION_4.read(raw, at)
+            v = _SIGNAL_CONFIG_4.read(raw, at)
             at += 1
             beidou_enable = BeidouSignals(v[0])
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
-            v = _SIGNAL_CONFIGURATION_5.read(raw, at)
+            v = _SIGNAL_CONFIG_5.read(raw, at)
             at += 4
             reserved = v[0:4]
             done, end = 5, at
@@ -493,45 +495,45 @@ class SignalConfiguration(Command):
         ), at
 
     def _write(self) -> bytes:
-        out = _SIGNAL_CONFIGURATION_0.write(self.function)
+        out = _SIGNAL_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SIGNAL_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _SIGNAL_CONFIG_GROUPS)
         if there >= 1:
-            out += _SIGNAL_CONFIGURATION_1.write(self.gps_enable)
+            out += _SIGNAL_CONFIG_1.write(self.gps_enable)
         if there >= 2:
-            out += _SIGNAL_CONFIGURATION_2.write(self.glonass_enable)
+            out += _SIGNAL_CONFIG_2.write(self.glonass_enable)
         if there >= 3:
-            out += _SIGNAL_CONFIGURATION_3.write(self.galileo_enable)
+            out += _SIGNAL_CONFIG_3.write(self.galileo_enable)
         if there >= 4:
-            out += _SIGNAL_CONFIGURATION_4.write(self.beidou_enable)
+            out += _SIGNAL_CONFIG_4.write(self.beidou_enable)
         if there >= 5:
-            out += _SIGNAL_CONFIGURATION_5.write(*codec.exactly("reserved", self.reserved, 4))
+            out += _SIGNAL_CONFIG_5.write(*codec.exactly("reserved", self.reserved, 4))
         return codec.finished(out)
 
 
-_RTK_DONGLE_CONFIGURATION_0 = codec.Block("B", "function")
-_RTK_DONGLE_CONFIGURATION_1 = codec.Block("B", "enable")
-_RTK_DONGLE_CONFIGURATION_2 = codec.Block("BBB", *["reserved"] * 3)
-_RTK_DONGLE_CONFIGURATION_GROUPS = ((1, ("enable",), False), (2, ("reserved",), False))
+_RTK_DONGLE_CONFIG_0 = codec.Block("B", "function")
+_RTK_DONGLE_CONFIG_1 = codec.Block("B", "enable")
+_RTK_DONGLE_CONFIG_2 = codec.Block("BBB", *["reserved"] * 3)
+_RTK_DONGLE_CONFIG_GROUPS = ((1, ("enable",), False), (2, ("reserved",), False))
 
 
 @dataclass(slots=True)
-class RtkDongleConfiguration(Command):
+class RtkDongleConfig(Command):
     """RTK dongle configuration (0x0E,0x10).
 
     Whether the device talks to the RTK dongle that is connected to it.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `RtkDongleConfigurationResponse`.
+    Also called `rtk_dongle_configuration`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `RtkDongleConfigResponse`.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
 
     SET = 0x0E
     DESCRIPTOR = 0x10
-    NAME = "gnss.rtk_dongle_configuration"
+    NAME = "gnss.rtk_dongle_config"
     ROLE = "command"
-    RESPONSES = (RtkDongleConfigurationResponse,)
+    RESPONSES = (RtkDongleConfigResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -542,41 +544,41 @@ class RtkDongleConfiguration(Command):
     """Reserved: send 0. Required for `write`. Uncertain: What to send; 0 is assumed."""
 
     @classmethod
-    def write(cls, enable: int) -> RtkDongleConfiguration:
+    def write(cls, enable: int) -> RtkDongleConfig:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable, reserved=(0, 0, 0))
 
     @classmethod
-    def read(cls) -> RtkDongleConfiguration:
+    def read(cls) -> RtkDongleConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> RtkDongleConfiguration:
+    def save(cls) -> RtkDongleConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> RtkDongleConfiguration:
+    def load(cls) -> RtkDongleConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> RtkDongleConfiguration:
+    def default(cls) -> RtkDongleConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (RtkDongleConfigurationResponse,)
+            return (RtkDongleConfigResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfig, int]:
         enable: int | None = None
         reserved: tuple[int, int, int] | None = None
-        v = _RTK_DONGLE_CONFIGURATION_0.read(raw, at)
+        v = _RTK_DONGLE_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -584,13 +586,13 @@ class RtkDongleConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _RTK_DONGLE_CONFIGURATION_1.read(raw, at)
+            v = _RTK_DONGLE_CONFIG_1.read(raw, at)
             at += 1
             enable = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _RTK_DONGLE_CONFIGURATION_2.read(raw, at)
+            v = _RTK_DONGLE_CONFIG_2.read(raw, at)
             at += 3
             reserved = v[0:3]
             done, end = 2, at
@@ -601,26 +603,26 @@ class RtkDongleConfiguration(Command):
         return cls(function, enable, reserved), at
 
     def _write(self) -> bytes:
-        out = _RTK_DONGLE_CONFIGURATION_0.write(self.function)
+        out = _RTK_DONGLE_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _RTK_DONGLE_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _RTK_DONGLE_CONFIG_GROUPS)
         if there >= 1:
-            out += _RTK_DONGLE_CONFIGURATION_1.write(self.enable)
+            out += _RTK_DONGLE_CONFIG_1.write(self.enable)
         if there >= 2:
-            out += _RTK_DONGLE_CONFIGURATION_2.write(*codec.exactly("reserved", self.reserved, 3))
+            out += _RTK_DONGLE_CONFIG_2.write(*codec.exactly("reserved", self.reserved, 3))
         return codec.finished(out)
 
 
-_SPARTN_CONFIGURATION_0 = codec.Block("B", "function")
-_SPARTN_CONFIGURATION_1 = codec.Block("B", "enable")
-_SPARTN_CONFIGURATION_2 = codec.Block("B", "type")
-_SPARTN_CONFIGURATION_3 = codec.Block("I", "current_key_tow")
-_SPARTN_CONFIGURATION_4 = codec.Block("H", "current_key_week")
-_SPARTN_CONFIGURATION_5 = codec.Block("BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB", *["current_key"] * 32)
-_SPARTN_CONFIGURATION_6 = codec.Block("I", "next_key_tow")
-_SPARTN_CONFIGURATION_7 = codec.Block("H", "next_key_week")
-_SPARTN_CONFIGURATION_8 = codec.Block("BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB", *["next_key"] * 32)
-_SPARTN_CONFIGURATION_GROUPS = (
+_SPARTN_CONFIG_0 = codec.Block("B", "function")
+_SPARTN_CONFIG_1 = codec.Block("B", "enable")
+_SPARTN_CONFIG_2 = codec.Block("B", "type")
+_SPARTN_CONFIG_3 = codec.Block("I", "current_key_tow")
+_SPARTN_CONFIG_4 = codec.Block("H", "current_key_week")
+_SPARTN_CONFIG_5 = codec.Block("BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB", *["current_key"] * 32)
+_SPARTN_CONFIG_6 = codec.Block("I", "next_key_tow")
+_SPARTN_CONFIG_7 = codec.Block("H", "next_key_week")
+_SPARTN_CONFIG_8 = codec.Block("BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB", *["next_key"] * 32)
+_SPARTN_CONFIG_GROUPS = (
     (1, ("enable",), False),
     (2, ("type",), False),
     (3, ("current_key_tow",), False),
@@ -633,13 +635,13 @@ _SPARTN_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class SpartnConfiguration(Command):
+class SpartnConfig(Command):
     """SPARTN configuration (0x0E,0x20).
 
     Source and keys of SPARTN corrections.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SpartnConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `spartn_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `SpartnConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     A change of enable or type has an effect after a power cycle only; keys can be changed while
     running. While SPARTN corrections are enabled, RTCM corrections are blocked. A key of 16 bytes,
@@ -652,9 +654,9 @@ class SpartnConfiguration(Command):
 
     SET = 0x0E
     DESCRIPTOR = 0x20
-    NAME = "gnss.spartn_configuration"
+    NAME = "gnss.spartn_config"
     ROLE = "command"
-    RESPONSES = (SpartnConfigurationResponse,)
+    RESPONSES = (SpartnConfigResponse,)
     REQUIRED = {1: 8, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -687,7 +689,7 @@ class SpartnConfiguration(Command):
         next_key_tow: int,
         next_key_week: int,
         next_key: tuple[int, ...],
-    ) -> SpartnConfiguration:
+    ) -> SpartnConfig:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -702,33 +704,33 @@ class SpartnConfiguration(Command):
         )
 
     @classmethod
-    def read(cls) -> SpartnConfiguration:
+    def read(cls) -> SpartnConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SpartnConfiguration:
+    def save(cls) -> SpartnConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SpartnConfiguration:
+    def load(cls) -> SpartnConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SpartnConfiguration:
+    def default(cls) -> SpartnConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (SpartnConfigurationResponse,)
+            return (SpartnConfigResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfig, int]:
         enable: int | None = None
         type: SpartnConnection | None = None
         current_key_tow: int | None = None
@@ -737,7 +739,7 @@ class SpartnConfiguration(Command):
         next_key_tow: int | None = None
         next_key_week: int | None = None
         next_key: tuple[int, ...] | None = None
-        v = _SPARTN_CONFIGURATION_0.read(raw, at)
+        v = _SPARTN_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -745,49 +747,49 @@ class SpartnConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_1.read(raw, at)
+            v = _SPARTN_CONFIG_1.read(raw, at)
             at += 1
             enable = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_2.read(raw, at)
+            v = _SPARTN_CONFIG_2.read(raw, at)
             at += 1
             type = SpartnConnection(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_3.read(raw, at)
+            v = _SPARTN_CONFIG_3.read(raw, at)
             at += 4
             current_key_tow = v[0]
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_4.read(raw, at)
+            v = _SPARTN_CONFIG_4.read(raw, at)
             at += 2
             current_key_week = v[0]
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_5.read(raw, at)
+            v = _SPARTN_CONFIG_5.read(raw, at)
             at += 32
             current_key = v[0:32]
             done, end = 5, at
             if at == len(raw) and required < 6:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_6.read(raw, at)
+            v = _SPARTN_CONFIG_6.read(raw, at)
             at += 4
             next_key_tow = v[0]
             done, end = 6, at
             if at == len(raw) and required < 7:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_7.read(raw, at)
+            v = _SPARTN_CONFIG_7.read(raw, at)
             at += 2
             next_key_week = v[0]
             done, end = 7, at
             if at == len(raw) and required < 8:
                 raise Truncated(1, 0)
-            v = _SPARTN_CONFIGURATION_8.read(raw, at)
+            v = _SPARTN_CONFIG_8.read(raw, at)
             at += 32
             next_key = v[0:32]
             done, end = 8, at
@@ -808,43 +810,41 @@ class SpartnConfiguration(Command):
         ), at
 
     def _write(self) -> bytes:
-        out = _SPARTN_CONFIGURATION_0.write(self.function)
+        out = _SPARTN_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SPARTN_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _SPARTN_CONFIG_GROUPS)
         if there >= 1:
-            out += _SPARTN_CONFIGURATION_1.write(self.enable)
+            out += _SPARTN_CONFIG_1.write(self.enable)
         if there >= 2:
-            out += _SPARTN_CONFIGURATION_2.write(self.type)
+            out += _SPARTN_CONFIG_2.write(self.type)
         if there >= 3:
-            out += _SPARTN_CONFIGURATION_3.write(self.current_key_tow)
+            out += _SPARTN_CONFIG_3.write(self.current_key_tow)
         if there >= 4:
-            out += _SPARTN_CONFIGURATION_4.write(self.current_key_week)
+            out += _SPARTN_CONFIG_4.write(self.current_key_week)
         if there >= 5:
-            out += _SPARTN_CONFIGURATION_5.write(
-                *codec.exactly("current_key", self.current_key, 32)
-            )
+            out += _SPARTN_CONFIG_5.write(*codec.exactly("current_key", self.current_key, 32))
         if there >= 6:
-            out += _SPARTN_CONFIGURATION_6.write(self.next_key_tow)
+            out += _SPARTN_CONFIG_6.write(self.next_key_tow)
         if there >= 7:
-            out += _SPARTN_CONFIGURATION_7.write(self.next_key_week)
+            out += _SPARTN_CONFIG_7.write(self.next_key_week)
         if there >= 8:
-            out += _SPARTN_CONFIGURATION_8.write(*codec.exactly("next_key", self.next_key, 32))
+            out += _SPARTN_CONFIG_8.write(*codec.exactly("next_key", self.next_key, 32))
         return codec.finished(out)
 
 
 ReceiverInfoResponse.COMMANDS = (ReceiverInfo,)
-SignalConfigurationResponse.COMMANDS = (SignalConfiguration,)
-RtkDongleConfigurationResponse.COMMANDS = (RtkDongleConfiguration,)
-SpartnConfigurationResponse.COMMANDS = (SpartnConfiguration,)
+SignalConfigResponse.COMMANDS = (SignalConfig,)
+RtkDongleConfigResponse.COMMANDS = (RtkDongleConfig,)
+SpartnConfigResponse.COMMANDS = (SpartnConfig,)
 
 #: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (ReceiverInfo,),
-    0x02: (SignalConfiguration,),
-    0x10: (RtkDongleConfiguration,),
-    0x20: (SpartnConfiguration,),
+    0x02: (SignalConfig,),
+    0x10: (RtkDongleConfig,),
+    0x20: (SpartnConfig,),
     0x81: (ReceiverInfoResponse,),
-    0x82: (SignalConfigurationResponse,),
-    0x90: (RtkDongleConfigurationResponse,),
-    0xA0: (SpartnConfigurationResponse,),
+    0x82: (SignalConfigResponse,),
+    0x90: (RtkDongleConfigResponse,),
+    0xA0: (SpartnConfigResponse,),
 }

@@ -15,7 +15,7 @@ from .field import Data, Field
 
 
 @codec.open_flag(16)
-class GnssLlhPositionFlags(IntFlag):
+class LlhPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
     LAT_LON = 1 << 0
@@ -33,7 +33,7 @@ class GnssLlhPositionFlags(IntFlag):
 
 
 @codec.open_flag(16)
-class GnssEcefPositionFlags(IntFlag):
+class EcefPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
     POSITION = 1 << 0
@@ -65,7 +65,7 @@ class NedVelocityFlags(IntFlag):
 
 
 @codec.open_flag(16)
-class GnssEcefVelocityFlags(IntFlag):
+class EcefVelocityFlags(IntFlag):
     """Which parts of the velocity are valid."""
 
     VELOCITY = 1 << 0
@@ -228,7 +228,7 @@ class AntennaPower(codec.OpenEnum):
 
 
 @codec.open_flag(16)
-class GnssHardwareStatusFlags(IntFlag):
+class HardwareStatusFlags(IntFlag):
     """Which parts of the hardware status are valid."""
 
     SENSOR_STATE = 1 << 0
@@ -504,7 +504,7 @@ class BaseStationIndicators(IntFlag):
     """Galileo is supported. Bit 2."""
     BEIDOU = 1 << 3
     """BeiDou is supported. Bit 3."""
-    REF_STATION = 1 << 4
+    REFERENCE_STATION = 1 << 4
     """Reference station indicator. Bit 4."""
     SINGLE_RECEIVER = 1 << 5
     """Single receiver oscillator indicator. Bit 5."""
@@ -667,7 +667,7 @@ class BeidouIonoCorrectionFlags(IntFlag):
     """All of them. Bits 0 to 4. Overlaps other bits."""
 
 
-_GNSS_LLH_POSITION_0 = codec.Block(
+_LLH_POSITION_0 = codec.Block(
     "ddddffH",
     "latitude",
     "longitude",
@@ -680,7 +680,7 @@ _GNSS_LLH_POSITION_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class GnssLlhPosition(Data):
+class LlhPosition(Data):
     """GNSS LLH position (0x91,0x03).
 
     GNSS position as latitude, longitude and height.
@@ -692,39 +692,38 @@ class GnssLlhPosition(Data):
 
     SET = 0x91
     DESCRIPTOR = 0x03
-    NAME = "gnss_1.gnss_llh_position"
+    NAME = "gnss_1.llh_position"
     ROLE = "data"
 
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Valid if `GnssLlhPositionFlags.LAT_LON` of `valid_flags` is
-    set.
+    """Latitude. Unit: deg. Frame: llh. Valid if `LlhPositionFlags.LAT_LON` of `valid_flags` is set.
     """
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Valid if `GnssLlhPositionFlags.LAT_LON` of `valid_flags` is
+    """Longitude. Unit: deg. Frame: llh. Valid if `LlhPositionFlags.LAT_LON` of `valid_flags` is
     set.
     """
     ellipsoid_height: float
-    """Height above the ellipsoid. Unit: m. Frame: llh. Valid if
-    `GnssLlhPositionFlags.ELLIPSOID_HEIGHT` of `valid_flags` is set.
+    """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `LlhPositionFlags.ELLIPSOID_HEIGHT`
+    of `valid_flags` is set.
     """
     msl_height: float
-    """Height above mean sea level. Unit: m. Valid if `GnssLlhPositionFlags.MSL_HEIGHT` of
-    `valid_flags` is set.
+    """Height above mean sea level. Unit: m. Valid if `LlhPositionFlags.MSL_HEIGHT` of `valid_flags`
+    is set.
     """
     horizontal_accuracy: float
-    """Horizontal accuracy. Unit: m. Valid if `GnssLlhPositionFlags.HORIZONTAL_ACCURACY` of
+    """Horizontal accuracy. Unit: m. Valid if `LlhPositionFlags.HORIZONTAL_ACCURACY` of
     `valid_flags` is set.
     """
     vertical_accuracy: float
-    """Vertical accuracy. Unit: m. Valid if `GnssLlhPositionFlags.VERTICAL_ACCURACY` of
-    `valid_flags` is set.
+    """Vertical accuracy. Unit: m. Valid if `LlhPositionFlags.VERTICAL_ACCURACY` of `valid_flags` is
+    set.
     """
-    valid_flags: GnssLlhPositionFlags
+    valid_flags: LlhPositionFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssLlhPosition, int]:
-        v = _GNSS_LLH_POSITION_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[LlhPosition, int]:
+        v = _LLH_POSITION_0.read(raw, at)
         at += 42
         latitude = v[0]
         longitude = v[1]
@@ -732,7 +731,7 @@ class GnssLlhPosition(Data):
         msl_height = v[3]
         horizontal_accuracy = v[4]
         vertical_accuracy = v[5]
-        valid_flags = GnssLlhPositionFlags(v[6])
+        valid_flags = LlhPositionFlags(v[6])
         return cls(
             latitude,
             longitude,
@@ -744,7 +743,7 @@ class GnssLlhPosition(Data):
         ), at
 
     def _write(self) -> bytes:
-        out = _GNSS_LLH_POSITION_0.write(
+        out = _LLH_POSITION_0.write(
             self.latitude,
             self.longitude,
             self.ellipsoid_height,
@@ -756,11 +755,11 @@ class GnssLlhPosition(Data):
         return codec.finished(out)
 
 
-_GNSS_ECEF_POSITION_0 = codec.Block("dddfH", *["x"] * 3, "x_accuracy", "valid_flags")
+_ECEF_POSITION_0 = codec.Block("dddfH", *["position"] * 3, "position_accuracy", "valid_flags")
 
 
 @dataclass(slots=True)
-class GnssEcefPosition(Data):
+class EcefPosition(Data):
     """GNSS ECEF position (0x91,0x04).
 
     GNSS position in Earth-fixed coordinates.
@@ -772,39 +771,39 @@ class GnssEcefPosition(Data):
 
     SET = 0x91
     DESCRIPTOR = 0x04
-    NAME = "gnss_1.gnss_ecef_position"
+    NAME = "gnss_1.ecef_position"
     ROLE = "data"
 
-    x: types.Vector3d
-    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `GnssEcefPositionFlags.POSITION`
-    of `valid_flags` is set.
-    """
-    x_accuracy: float
-    """Accuracy of the position. Unit: m. Valid if `GnssEcefPositionFlags.POSITION_ACCURACY` of
+    position: types.Vector3d
+    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `EcefPositionFlags.POSITION` of
     `valid_flags` is set.
     """
-    valid_flags: GnssEcefPositionFlags
+    position_accuracy: float
+    """Accuracy of the position. Unit: m. Valid if `EcefPositionFlags.POSITION_ACCURACY` of
+    `valid_flags` is set.
+    """
+    valid_flags: EcefPositionFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssEcefPosition, int]:
-        v = _GNSS_ECEF_POSITION_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
+        v = _ECEF_POSITION_0.read(raw, at)
         at += 30
-        x = v[0:3]
-        x_accuracy = v[3]
-        valid_flags = GnssEcefPositionFlags(v[4])
-        return cls(x, x_accuracy, valid_flags), at
+        position = v[0:3]
+        position_accuracy = v[3]
+        valid_flags = EcefPositionFlags(v[4])
+        return cls(position, position_accuracy, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ECEF_POSITION_0.write(
-            *codec.exactly("x", self.x, 3), self.x_accuracy, self.valid_flags
+        out = _ECEF_POSITION_0.write(
+            *codec.exactly("position", self.position, 3), self.position_accuracy, self.valid_flags
         )
         return codec.finished(out)
 
 
 _NED_VELOCITY_0 = codec.Block(
     "ffffffffH",
-    *["v_"] * 3,
+    *["velocity"] * 3,
     "speed",
     "ground_speed",
     "heading",
@@ -830,7 +829,7 @@ class NedVelocity(Data):
     NAME = "gnss_1.ned_velocity"
     ROLE = "data"
 
-    v_: types.Vector3f
+    velocity: types.Vector3f
     """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Valid if `NedVelocityFlags.VELOCITY` of
     `valid_flags` is set.
     """
@@ -859,7 +858,7 @@ class NedVelocity(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
         v = _NED_VELOCITY_0.read(raw, at)
         at += 34
-        v_ = v[0:3]
+        velocity = v[0:3]
         speed = v[3]
         ground_speed = v[4]
         heading = v[5]
@@ -867,12 +866,12 @@ class NedVelocity(Data):
         heading_accuracy = v[7]
         valid_flags = NedVelocityFlags(v[8])
         return cls(
-            v_, speed, ground_speed, heading, speed_accuracy, heading_accuracy, valid_flags
+            velocity, speed, ground_speed, heading, speed_accuracy, heading_accuracy, valid_flags
         ), at
 
     def _write(self) -> bytes:
         out = _NED_VELOCITY_0.write(
-            *codec.exactly("v_", self.v_, 3),
+            *codec.exactly("velocity", self.velocity, 3),
             self.speed,
             self.ground_speed,
             self.heading,
@@ -883,11 +882,11 @@ class NedVelocity(Data):
         return codec.finished(out)
 
 
-_GNSS_ECEF_VELOCITY_0 = codec.Block("ffffH", *["v_"] * 3, "v_accuracy", "valid_flags")
+_ECEF_VELOCITY_0 = codec.Block("ffffH", *["velocity"] * 3, "velocity_accuracy", "valid_flags")
 
 
 @dataclass(slots=True)
-class GnssEcefVelocity(Data):
+class EcefVelocity(Data):
     """GNSS ECEF velocity (0x91,0x06).
 
     GNSS velocity in Earth-fixed coordinates.
@@ -899,32 +898,32 @@ class GnssEcefVelocity(Data):
 
     SET = 0x91
     DESCRIPTOR = 0x06
-    NAME = "gnss_1.gnss_ecef_velocity"
+    NAME = "gnss_1.ecef_velocity"
     ROLE = "data"
 
-    v_: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
-    `GnssEcefVelocityFlags.VELOCITY` of `valid_flags` is set.
-    """
-    v_accuracy: float
-    """Accuracy of the velocity. Unit: m/s. Valid if `GnssEcefVelocityFlags.VELOCITY_ACCURACY` of
+    velocity: types.Vector3f
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if `EcefVelocityFlags.VELOCITY` of
     `valid_flags` is set.
     """
-    valid_flags: GnssEcefVelocityFlags
+    velocity_accuracy: float
+    """Accuracy of the velocity. Unit: m/s. Valid if `EcefVelocityFlags.VELOCITY_ACCURACY` of
+    `valid_flags` is set.
+    """
+    valid_flags: EcefVelocityFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssEcefVelocity, int]:
-        v = _GNSS_ECEF_VELOCITY_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
+        v = _ECEF_VELOCITY_0.read(raw, at)
         at += 18
-        v_ = v[0:3]
-        v_accuracy = v[3]
-        valid_flags = GnssEcefVelocityFlags(v[4])
-        return cls(v_, v_accuracy, valid_flags), at
+        velocity = v[0:3]
+        velocity_accuracy = v[3]
+        valid_flags = EcefVelocityFlags(v[4])
+        return cls(velocity, velocity_accuracy, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ECEF_VELOCITY_0.write(
-            *codec.exactly("v_", self.v_, 3), self.v_accuracy, self.valid_flags
+        out = _ECEF_VELOCITY_0.write(
+            *codec.exactly("velocity", self.velocity, 3), self.velocity_accuracy, self.valid_flags
         )
         return codec.finished(out)
 
@@ -1274,13 +1273,13 @@ class SvInfo(Data):
         return codec.finished(out)
 
 
-_GNSS_HARDWARE_STATUS_0 = codec.Block(
+_HARDWARE_STATUS_0 = codec.Block(
     "BBBH", "receiver_state", "antenna_state", "antenna_power", "valid_flags"
 )
 
 
 @dataclass(slots=True)
-class GnssHardwareStatus(Data):
+class HardwareStatus(Data):
     """GNSS hardware status (0x91,0x0D).
 
     State of the receiver and of its antenna.
@@ -1292,36 +1291,33 @@ class GnssHardwareStatus(Data):
 
     SET = 0x91
     DESCRIPTOR = 0x0D
-    NAME = "gnss_1.gnss_hardware_status"
+    NAME = "gnss_1.hardware_status"
     ROLE = "data"
 
     receiver_state: ReceiverState
-    """State of the receiver. Valid if `GnssHardwareStatusFlags.SENSOR_STATE` of `valid_flags` is
-    set.
+    """State of the receiver. Valid if `HardwareStatusFlags.SENSOR_STATE` of `valid_flags` is set.
     """
     antenna_state: AntennaState
-    """State of the antenna. Valid if `GnssHardwareStatusFlags.ANTENNA_STATE` of `valid_flags` is
-    set.
+    """State of the antenna. Valid if `HardwareStatusFlags.ANTENNA_STATE` of `valid_flags` is set.
     """
     antenna_power: AntennaPower
-    """Supply of the antenna. Valid if `GnssHardwareStatusFlags.ANTENNA_POWER` of `valid_flags` is
-    set.
+    """Supply of the antenna. Valid if `HardwareStatusFlags.ANTENNA_POWER` of `valid_flags` is set.
     """
-    valid_flags: GnssHardwareStatusFlags
+    valid_flags: HardwareStatusFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssHardwareStatus, int]:
-        v = _GNSS_HARDWARE_STATUS_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[HardwareStatus, int]:
+        v = _HARDWARE_STATUS_0.read(raw, at)
         at += 5
         receiver_state = ReceiverState(v[0])
         antenna_state = AntennaState(v[1])
         antenna_power = AntennaPower(v[2])
-        valid_flags = GnssHardwareStatusFlags(v[3])
+        valid_flags = HardwareStatusFlags(v[3])
         return cls(receiver_state, antenna_state, antenna_power, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _GNSS_HARDWARE_STATUS_0.write(
+        out = _HARDWARE_STATUS_0.write(
             self.receiver_state, self.antenna_state, self.antenna_power, self.valid_flags
         )
         return codec.finished(out)
@@ -1551,14 +1547,7 @@ class GpsLeapSeconds(Data):
 
 
 _SBAS_INFO_0 = codec.Block(
-    "dHBBBBH",
-    "time_of_week",
-    "week_number",
-    "sbas_system",
-    "sbas_id",
-    "count",
-    "sbas_status",
-    "valid_flags",
+    "dHBBBBH", "tow", "week_number", "sbas_system", "sbas_id", "count", "sbas_status", "valid_flags"
 )
 
 
@@ -1578,7 +1567,7 @@ class SbasInfo(Data):
     NAME = "gnss_1.sbas_info"
     ROLE = "data"
 
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s. Valid if `SbasInfoFlags.TOW` of `valid_flags` is set."""
     week_number: int
     """GPS week number. Unit: week. Valid if `SbasInfoFlags.WEEK_NUMBER` of `valid_flags` is set."""
@@ -1598,20 +1587,18 @@ class SbasInfo(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[SbasInfo, int]:
         v = _SBAS_INFO_0.read(raw, at)
         at += 16
-        time_of_week = v[0]
+        tow = v[0]
         week_number = v[1]
         sbas_system = SbasSystem(v[2])
         sbas_id = v[3]
         count = v[4]
         sbas_status = SbasStatus(v[5])
         valid_flags = SbasInfoFlags(v[6])
-        return cls(
-            time_of_week, week_number, sbas_system, sbas_id, count, sbas_status, valid_flags
-        ), at
+        return cls(tow, week_number, sbas_system, sbas_id, count, sbas_status, valid_flags), at
 
     def _write(self) -> bytes:
         out = _SBAS_INFO_0.write(
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.sbas_system,
             self.sbas_id,
@@ -1782,7 +1769,7 @@ _SATELLITE_STATUS_0 = codec.Block(
     "BBdHBBffBH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "gnss_id",
     "satellite_id",
@@ -1815,7 +1802,7 @@ class SatelliteStatus(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s. Valid if `SatelliteStatusFlags.TOW` of `valid_flags` is set."""
     week_number: int
     """GPS week number. Unit: week. Valid if `SatelliteStatusFlags.WEEK_NUMBER` of `valid_flags` is
@@ -1848,7 +1835,7 @@ class SatelliteStatus(Data):
         at += 25
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         gnss_id = types.GnssConstellation(v[4])
         satellite_id = v[5]
@@ -1859,7 +1846,7 @@ class SatelliteStatus(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             gnss_id,
             satellite_id,
@@ -1873,7 +1860,7 @@ class SatelliteStatus(Data):
         out = _SATELLITE_STATUS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.gnss_id,
             self.satellite_id,
@@ -1889,7 +1876,7 @@ _RAW_0 = codec.Block(
     "BBdHHBBBBfBddfffffH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "receiver_id",
     "tracking_channel",
@@ -1901,9 +1888,9 @@ _RAW_0 = codec.Block(
     "pseudorange",
     "carrier_phase",
     "doppler",
-    "range_uncert",
-    "phase_uncert",
-    "doppler_uncert",
+    "range_uncertainty",
+    "phase_uncertainty",
+    "doppler_uncertainty",
     "lock_time",
     "valid_flags",
 )
@@ -1932,7 +1919,7 @@ class Raw(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s. Valid if `RawFlags.TOW` of `valid_flags` is set."""
     week_number: int
     """GPS week number. Unit: week. Valid if `RawFlags.WEEK_NUMBER` of `valid_flags` is set."""
@@ -1963,15 +1950,15 @@ class Raw(Data):
     """Carrier phase. Unit: cycle. Valid if `RawFlags.CARRIER_PHASE` of `valid_flags` is set."""
     doppler: float
     """Doppler shift. Unit: Hz. Valid if `RawFlags.DOPPLER` of `valid_flags` is set."""
-    range_uncert: float
+    range_uncertainty: float
     """Uncertainty of the pseudorange. Unit: m. Valid if `RawFlags.RANGE_UNCERTAINTY` of
     `valid_flags` is set.
     """
-    phase_uncert: float
+    phase_uncertainty: float
     """Uncertainty of the carrier phase. Unit: cycle. Valid if `RawFlags.CARRIER_PHASE_UNCERTAINTY`
     of `valid_flags` is set.
     """
-    doppler_uncert: float
+    doppler_uncertainty: float
     """Uncertainty of the Doppler shift. Unit: Hz. Valid if `RawFlags.DOPPLER_UNCERTAINTY` of
     `valid_flags` is set.
     """
@@ -1988,7 +1975,7 @@ class Raw(Data):
         at += 61
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         receiver_id = v[4]
         tracking_channel = v[5]
@@ -2000,15 +1987,15 @@ class Raw(Data):
         pseudorange = v[11]
         carrier_phase = v[12]
         doppler = v[13]
-        range_uncert = v[14]
-        phase_uncert = v[15]
-        doppler_uncert = v[16]
+        range_uncertainty = v[14]
+        phase_uncertainty = v[15]
+        doppler_uncertainty = v[16]
         lock_time = v[17]
         valid_flags = RawFlags(v[18])
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             receiver_id,
             tracking_channel,
@@ -2020,9 +2007,9 @@ class Raw(Data):
             pseudorange,
             carrier_phase,
             doppler,
-            range_uncert,
-            phase_uncert,
-            doppler_uncert,
+            range_uncertainty,
+            phase_uncertainty,
+            doppler_uncertainty,
             lock_time,
             valid_flags,
         ), at
@@ -2031,7 +2018,7 @@ class Raw(Data):
         out = _RAW_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.receiver_id,
             self.tracking_channel,
@@ -2043,9 +2030,9 @@ class Raw(Data):
             self.pseudorange,
             self.carrier_phase,
             self.doppler,
-            self.range_uncert,
-            self.phase_uncert,
-            self.doppler_uncert,
+            self.range_uncertainty,
+            self.phase_uncertainty,
+            self.doppler_uncertainty,
             self.lock_time,
             self.valid_flags,
         )
@@ -2054,9 +2041,9 @@ class Raw(Data):
 
 _BASE_STATION_INFO_0 = codec.Block(
     "dHdddfHHH",
-    "time_of_week",
+    "tow",
     "week_number",
-    *["ecef_pos"] * 3,
+    *["ecef_position"] * 3,
     "height",
     "station_id",
     "indicators",
@@ -2078,7 +2065,7 @@ class BaseStationInfo(Data):
     NAME = "gnss_1.base_station_info"
     ROLE = "data"
 
-    time_of_week: float
+    tow: float
     """GPS time of week at which the message was received. Unit: s. Valid if
     `BaseStationInfoFlags.TOW` of `valid_flags` is set.
     """
@@ -2086,7 +2073,7 @@ class BaseStationInfo(Data):
     """GPS week number. Unit: week. Valid if `BaseStationInfoFlags.WEEK_NUMBER` of `valid_flags` is
     set.
     """
-    ecef_pos: types.Vector3d
+    ecef_position: types.Vector3d
     """Position of the station. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
     `BaseStationInfoFlags.ECEF_POSITION` of `valid_flags` is set.
     """
@@ -2109,22 +2096,20 @@ class BaseStationInfo(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[BaseStationInfo, int]:
         v = _BASE_STATION_INFO_0.read(raw, at)
         at += 44
-        time_of_week = v[0]
+        tow = v[0]
         week_number = v[1]
-        ecef_pos = v[2:5]
+        ecef_position = v[2:5]
         height = v[5]
         station_id = v[6]
         indicators = BaseStationIndicators(v[7])
         valid_flags = BaseStationInfoFlags(v[8])
-        return cls(
-            time_of_week, week_number, ecef_pos, height, station_id, indicators, valid_flags
-        ), at
+        return cls(tow, week_number, ecef_position, height, station_id, indicators, valid_flags), at
 
     def _write(self) -> bytes:
         out = _BASE_STATION_INFO_0.write(
-            self.time_of_week,
+            self.tow,
             self.week_number,
-            *codec.exactly("ecef_pos", self.ecef_pos, 3),
+            *codec.exactly("ecef_position", self.ecef_position, 3),
             self.height,
             self.station_id,
             self.indicators,
@@ -2135,7 +2120,7 @@ class BaseStationInfo(Data):
 
 _RTK_CORRECTIONS_STATUS_0 = codec.Block(
     "dHHIffffIIIIH",
-    "time_of_week",
+    "tow",
     "week_number",
     "epoch_status",
     "dongle_status",
@@ -2162,7 +2147,7 @@ class RtkCorrectionsStatus(Data):
     NAME = "gnss_1.rtk_corrections_status"
     ROLE = "data"
 
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s. Valid if `RtkCorrectionsStatusFlags.TOW` of `valid_flags` is set.
     """
     week_number: int
@@ -2203,7 +2188,7 @@ class RtkCorrectionsStatus(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[RtkCorrectionsStatus, int]:
         v = _RTK_CORRECTIONS_STATUS_0.read(raw, at)
         at += 50
-        time_of_week = v[0]
+        tow = v[0]
         week_number = v[1]
         epoch_status = RtkEpochStatus(v[2])
         dongle_status = types.RtkStatusFlags(v[3])
@@ -2214,7 +2199,7 @@ class RtkCorrectionsStatus(Data):
         reserved = v[8:12]
         valid_flags = RtkCorrectionsStatusFlags(v[12])
         return cls(
-            time_of_week,
+            tow,
             week_number,
             epoch_status,
             dongle_status,
@@ -2228,7 +2213,7 @@ class RtkCorrectionsStatus(Data):
 
     def _write(self) -> bytes:
         out = _RTK_CORRECTIONS_STATUS_0.write(
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.epoch_status,
             self.dongle_status,
@@ -2246,11 +2231,11 @@ _GPS_EPHEMERIS_0 = codec.Block(
     "BBdHBBBBdddddddddddddddddddddddddH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
     "health",
-    "iodec",
+    "iodc",
     "iode",
     "t_oc",
     "af0",
@@ -2289,7 +2274,7 @@ class GpsEphemeris(Data):
 
     Supported by 3DM-CV7-GNSS/INS.
 
-    iodec changes with the clock data; the manual has it roll over at 4.
+    iodc changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
     """
@@ -2303,7 +2288,7 @@ class GpsEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s."""
     week_number: int
     """GPS week number. Unit: week."""
@@ -2312,7 +2297,7 @@ class GpsEphemeris(Data):
     health: int
     """Health of satellite and signals. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
-    iodec: int
+    iodc: int
     """Issue of data, clock. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     iode: int
     """Issue of data, ephemeris. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
@@ -2409,11 +2394,11 @@ class GpsEphemeris(Data):
         at += 218
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
         health = v[5]
-        iodec = v[6]
+        iodc = v[6]
         iode = v[7]
         t_oc = v[8]
         af0 = v[9]
@@ -2444,11 +2429,11 @@ class GpsEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
             health,
-            iodec,
+            iodc,
             iode,
             t_oc,
             af0,
@@ -2482,11 +2467,11 @@ class GpsEphemeris(Data):
         out = _GPS_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
             self.health,
-            self.iodec,
+            self.iodc,
             self.iode,
             self.t_oc,
             self.af0,
@@ -2522,18 +2507,18 @@ _GLONASS_EPHEMERIS_0 = codec.Block(
     "BBdHBbIIBdddddffffffBBBfBBBBBBH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
-    "freq_number",
+    "frequency_number",
     "tk",
     "tb",
-    "sat_type",
+    "satellite_type",
     "gamma",
     "tau_n",
-    *["x"] * 3,
-    *["v_"] * 3,
-    *["a"] * 3,
+    *["position"] * 3,
+    *["velocity"] * 3,
+    *["accel"] * 3,
     "health",
     "p",
     "nt",
@@ -2571,13 +2556,13 @@ class GlonassEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s."""
     week_number: int
     """GPS week number. Unit: week."""
     satellite_id: int
     """Satellite within the constellation."""
-    freq_number: int
+    frequency_number: int
     """GLONASS frequency number. Range: -7 to 24. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
     `valid_flags` is set.
     """
@@ -2589,7 +2574,7 @@ class GlonassEphemeris(Data):
     """Reference time of the ephemeris. Unit: s. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
     `valid_flags` is set.
     """
-    sat_type: GlonassSatelliteType
+    satellite_type: GlonassSatelliteType
     """Generation of the satellite (M). Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags`
     is set.
     """
@@ -2601,15 +2586,15 @@ class GlonassEphemeris(Data):
     """Correction of the satellite time relative to GLONASS time. Unit: s. Valid if
     `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
-    x: types.Vector3d
+    position: types.Vector3d
     """Position of the satellite in PZ-90. Elements: x, y, z. Unit: m. Valid if
     `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
-    v_: types.Vector3f
+    velocity: types.Vector3f
     """Velocity of the satellite in PZ-90. Elements: x, y, z. Unit: m/s. Valid if
     `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
-    a: types.Vector3f
+    accel: types.Vector3f
     """Acceleration of the satellite by perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
     Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
@@ -2662,18 +2647,18 @@ class GlonassEphemeris(Data):
         at += 102
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
-        freq_number = v[5]
+        frequency_number = v[5]
         tk = v[6]
         tb = v[7]
-        sat_type = GlonassSatelliteType(v[8])
+        satellite_type = GlonassSatelliteType(v[8])
         gamma = v[9]
         tau_n = v[10]
-        x = v[11:14]
-        v_ = v[14:17]
-        a = v[17:20]
+        position = v[11:14]
+        velocity = v[14:17]
+        accel = v[17:20]
         health = v[20]
         p = v[21]
         nt = v[22]
@@ -2688,18 +2673,18 @@ class GlonassEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
-            freq_number,
+            frequency_number,
             tk,
             tb,
-            sat_type,
+            satellite_type,
             gamma,
             tau_n,
-            x,
-            v_,
-            a,
+            position,
+            velocity,
+            accel,
             health,
             p,
             nt,
@@ -2717,18 +2702,18 @@ class GlonassEphemeris(Data):
         out = _GLONASS_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
-            self.freq_number,
+            self.frequency_number,
             self.tk,
             self.tb,
-            self.sat_type,
+            self.satellite_type,
             self.gamma,
             self.tau_n,
-            *codec.exactly("x", self.x, 3),
-            *codec.exactly("v_", self.v_, 3),
-            *codec.exactly("a", self.a, 3),
+            *codec.exactly("position", self.position, 3),
+            *codec.exactly("velocity", self.velocity, 3),
+            *codec.exactly("accel", self.accel, 3),
             self.health,
             self.p,
             self.nt,
@@ -2748,11 +2733,11 @@ _GALILEO_EPHEMERIS_0 = codec.Block(
     "BBdHBBBBdddddddddddddddddddddddddH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
     "health",
-    "iodec",
+    "iodc",
     "iode",
     "t_oc",
     "af0",
@@ -2792,7 +2777,7 @@ class GalileoEphemeris(Data):
     Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. iodec changes with the clock data; the manual has it roll over at 4.
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
     """
@@ -2806,7 +2791,7 @@ class GalileoEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s."""
     week_number: int
     """GPS week number. Unit: week."""
@@ -2815,7 +2800,7 @@ class GalileoEphemeris(Data):
     health: int
     """Health of satellite and signals. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
-    iodec: int
+    iodc: int
     """Issue of data, clock. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     iode: int
     """Issue of data, ephemeris. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
@@ -2912,11 +2897,11 @@ class GalileoEphemeris(Data):
         at += 218
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
         health = v[5]
-        iodec = v[6]
+        iodc = v[6]
         iode = v[7]
         t_oc = v[8]
         af0 = v[9]
@@ -2947,11 +2932,11 @@ class GalileoEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
             health,
-            iodec,
+            iodc,
             iode,
             t_oc,
             af0,
@@ -2985,11 +2970,11 @@ class GalileoEphemeris(Data):
         out = _GALILEO_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
             self.health,
-            self.iodec,
+            self.iodc,
             self.iode,
             self.t_oc,
             self.af0,
@@ -3025,11 +3010,11 @@ _BEIDOU_EPHEMERIS_0 = codec.Block(
     "BBdHBBBBdddddddddddddddddddddddddH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
     "health",
-    "iodec",
+    "iodc",
     "iode",
     "t_oc",
     "af0",
@@ -3069,7 +3054,7 @@ class BeidouEphemeris(Data):
     Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. iodec changes with the clock data; the manual has it roll over at 4.
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
     """
@@ -3083,7 +3068,7 @@ class BeidouEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s."""
     week_number: int
     """GPS week number. Unit: week."""
@@ -3092,7 +3077,7 @@ class BeidouEphemeris(Data):
     health: int
     """Health of satellite and signals. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
-    iodec: int
+    iodc: int
     """Issue of data, clock. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     iode: int
     """Issue of data, ephemeris. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
@@ -3189,11 +3174,11 @@ class BeidouEphemeris(Data):
         at += 218
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
         health = v[5]
-        iodec = v[6]
+        iodc = v[6]
         iode = v[7]
         t_oc = v[8]
         af0 = v[9]
@@ -3224,11 +3209,11 @@ class BeidouEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
             health,
-            iodec,
+            iodc,
             iode,
             t_oc,
             af0,
@@ -3262,11 +3247,11 @@ class BeidouEphemeris(Data):
         out = _BEIDOU_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
             self.health,
-            self.iodec,
+            self.iodc,
             self.iode,
             self.t_oc,
             self.af0,
@@ -3495,17 +3480,17 @@ class BeidouIonoCorrection(Data):
 
 #: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0x03: (GnssLlhPosition,),
-    0x04: (GnssEcefPosition,),
+    0x03: (LlhPosition,),
+    0x04: (EcefPosition,),
     0x05: (NedVelocity,),
-    0x06: (GnssEcefVelocity,),
+    0x06: (EcefVelocity,),
     0x07: (Dop,),
     0x08: (UtcTime,),
     0x09: (GpsTime,),
     0x0A: (ClockInfo,),
     0x0B: (FixInfo,),
     0x0C: (SvInfo,),
-    0x0D: (GnssHardwareStatus,),
+    0x0D: (HardwareStatus,),
     0x0E: (DgpsInfo,),
     0x0F: (DgpsChannel,),
     0x10: (ClockInfo2,),

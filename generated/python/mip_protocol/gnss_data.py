@@ -11,12 +11,12 @@ from . import gnss_1
 from .field import Field
 
 
-class GnssLlhPosition(gnss_1.GnssLlhPosition):
+class LlhPosition(gnss_1.LlhPosition):
     """GNSS LLH position (0x81,0x03).
 
     GNSS position as latitude, longitude and height.
 
-    Has the layout of `gnss_1.GnssLlhPosition`. Also called `pos_llh`.
+    Has the layout of `gnss_1.LlhPosition`. Also called `pos_llh`.
 
     - mip-sdk-4: Gnss Data (0x81)
     """
@@ -24,15 +24,15 @@ class GnssLlhPosition(gnss_1.GnssLlhPosition):
     __slots__ = ()
 
     SET = 0x81
-    NAME = "gnss_data.gnss_llh_position"
+    NAME = "gnss_data.llh_position"
 
 
-class GnssEcefPosition(gnss_1.GnssEcefPosition):
+class EcefPosition(gnss_1.EcefPosition):
     """GNSS ECEF position (0x81,0x04).
 
     GNSS position in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.GnssEcefPosition`. Also called `pos_ecef`.
+    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`.
 
     - mip-sdk-4: Gnss Data (0x81)
     """
@@ -40,7 +40,7 @@ class GnssEcefPosition(gnss_1.GnssEcefPosition):
     __slots__ = ()
 
     SET = 0x81
-    NAME = "gnss_data.gnss_ecef_position"
+    NAME = "gnss_data.ecef_position"
 
 
 class NedVelocity(gnss_1.NedVelocity):
@@ -59,12 +59,12 @@ class NedVelocity(gnss_1.NedVelocity):
     NAME = "gnss_data.ned_velocity"
 
 
-class GnssEcefVelocity(gnss_1.GnssEcefVelocity):
+class EcefVelocity(gnss_1.EcefVelocity):
     """GNSS ECEF velocity (0x81,0x06).
 
     GNSS velocity in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.GnssEcefVelocity`. Also called `vel_ecef`.
+    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`.
 
     - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
     """
@@ -72,7 +72,7 @@ class GnssEcefVelocity(gnss_1.GnssEcefVelocity):
     __slots__ = ()
 
     SET = 0x81
-    NAME = "gnss_data.gnss_ecef_velocity"
+    NAME = "gnss_data.ecef_velocity"
 
 
 class Dop(gnss_1.Dop):
@@ -176,12 +176,12 @@ class SvInfo(gnss_1.SvInfo):
     NAME = "gnss_data.sv_info"
 
 
-class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
+class HardwareStatus(gnss_1.HardwareStatus):
     """GNSS hardware status (0x81,0x0D).
 
     State of the receiver and of its antenna.
 
-    Has the layout of `gnss_1.GnssHardwareStatus`. Also called `hw_status`.
+    Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`.
 
     - mip-sdk-4: Gnss Data (0x81)
     """
@@ -189,7 +189,7 @@ class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
     __slots__ = ()
 
     SET = 0x81
-    NAME = "gnss_data.gnss_hardware_status"
+    NAME = "gnss_data.hardware_status"
 
 
 class DgpsInfo(gnss_1.DgpsInfo):
@@ -392,7 +392,7 @@ class GpsEphemeris(gnss_1.GpsEphemeris):
 
     Has the layout of `gnss_1.GpsEphemeris`.
 
-    iodec changes with the clock data; the manual has it roll over at 4.
+    iodc changes with the clock data; the manual has it roll over at 4.
 
     - mip-sdk-4: Gnss Data (0x81)
     """
@@ -430,7 +430,7 @@ class GalileoEphemeris(gnss_1.GalileoEphemeris):
     Has the layout of `gnss_1.GalileoEphemeris`.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. iodec changes with the clock data; the manual has it roll over at 4.
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
 
     - mip-sdk-4: Gnss Data (0x81)
     """
@@ -449,7 +449,7 @@ class BeidouEphemeris(gnss_1.BeidouEphemeris):
     Has the layout of `gnss_1.BeidouEphemeris`.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. iodec changes with the clock data; the manual has it roll over at 4.
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
 
     - mip-sdk-4: Gnss Data (0x81)
     """
@@ -510,17 +510,17 @@ class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
 
 #: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0x03: (GnssLlhPosition,),
-    0x04: (GnssEcefPosition,),
+    0x03: (LlhPosition,),
+    0x04: (EcefPosition,),
     0x05: (NedVelocity,),
-    0x06: (GnssEcefVelocity,),
+    0x06: (EcefVelocity,),
     0x07: (Dop,),
     0x08: (UtcTime,),
     0x09: (GpsTime,),
     0x0A: (ClockInfo,),
     0x0B: (FixInfo,),
     0x0C: (SvInfo,),
-    0x0D: (GnssHardwareStatus,),
+    0x0D: (HardwareStatus,),
     0x0E: (DgpsInfo,),
     0x0F: (DgpsChannel,),
     0x10: (ClockInfo2,),

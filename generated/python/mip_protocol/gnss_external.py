@@ -13,13 +13,12 @@ from . import gnss_1
 from .field import Field
 
 
-class GnssLlhPosition(gnss_1.GnssLlhPosition):
+class LlhPosition(gnss_1.LlhPosition):
     """GNSS LLH position (0x94,0x03).
 
     GNSS position as latitude, longitude and height.
 
-    Has the layout of `gnss_1.GnssLlhPosition`. Also called `pos_llh`. Supported by
-    3DM-CV7-GNSS/INS.
+    Has the layout of `gnss_1.LlhPosition`. Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03)
     """
@@ -27,15 +26,15 @@ class GnssLlhPosition(gnss_1.GnssLlhPosition):
     __slots__ = ()
 
     SET = 0x94
-    NAME = "gnss_external.gnss_llh_position"
+    NAME = "gnss_external.llh_position"
 
 
-class GnssEcefPosition(gnss_1.GnssEcefPosition):
+class EcefPosition(gnss_1.EcefPosition):
     """GNSS ECEF position (0x94,0x04).
 
     GNSS position in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.GnssEcefPosition`. Also called `pos_ecef`.
+    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -43,7 +42,7 @@ class GnssEcefPosition(gnss_1.GnssEcefPosition):
     __slots__ = ()
 
     SET = 0x94
-    NAME = "gnss_external.gnss_ecef_position"
+    NAME = "gnss_external.ecef_position"
 
 
 class NedVelocity(gnss_1.NedVelocity):
@@ -62,12 +61,12 @@ class NedVelocity(gnss_1.NedVelocity):
     NAME = "gnss_external.ned_velocity"
 
 
-class GnssEcefVelocity(gnss_1.GnssEcefVelocity):
+class EcefVelocity(gnss_1.EcefVelocity):
     """GNSS ECEF velocity (0x94,0x06).
 
     GNSS velocity in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.GnssEcefVelocity`. Also called `vel_ecef`.
+    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -75,7 +74,7 @@ class GnssEcefVelocity(gnss_1.GnssEcefVelocity):
     __slots__ = ()
 
     SET = 0x94
-    NAME = "gnss_external.gnss_ecef_velocity"
+    NAME = "gnss_external.ecef_velocity"
 
 
 class Dop(gnss_1.Dop):
@@ -179,12 +178,12 @@ class SvInfo(gnss_1.SvInfo):
     NAME = "gnss_external.sv_info"
 
 
-class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
+class HardwareStatus(gnss_1.HardwareStatus):
     """GNSS hardware status (0x94,0x0D).
 
     State of the receiver and of its antenna.
 
-    Has the layout of `gnss_1.GnssHardwareStatus`. Also called `hw_status`.
+    Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -192,7 +191,7 @@ class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
     __slots__ = ()
 
     SET = 0x94
-    NAME = "gnss_external.gnss_hardware_status"
+    NAME = "gnss_external.hardware_status"
 
 
 class DgpsInfo(gnss_1.DgpsInfo):
@@ -394,7 +393,7 @@ class GpsEphemeris(gnss_1.GpsEphemeris):
 
     Has the layout of `gnss_1.GpsEphemeris`.
 
-    iodec changes with the clock data; the manual has it roll over at 4.
+    iodc changes with the clock data; the manual has it roll over at 4.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -432,7 +431,7 @@ class GalileoEphemeris(gnss_1.GalileoEphemeris):
     Has the layout of `gnss_1.GalileoEphemeris`.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. iodec changes with the clock data; the manual has it roll over at 4.
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -451,7 +450,7 @@ class BeidouEphemeris(gnss_1.BeidouEphemeris):
     Has the layout of `gnss_1.BeidouEphemeris`.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. iodec changes with the clock data; the manual has it roll over at 4.
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -512,17 +511,17 @@ class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
 
 #: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0x03: (GnssLlhPosition,),
-    0x04: (GnssEcefPosition,),
+    0x03: (LlhPosition,),
+    0x04: (EcefPosition,),
     0x05: (NedVelocity,),
-    0x06: (GnssEcefVelocity,),
+    0x06: (EcefVelocity,),
     0x07: (Dop,),
     0x08: (UtcTime,),
     0x09: (GpsTime,),
     0x0A: (ClockInfo,),
     0x0B: (FixInfo,),
     0x0C: (SvInfo,),
-    0x0D: (GnssHardwareStatus,),
+    0x0D: (HardwareStatus,),
     0x0E: (DgpsInfo,),
     0x0F: (DgpsChannel,),
     0x10: (ClockInfo2,),

@@ -180,7 +180,7 @@ class PpsSource(codec.OpenEnum):
     """From the oscillator of the device."""
 
 
-class SupportedEventsQuery(codec.OpenEnum):
+class EventSupportQuery(codec.OpenEnum):
     """Which part of the event system is asked about.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
@@ -192,11 +192,11 @@ class SupportedEventsQuery(codec.OpenEnum):
     """Actions."""
 
 
-_SUPPORTED_EVENT_INFO_0 = codec.Block("BB", "type", "count")
+_EVENT_SUPPORT_INFO_0 = codec.Block("BB", "type", "count")
 
 
 @dataclass(slots=True)
-class SupportedEventInfo(Structure):
+class EventSupportInfo(Structure):
     """How many instances of one trigger or action type a device can have.
 
     - 3dm-cv7-gnss-ins: Info
@@ -208,15 +208,15 @@ class SupportedEventInfo(Structure):
     """Instances of this type at most. Unit: 1."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SupportedEventInfo, int]:
-        v = _SUPPORTED_EVENT_INFO_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[EventSupportInfo, int]:
+        v = _EVENT_SUPPORT_INFO_0.read(raw, at)
         at += 2
         type = v[0]
         count = v[1]
         return cls(type, count), at
 
     def _write(self) -> bytes:
-        out = _SUPPORTED_EVENT_INFO_0.write(self.type, self.count)
+        out = _EVENT_SUPPORT_INFO_0.write(self.type, self.count)
         return out
 
 
@@ -302,7 +302,7 @@ class SensorRangeType(codec.OpenEnum):
     """Gyroscope; degrees per second."""
     MAG = 3
     """Magnetometer; gauss."""
-    PRESS = 4
+    PRESSURE = 4
     """Pressure sensor; hectopascals, that is millibars."""
 
 
@@ -442,22 +442,21 @@ class GnssMessageFormatResponse(Response):
         return codec.finished(out)
 
 
-_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
+_FILTER_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 
 
 @dataclass(slots=True)
-class EstimationFilterMessageFormatResponse(Response):
+class FilterMessageFormatResponse(Response):
     """Estimation Filter Message Format response (0x0C,0x82).
 
-    Also called `filter_message_format_response`. Answers `EstimationFilterMessageFormat`. Supported
-    by 3DM-GX5-15.
+    Answers `FilterMessageFormat`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x82
-    NAME = "3dm.estimation_filter_message_format_response"
+    NAME = "3dm.filter_message_format_response"
     ROLE = "response"
 
     # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
@@ -465,8 +464,8 @@ class EstimationFilterMessageFormatResponse(Response):
     """Fields and decimations."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EstimationFilterMessageFormatResponse, int]:
-        v = _ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[FilterMessageFormatResponse, int]:
+        v = _FILTER_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         num_descriptors = v[0]
         n = codec.counted(raw, at, num_descriptors, 3, 84)
@@ -474,7 +473,7 @@ class EstimationFilterMessageFormatResponse(Response):
         return cls(descriptors), at
 
     def _write(self) -> bytes:
-        out = _ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0.write(
+        out = _FILTER_MESSAGE_FORMAT_RESPONSE_0.write(
             codec.count("descriptors", self.descriptors, 84)
         )
         out += codec.write_structures(
@@ -483,71 +482,71 @@ class EstimationFilterMessageFormatResponse(Response):
         return codec.finished(out)
 
 
-_GET_IMU_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
+_GET_IMU_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 
 
 @dataclass(slots=True)
-class GetImuDataBaseRateResponse(Response):
+class GetImuBaseRateResponse(Response):
     """Get IMU Data Base Rate response (0x0C,0x83).
 
-    Also called `imu_get_base_rate_response`. Answers `GetImuDataBaseRate`. Supported by 3DM-GX5-15.
+    Also called `imu_get_base_rate_response`. Answers `GetImuBaseRate`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x83
-    NAME = "3dm.get_imu_data_base_rate_response"
+    NAME = "3dm.get_imu_base_rate_response"
     ROLE = "response"
 
     rate: int
     """Base rate of the sensor data. Unit: Hz."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetImuDataBaseRateResponse, int]:
-        v = _GET_IMU_DATA_BASE_RATE_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GetImuBaseRateResponse, int]:
+        v = _GET_IMU_BASE_RATE_RESPONSE_0.read(raw, at)
         at += 2
         rate = v[0]
         return cls(rate), at
 
     def _write(self) -> bytes:
-        out = _GET_IMU_DATA_BASE_RATE_RESPONSE_0.write(self.rate)
+        out = _GET_IMU_BASE_RATE_RESPONSE_0.write(self.rate)
         return codec.finished(out)
 
 
-_GET_GNSS_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
+_GET_GNSS_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 
 
 @dataclass(slots=True)
-class GetGnssDataBaseRateResponse(Response):
+class GetGnssBaseRateResponse(Response):
     """Get GNSS Data Base Rate response (0x0C,0x84).
 
-    Also called `gnss_get_base_rate_response`. Answers `GetGnssDataBaseRate`.
+    Also called `gnss_get_base_rate_response`. Answers `GetGnssBaseRate`.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x84
-    NAME = "3dm.get_gnss_data_base_rate_response"
+    NAME = "3dm.get_gnss_base_rate_response"
     ROLE = "response"
 
     rate: int
     """Base rate of the GNSS data. Unit: Hz."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetGnssDataBaseRateResponse, int]:
-        v = _GET_GNSS_DATA_BASE_RATE_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GetGnssBaseRateResponse, int]:
+        v = _GET_GNSS_BASE_RATE_RESPONSE_0.read(raw, at)
         at += 2
         rate = v[0]
         return cls(rate), at
 
     def _write(self) -> bytes:
-        out = _GET_GNSS_DATA_BASE_RATE_RESPONSE_0.write(self.rate)
+        out = _GET_GNSS_BASE_RATE_RESPONSE_0.write(self.rate)
         return codec.finished(out)
 
 
-_DATA_STREAM_CONTROL_RESPONSE_0 = codec.Block("BB", "desc_set", "enabled")
+_DATA_STREAM_CONTROL_RESPONSE_0 = codec.Block("BB", "descriptor_set", "enabled")
 
 
 @dataclass(slots=True)
@@ -565,9 +564,9 @@ class DataStreamControlResponse(Response):
     DESCRIPTOR = 0x85
     NAME = "3dm.data_stream_control_response"
     ROLE = "response"
-    READINGS = {"desc_set": ("device", {"3dm-gx5-15": LegacyDataStream})}
+    READINGS = {"descriptor_set": ("device", {"3dm-gx5-15": LegacyDataStream})}
 
-    desc_set: int
+    descriptor_set: int
     """Stream of the command.
 
     - On the 3DM-GX5-15: values of `LegacyDataStream`.
@@ -579,12 +578,12 @@ class DataStreamControlResponse(Response):
     def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControlResponse, int]:
         v = _DATA_STREAM_CONTROL_RESPONSE_0.read(raw, at)
         at += 2
-        desc_set = v[0]
+        descriptor_set = v[0]
         enabled = codec.truth(v[1])
-        return cls(desc_set, enabled), at
+        return cls(descriptor_set, enabled), at
 
     def _write(self) -> bytes:
-        out = _DATA_STREAM_CONTROL_RESPONSE_0.write(self.desc_set, self.enabled)
+        out = _DATA_STREAM_CONTROL_RESPONSE_0.write(self.descriptor_set, self.enabled)
         return codec.finished(out)
 
 
@@ -622,49 +621,49 @@ class UartBaudRateResponse(Response):
         return codec.finished(out)
 
 
-_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
+_GET_FILTER_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 
 
 @dataclass(slots=True)
-class GetEstimationFilterDataBaseRateResponse(Response):
+class GetFilterBaseRateResponse(Response):
     """Get Estimation Filter Data Base Rate response (0x0C,0x8A).
 
-    Also called `filter_get_base_rate_response`. Answers `GetEstimationFilterDataBaseRate`.
-    Supported by 3DM-GX5-15.
+    Also called `filter_get_base_rate_response`. Answers `GetFilterBaseRate`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x8A
-    NAME = "3dm.get_estimation_filter_data_base_rate_response"
+    NAME = "3dm.get_filter_base_rate_response"
     ROLE = "response"
 
     rate: int
     """Base rate of the filter data. Unit: Hz."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetEstimationFilterDataBaseRateResponse, int]:
-        v = _GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GetFilterBaseRateResponse, int]:
+        v = _GET_FILTER_BASE_RATE_RESPONSE_0.read(raw, at)
         at += 2
         rate = v[0]
         return cls(rate), at
 
     def _write(self) -> bytes:
-        out = _GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_0.write(self.rate)
+        out = _GET_FILTER_BASE_RATE_RESPONSE_0.write(self.rate)
         return codec.finished(out)
 
 
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_0 = codec.Block(
+_IMU_LOW_PASS_FILTER_RESPONSE_0 = codec.Block(
     "BBBHB", "target_descriptor", "enable", "manual", "frequency", "reserved"
 )
 
 
 @dataclass(slots=True)
-class AdvancedLowPassFilterSettingsResponse(Response):
+class ImuLowPassFilterResponse(Response):
     """Advanced Low-Pass Filter Settings response (0x0C,0x8B).
 
-    Also called `imu_lowpass_filter_response`. Answers `AdvancedLowPassFilterSettings`. Supported by
+    Also called `imu_lowpass_filter_response`. Answers `ImuLowPassFilter`. Supported by
     3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
@@ -673,7 +672,7 @@ class AdvancedLowPassFilterSettingsResponse(Response):
 
     SET = 0x0C
     DESCRIPTOR = 0x8B
-    NAME = "3dm.advanced_low_pass_filter_settings_response"
+    NAME = "3dm.imu_low_pass_filter_response"
     ROLE = "response"
 
     target_descriptor: int
@@ -691,8 +690,8 @@ class AdvancedLowPassFilterSettingsResponse(Response):
     """Reserved."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AdvancedLowPassFilterSettingsResponse, int]:
-        v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuLowPassFilterResponse, int]:
+        v = _IMU_LOW_PASS_FILTER_RESPONSE_0.read(raw, at)
         at += 6
         target_descriptor = v[0]
         enable = codec.truth(v[1])
@@ -702,7 +701,7 @@ class AdvancedLowPassFilterSettingsResponse(Response):
         return cls(target_descriptor, enable, manual, frequency, reserved), at
 
     def _write(self) -> bytes:
-        out = _ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_0.write(
+        out = _IMU_LOW_PASS_FILTER_RESPONSE_0.write(
             self.target_descriptor, self.enable, self.manual, self.frequency, self.reserved
         )
         return codec.finished(out)
@@ -750,42 +749,42 @@ class NmeaMessageFormatResponse(Response):
         return codec.finished(out)
 
 
-_GET_DATA_BASE_RATE_RESPONSE_0 = codec.Block("BH", "desc_set", "rate")
+_GET_BASE_RATE_RESPONSE_0 = codec.Block("BH", "descriptor_set", "rate")
 
 
 @dataclass(slots=True)
-class GetDataBaseRateResponse(Response):
+class GetBaseRateResponse(Response):
     """Get Data Base Rate response (0x0C,0x8E).
 
-    Also called `get_base_rate_response`. Answers `GetDataBaseRate`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetBaseRate`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x8E
-    NAME = "3dm.get_data_base_rate_response"
+    NAME = "3dm.get_base_rate_response"
     ROLE = "response"
 
-    desc_set: int
+    descriptor_set: int
     """Data descriptor set of the command."""
     rate: int
     """Base rate; 0 if the rate is variable or unknown and data is sent as it comes. Unit: Hz."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDataBaseRateResponse, int]:
-        v = _GET_DATA_BASE_RATE_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GetBaseRateResponse, int]:
+        v = _GET_BASE_RATE_RESPONSE_0.read(raw, at)
         at += 3
-        desc_set = v[0]
+        descriptor_set = v[0]
         rate = v[1]
-        return cls(desc_set, rate), at
+        return cls(descriptor_set, rate), at
 
     def _write(self) -> bytes:
-        out = _GET_DATA_BASE_RATE_RESPONSE_0.write(self.desc_set, self.rate)
+        out = _GET_BASE_RATE_RESPONSE_0.write(self.descriptor_set, self.rate)
         return codec.finished(out)
 
 
-_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("BB", "desc_set", "num_descriptors")
+_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("BB", "descriptor_set", "num_descriptors")
 
 
 @dataclass(slots=True)
@@ -802,7 +801,7 @@ class MessageFormatResponse(Response):
     NAME = "3dm.message_format_response"
     ROLE = "response"
 
-    desc_set: int
+    descriptor_set: int
     """Data descriptor set; 0 means all of them (save, load, default)."""
     # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
@@ -812,15 +811,15 @@ class MessageFormatResponse(Response):
     def _read(cls, raw: bytes, at: int) -> tuple[MessageFormatResponse, int]:
         v = _MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 2
-        desc_set = v[0]
+        descriptor_set = v[0]
         num_descriptors = v[1]
         n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
-        return cls(desc_set, descriptors), at
+        return cls(descriptor_set, descriptors), at
 
     def _write(self) -> bytes:
         out = _MESSAGE_FORMAT_RESPONSE_0.write(
-            self.desc_set, codec.count("descriptors", self.descriptors, 83)
+            self.descriptor_set, codec.count("descriptors", self.descriptors, 83)
         )
         out += codec.write_structures(
             "descriptors", codec.at_most("descriptors", self.descriptors, 83), types.DescriptorRate
@@ -956,10 +955,10 @@ _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_1 = codec.Block(
     "filter_stream_enabled",
     "imu_dropped_packets",
     "filter_dropped_packets",
-    "com_port_bytes_written",
-    "com_port_bytes_read",
-    "com_port_write_overruns",
-    "com_port_read_overruns",
+    "comm_port_bytes_written",
+    "comm_port_bytes_read",
+    "comm_port_write_overruns",
+    "comm_port_read_overruns",
     "imu_parser_errors",
     "imu_message_count",
     "imu_last_message_time",
@@ -1005,13 +1004,13 @@ class DeviceStatusDiagnosticResponse(Response):
     """Sensor data packets that were not sent. Unit: 1."""
     filter_dropped_packets: int
     """Filter data packets that were not sent. Unit: 1."""
-    com_port_bytes_written: int
+    comm_port_bytes_written: int
     """Bytes written to the port. Unit: byte."""
-    com_port_bytes_read: int
+    comm_port_bytes_read: int
     """Bytes read from the port. Unit: byte."""
-    com_port_write_overruns: int
+    comm_port_write_overruns: int
     """Overruns while writing to the port. Unit: 1."""
-    com_port_read_overruns: int
+    comm_port_read_overruns: int
     """Overruns while reading from the port. Unit: 1."""
     imu_parser_errors: int
     """Messages of the IMU that could not be parsed. Unit: 1."""
@@ -1039,10 +1038,10 @@ class DeviceStatusDiagnosticResponse(Response):
         filter_stream_enabled = codec.truth(v[4])
         imu_dropped_packets = v[5]
         filter_dropped_packets = v[6]
-        com_port_bytes_written = v[7]
-        com_port_bytes_read = v[8]
-        com_port_write_overruns = v[9]
-        com_port_read_overruns = v[10]
+        comm_port_bytes_written = v[7]
+        comm_port_bytes_read = v[8]
+        comm_port_write_overruns = v[9]
+        comm_port_read_overruns = v[10]
         imu_parser_errors = v[11]
         imu_message_count = v[12]
         imu_last_message_time = v[13]
@@ -1055,10 +1054,10 @@ class DeviceStatusDiagnosticResponse(Response):
             filter_stream_enabled,
             imu_dropped_packets,
             filter_dropped_packets,
-            com_port_bytes_written,
-            com_port_bytes_read,
-            com_port_write_overruns,
-            com_port_read_overruns,
+            comm_port_bytes_written,
+            comm_port_bytes_read,
+            comm_port_write_overruns,
+            comm_port_read_overruns,
             imu_parser_errors,
             imu_message_count,
             imu_last_message_time,
@@ -1074,10 +1073,10 @@ class DeviceStatusDiagnosticResponse(Response):
             self.filter_stream_enabled,
             self.imu_dropped_packets,
             self.filter_dropped_packets,
-            self.com_port_bytes_written,
-            self.com_port_bytes_read,
-            self.com_port_write_overruns,
-            self.com_port_read_overruns,
+            self.comm_port_bytes_written,
+            self.comm_port_bytes_read,
+            self.comm_port_write_overruns,
+            self.comm_port_read_overruns,
             self.imu_parser_errors,
             self.imu_message_count,
             self.imu_last_message_time,
@@ -1100,10 +1099,10 @@ _DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_1 = codec.Block(
     "imu_dropped_packets",
     "gnss_dropped_packets",
     "filter_dropped_packets",
-    "com_port_bytes_written",
-    "com_port_bytes_read",
-    "com_port_write_overruns",
-    "com_port_read_overruns",
+    "comm_port_bytes_written",
+    "comm_port_bytes_read",
+    "comm_port_write_overruns",
+    "comm_port_read_overruns",
     "imu_parser_errors",
     "imu_message_count",
     "imu_last_message_time",
@@ -1165,13 +1164,13 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     """GNSS data packets that were not sent. Unit: 1."""
     filter_dropped_packets: int
     """Filter data packets that were not sent. Unit: 1."""
-    com_port_bytes_written: int
+    comm_port_bytes_written: int
     """Bytes written to the port. Unit: byte."""
-    com_port_bytes_read: int
+    comm_port_bytes_read: int
     """Bytes read from the port. Unit: byte."""
-    com_port_write_overruns: int
+    comm_port_write_overruns: int
     """Overruns while writing to the port. Unit: 1."""
-    com_port_read_overruns: int
+    comm_port_read_overruns: int
     """Overruns while reading from the port. Unit: 1."""
     imu_parser_errors: int
     """Messages of the IMU that could not be parsed. Unit: 1."""
@@ -1210,10 +1209,10 @@ class DeviceStatusDiagnosticGnssResponse(Response):
         imu_dropped_packets = v[9]
         gnss_dropped_packets = v[10]
         filter_dropped_packets = v[11]
-        com_port_bytes_written = v[12]
-        com_port_bytes_read = v[13]
-        com_port_write_overruns = v[14]
-        com_port_read_overruns = v[15]
+        comm_port_bytes_written = v[12]
+        comm_port_bytes_read = v[13]
+        comm_port_write_overruns = v[14]
+        comm_port_read_overruns = v[15]
         imu_parser_errors = v[16]
         imu_message_count = v[17]
         imu_last_message_time = v[18]
@@ -1234,10 +1233,10 @@ class DeviceStatusDiagnosticGnssResponse(Response):
             imu_dropped_packets,
             gnss_dropped_packets,
             filter_dropped_packets,
-            com_port_bytes_written,
-            com_port_bytes_read,
-            com_port_write_overruns,
-            com_port_read_overruns,
+            comm_port_bytes_written,
+            comm_port_bytes_read,
+            comm_port_write_overruns,
+            comm_port_read_overruns,
             imu_parser_errors,
             imu_message_count,
             imu_last_message_time,
@@ -1261,10 +1260,10 @@ class DeviceStatusDiagnosticGnssResponse(Response):
             self.imu_dropped_packets,
             self.gnss_dropped_packets,
             self.filter_dropped_packets,
-            self.com_port_bytes_written,
-            self.com_port_bytes_read,
-            self.com_port_write_overruns,
-            self.com_port_read_overruns,
+            self.comm_port_bytes_written,
+            self.comm_port_bytes_read,
+            self.comm_port_write_overruns,
+            self.comm_port_read_overruns,
             self.imu_parser_errors,
             self.imu_message_count,
             self.imu_last_message_time,
@@ -1290,17 +1289,17 @@ _DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_1 = codec.Block(
     "imu_dropped_packets",
     "gnss_dropped_packets",
     "filter_dropped_packets",
-    "com_port_bytes_written",
-    "com_port_bytes_read",
-    "com_port_write_overruns",
-    "com_port_read_overruns",
+    "comm_port_bytes_written",
+    "comm_port_bytes_read",
+    "comm_port_write_overruns",
+    "comm_port_read_overruns",
     "imu_parser_errors",
     "imu_message_count",
     "imu_last_message_time",
     "gnss_parser_errors",
     "gnss_message_count",
     "gnss_last_message_time",
-    "magnetometer_init_failed",
+    "mag_init_failed",
     "pressure_init_failed",
     "receiver_init_failed",
 )
@@ -1357,13 +1356,13 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     """GNSS data packets that were not sent. Unit: 1."""
     filter_dropped_packets: int
     """Filter data packets that were not sent. Unit: 1."""
-    com_port_bytes_written: int
+    comm_port_bytes_written: int
     """Bytes written to the port. Unit: byte."""
-    com_port_bytes_read: int
+    comm_port_bytes_read: int
     """Bytes read from the port. Unit: byte."""
-    com_port_write_overruns: int
+    comm_port_write_overruns: int
     """Overruns while writing to the port. Unit: 1."""
-    com_port_read_overruns: int
+    comm_port_read_overruns: int
     """Overruns while reading from the port. Unit: 1."""
     imu_parser_errors: int
     """Messages of the IMU that could not be parsed. Unit: 1."""
@@ -1377,7 +1376,7 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     """Messages of the receiver that were read. Unit: 1."""
     gnss_last_message_time: int
     """System timer at the last message of the receiver. Unit: ms."""
-    magnetometer_init_failed: bool
+    mag_init_failed: bool
     """Whether the magnetometer could not be started."""
     pressure_init_failed: bool
     """Whether the pressure sensor could not be started."""
@@ -1408,17 +1407,17 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
         imu_dropped_packets = v[9]
         gnss_dropped_packets = v[10]
         filter_dropped_packets = v[11]
-        com_port_bytes_written = v[12]
-        com_port_bytes_read = v[13]
-        com_port_write_overruns = v[14]
-        com_port_read_overruns = v[15]
+        comm_port_bytes_written = v[12]
+        comm_port_bytes_read = v[13]
+        comm_port_write_overruns = v[14]
+        comm_port_read_overruns = v[15]
         imu_parser_errors = v[16]
         imu_message_count = v[17]
         imu_last_message_time = v[18]
         gnss_parser_errors = v[19]
         gnss_message_count = v[20]
         gnss_last_message_time = v[21]
-        magnetometer_init_failed = codec.truth(v[22])
+        mag_init_failed = codec.truth(v[22])
         pressure_init_failed = codec.truth(v[23])
         receiver_init_failed = codec.truth(v[24])
         return cls(
@@ -1435,17 +1434,17 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
             imu_dropped_packets,
             gnss_dropped_packets,
             filter_dropped_packets,
-            com_port_bytes_written,
-            com_port_bytes_read,
-            com_port_write_overruns,
-            com_port_read_overruns,
+            comm_port_bytes_written,
+            comm_port_bytes_read,
+            comm_port_write_overruns,
+            comm_port_read_overruns,
             imu_parser_errors,
             imu_message_count,
             imu_last_message_time,
             gnss_parser_errors,
             gnss_message_count,
             gnss_last_message_time,
-            magnetometer_init_failed,
+            mag_init_failed,
             pressure_init_failed,
             receiver_init_failed,
         ), at
@@ -1465,17 +1464,17 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
             self.imu_dropped_packets,
             self.gnss_dropped_packets,
             self.filter_dropped_packets,
-            self.com_port_bytes_written,
-            self.com_port_bytes_read,
-            self.com_port_write_overruns,
-            self.com_port_read_overruns,
+            self.comm_port_bytes_written,
+            self.comm_port_bytes_read,
+            self.comm_port_write_overruns,
+            self.comm_port_read_overruns,
             self.imu_parser_errors,
             self.imu_message_count,
             self.imu_last_message_time,
             self.gnss_parser_errors,
             self.gnss_message_count,
             self.gnss_last_message_time,
-            self.magnetometer_init_failed,
+            self.mag_init_failed,
             self.pressure_init_failed,
             self.receiver_init_failed,
         )
@@ -1500,10 +1499,10 @@ _DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_1 = codec.Block(
     "imu_dropped_packets",
     "gnss_dropped_packets",
     "filter_dropped_packets",
-    "com_port_bytes_written",
-    "com_port_bytes_read",
-    "com_port_write_overruns",
-    "com_port_read_overruns",
+    "comm_port_bytes_written",
+    "comm_port_bytes_read",
+    "comm_port_write_overruns",
+    "comm_port_read_overruns",
     "imu_parser_errors",
     "imu_message_count",
     "imu_last_message_time",
@@ -1570,13 +1569,13 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     """GNSS data packets that were not sent. Unit: 1."""
     filter_dropped_packets: int
     """Filter data packets that were not sent. Unit: 1."""
-    com_port_bytes_written: int
+    comm_port_bytes_written: int
     """Bytes written to the port. Unit: byte."""
-    com_port_bytes_read: int
+    comm_port_bytes_read: int
     """Bytes read from the port. Unit: byte."""
-    com_port_write_overruns: int
+    comm_port_write_overruns: int
     """Overruns while writing to the port. Unit: 1."""
-    com_port_read_overruns: int
+    comm_port_read_overruns: int
     """Overruns while reading from the port. Unit: 1."""
     imu_parser_errors: int
     """Messages of the IMU that could not be parsed. Unit: 1."""
@@ -1618,10 +1617,10 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
         imu_dropped_packets = v[12]
         gnss_dropped_packets = v[13]
         filter_dropped_packets = v[14]
-        com_port_bytes_written = v[15]
-        com_port_bytes_read = v[16]
-        com_port_write_overruns = v[17]
-        com_port_read_overruns = v[18]
+        comm_port_bytes_written = v[15]
+        comm_port_bytes_read = v[16]
+        comm_port_write_overruns = v[17]
+        comm_port_read_overruns = v[18]
         imu_parser_errors = v[19]
         imu_message_count = v[20]
         imu_last_message_time = v[21]
@@ -1645,10 +1644,10 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
             imu_dropped_packets,
             gnss_dropped_packets,
             filter_dropped_packets,
-            com_port_bytes_written,
-            com_port_bytes_read,
-            com_port_write_overruns,
-            com_port_read_overruns,
+            comm_port_bytes_written,
+            comm_port_bytes_read,
+            comm_port_write_overruns,
+            comm_port_read_overruns,
             imu_parser_errors,
             imu_message_count,
             imu_last_message_time,
@@ -1675,10 +1674,10 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
             self.imu_dropped_packets,
             self.gnss_dropped_packets,
             self.filter_dropped_packets,
-            self.com_port_bytes_written,
-            self.com_port_bytes_read,
-            self.com_port_write_overruns,
-            self.com_port_read_overruns,
+            self.comm_port_bytes_written,
+            self.comm_port_bytes_read,
+            self.comm_port_write_overruns,
+            self.comm_port_read_overruns,
             self.imu_parser_errors,
             self.imu_message_count,
             self.imu_last_message_time,
@@ -1700,10 +1699,10 @@ _DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_1 = codec.Block(
     "filter_stream_enabled",
     "imu_dropped_packets",
     "filter_dropped_packets",
-    "com_port_bytes_written",
-    "com_port_bytes_read",
-    "com_port_write_overruns",
-    "com_port_read_overruns",
+    "comm_port_bytes_written",
+    "comm_port_bytes_read",
+    "comm_port_write_overruns",
+    "comm_port_read_overruns",
     "usb_bytes_written",
     "usb_bytes_read",
     "usb_write_overruns",
@@ -1758,13 +1757,13 @@ class DeviceStatusDiagnosticGx4Response(Response):
     """Sensor data packets that were not sent. Unit: 1."""
     filter_dropped_packets: int
     """Filter data packets that were not sent. Unit: 1."""
-    com_port_bytes_written: int
+    comm_port_bytes_written: int
     """Bytes written to the port. Unit: byte."""
-    com_port_bytes_read: int
+    comm_port_bytes_read: int
     """Bytes read from the port. Unit: byte."""
-    com_port_write_overruns: int
+    comm_port_write_overruns: int
     """Overruns while writing to the port. Unit: 1."""
-    com_port_read_overruns: int
+    comm_port_read_overruns: int
     """Overruns while reading from the port. Unit: 1."""
     usb_bytes_written: int
     """Bytes written to USB. Unit: byte."""
@@ -1801,10 +1800,10 @@ class DeviceStatusDiagnosticGx4Response(Response):
         filter_stream_enabled = codec.truth(v[5])
         imu_dropped_packets = v[6]
         filter_dropped_packets = v[7]
-        com_port_bytes_written = v[8]
-        com_port_bytes_read = v[9]
-        com_port_write_overruns = v[10]
-        com_port_read_overruns = v[11]
+        comm_port_bytes_written = v[8]
+        comm_port_bytes_read = v[9]
+        comm_port_write_overruns = v[10]
+        comm_port_read_overruns = v[11]
         usb_bytes_written = v[12]
         usb_bytes_read = v[13]
         usb_write_overruns = v[14]
@@ -1822,10 +1821,10 @@ class DeviceStatusDiagnosticGx4Response(Response):
             filter_stream_enabled,
             imu_dropped_packets,
             filter_dropped_packets,
-            com_port_bytes_written,
-            com_port_bytes_read,
-            com_port_write_overruns,
-            com_port_read_overruns,
+            comm_port_bytes_written,
+            comm_port_bytes_read,
+            comm_port_write_overruns,
+            comm_port_read_overruns,
             usb_bytes_written,
             usb_bytes_read,
             usb_write_overruns,
@@ -1846,10 +1845,10 @@ class DeviceStatusDiagnosticGx4Response(Response):
             self.filter_stream_enabled,
             self.imu_dropped_packets,
             self.filter_dropped_packets,
-            self.com_port_bytes_written,
-            self.com_port_bytes_read,
-            self.com_port_write_overruns,
-            self.com_port_read_overruns,
+            self.comm_port_bytes_written,
+            self.comm_port_bytes_read,
+            self.comm_port_write_overruns,
+            self.comm_port_read_overruns,
             self.usb_bytes_written,
             self.usb_bytes_read,
             self.usb_write_overruns,
@@ -1866,7 +1865,7 @@ _DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_1 = codec.Block(
     "IIBBBHHIfIBIIBIIIII",
     "status_flags",
     "system_timer",
-    "has_magnetometer",
+    "has_mag",
     "has_pressure",
     "power_state",
     "gyro_range",
@@ -1879,10 +1878,10 @@ _DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_1 = codec.Block(
     "pps_last_time",
     "imu_stream_enabled",
     "imu_dropped_packets",
-    "com_port_bytes_written",
-    "com_port_bytes_read",
-    "com_port_write_overruns",
-    "com_port_read_overruns",
+    "comm_port_bytes_written",
+    "comm_port_bytes_read",
+    "comm_port_write_overruns",
+    "comm_port_read_overruns",
 )
 
 
@@ -1918,7 +1917,7 @@ class DeviceStatusDiagnosticImuResponse(Response):
     """Reserved."""
     system_timer: int
     """Time since start-up. Unit: ms."""
-    has_magnetometer: bool
+    has_mag: bool
     """Whether it has a magnetometer."""
     has_pressure: bool
     """Whether it has a pressure sensor."""
@@ -1944,13 +1943,13 @@ class DeviceStatusDiagnosticImuResponse(Response):
     """Whether sensor data is streamed."""
     imu_dropped_packets: int
     """Sensor data packets that were not sent. Unit: 1."""
-    com_port_bytes_written: int
+    comm_port_bytes_written: int
     """Bytes written to the port. Unit: byte."""
-    com_port_bytes_read: int
+    comm_port_bytes_read: int
     """Bytes read from the port. Unit: byte."""
-    com_port_write_overruns: int
+    comm_port_write_overruns: int
     """Overruns while writing to the port. Unit: 1."""
-    com_port_read_overruns: int
+    comm_port_read_overruns: int
     """Overruns while reading from the port. Unit: 1."""
 
     @classmethod
@@ -1967,7 +1966,7 @@ class DeviceStatusDiagnosticImuResponse(Response):
         at += 57
         status_flags = v[0]
         system_timer = v[1]
-        has_magnetometer = codec.truth(v[2])
+        has_mag = codec.truth(v[2])
         has_pressure = codec.truth(v[3])
         power_state = v[4]
         gyro_range = v[5]
@@ -1980,15 +1979,15 @@ class DeviceStatusDiagnosticImuResponse(Response):
         pps_last_time = v[12]
         imu_stream_enabled = codec.truth(v[13])
         imu_dropped_packets = v[14]
-        com_port_bytes_written = v[15]
-        com_port_bytes_read = v[16]
-        com_port_write_overruns = v[17]
-        com_port_read_overruns = v[18]
+        comm_port_bytes_written = v[15]
+        comm_port_bytes_read = v[16]
+        comm_port_write_overruns = v[17]
+        comm_port_read_overruns = v[18]
         return cls(
             model_number,
             status_flags,
             system_timer,
-            has_magnetometer,
+            has_mag,
             has_pressure,
             power_state,
             gyro_range,
@@ -2000,10 +1999,10 @@ class DeviceStatusDiagnosticImuResponse(Response):
             pps_last_time,
             imu_stream_enabled,
             imu_dropped_packets,
-            com_port_bytes_written,
-            com_port_bytes_read,
-            com_port_write_overruns,
-            com_port_read_overruns,
+            comm_port_bytes_written,
+            comm_port_bytes_read,
+            comm_port_write_overruns,
+            comm_port_read_overruns,
             reserved=reserved,
         ), at
 
@@ -2012,7 +2011,7 @@ class DeviceStatusDiagnosticImuResponse(Response):
         out += _DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_1.write(
             self.status_flags,
             self.system_timer,
-            self.has_magnetometer,
+            self.has_mag,
             self.has_pressure,
             self.power_state,
             self.gyro_range,
@@ -2025,15 +2024,15 @@ class DeviceStatusDiagnosticImuResponse(Response):
             self.pps_last_time,
             self.imu_stream_enabled,
             self.imu_dropped_packets,
-            self.com_port_bytes_written,
-            self.com_port_bytes_read,
-            self.com_port_write_overruns,
-            self.com_port_read_overruns,
+            self.comm_port_bytes_written,
+            self.comm_port_bytes_read,
+            self.comm_port_write_overruns,
+            self.comm_port_read_overruns,
         )
         return codec.finished(out)
 
 
-_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_0 = codec.Block(
+_COMPLEMENTARY_FILTER_RESPONSE_0 = codec.Block(
     "BBff",
     "pitch_roll_enable",
     "heading_enable",
@@ -2043,11 +2042,10 @@ _COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class ComplementaryFilterConfigurationResponse(Response):
+class ComplementaryFilterResponse(Response):
     """Complementary Filter Configuration response (0x0C,0x97).
 
-    Also called `complementary_filter_response`. Answers `ComplementaryFilterConfiguration`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -2055,7 +2053,7 @@ class ComplementaryFilterConfigurationResponse(Response):
 
     SET = 0x0C
     DESCRIPTOR = 0x97
-    NAME = "3dm.complementary_filter_configuration_response"
+    NAME = "3dm.complementary_filter_response"
     ROLE = "response"
 
     pitch_roll_enable: bool
@@ -2068,8 +2066,8 @@ class ComplementaryFilterConfigurationResponse(Response):
     """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterConfigurationResponse, int]:
-        v = _COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterResponse, int]:
+        v = _COMPLEMENTARY_FILTER_RESPONSE_0.read(raw, at)
         at += 10
         pitch_roll_enable = codec.truth(v[0])
         heading_enable = codec.truth(v[1])
@@ -2080,7 +2078,7 @@ class ComplementaryFilterConfigurationResponse(Response):
         ), at
 
     def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_0.write(
+        out = _COMPLEMENTARY_FILTER_RESPONSE_0.write(
             self.pitch_roll_enable,
             self.heading_enable,
             self.pitch_roll_time_constant,
@@ -2089,15 +2087,14 @@ class ComplementaryFilterConfigurationResponse(Response):
         return codec.finished(out)
 
 
-_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
+_ACCEL_BIAS_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
 
 
 @dataclass(slots=True)
-class AccelerometerBiasConfigurationResponse(Response):
+class AccelBiasResponse(Response):
     """Accelerometer Bias Configuration response (0x0C,0x9A).
 
-    Also called `accel_bias_response`. Answers `AccelerometerBiasConfiguration`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AccelBias`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -2105,38 +2102,35 @@ class AccelerometerBiasConfigurationResponse(Response):
 
     SET = 0x0C
     DESCRIPTOR = 0x9A
-    NAME = "3dm.accelerometer_bias_configuration_response"
+    NAME = "3dm.accel_bias_response"
     ROLE = "response"
 
     bias: types.Vector3f
     """Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasConfigurationResponse, int]:
-        v = _ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasResponse, int]:
+        v = _ACCEL_BIAS_RESPONSE_0.read(raw, at)
         at += 12
         bias = v[0:3]
         return cls(bias), at
 
     def _write(self) -> bytes:
-        out = _ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_0.write(
-            *codec.exactly("bias", self.bias, 3)
-        )
+        out = _ACCEL_BIAS_RESPONSE_0.write(*codec.exactly("bias", self.bias, 3))
         return codec.finished(out)
 
 
-_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
+_GYRO_BIAS_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
 
 
 @dataclass(slots=True)
-class GyroscopeBiasConfigurationResponse(Response):
+class GyroBiasResponse(Response):
     """Gyroscope Bias Configuration response (0x0C,0x9B).
 
     The bias in use.
 
-    Also called `gyro_bias_response` and `capture_gyro_bias_response`. Answers
-    `GyroscopeBiasConfiguration` and `CaptureGyroscopeBias`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GX5-15.
+    Also called `capture_gyro_bias_response`. Answers `GyroBias` and `CaptureGyroBias`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -2144,126 +2138,119 @@ class GyroscopeBiasConfigurationResponse(Response):
 
     SET = 0x0C
     DESCRIPTOR = 0x9B
-    NAME = "3dm.gyroscope_bias_configuration_response"
+    NAME = "3dm.gyro_bias_response"
     ROLE = "response"
 
     bias: types.Vector3f
     """Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasConfigurationResponse, int]:
-        v = _GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasResponse, int]:
+        v = _GYRO_BIAS_RESPONSE_0.read(raw, at)
         at += 12
         bias = v[0:3]
         return cls(bias), at
 
     def _write(self) -> bytes:
-        out = _GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_0.write(*codec.exactly("bias", self.bias, 3))
+        out = _GYRO_BIAS_RESPONSE_0.write(*codec.exactly("bias", self.bias, 3))
         return codec.finished(out)
 
 
-_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
+_MAG_HARD_IRON_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
 @dataclass(slots=True)
-class MagnetometerHardIronOffsetResponse(Response):
+class MagHardIronOffsetResponse(Response):
     """Magnetometer Hard Iron Offset response (0x0C,0x9C).
 
-    Also called `mag_hard_iron_offset_response`. Answers `MagnetometerHardIronOffset`. Supported by
-    3DM-CV7-GNSS/INS.
+    Answers `MagHardIronOffset`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x9C
-    NAME = "3dm.magnetometer_hard_iron_offset_response"
+    NAME = "3dm.mag_hard_iron_offset_response"
     ROLE = "response"
 
     offset: types.Vector3f
     """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerHardIronOffsetResponse, int]:
-        v = _MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MagHardIronOffsetResponse, int]:
+        v = _MAG_HARD_IRON_OFFSET_RESPONSE_0.read(raw, at)
         at += 12
         offset = v[0:3]
         return cls(offset), at
 
     def _write(self) -> bytes:
-        out = _MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_0.write(
-            *codec.exactly("offset", self.offset, 3)
-        )
+        out = _MAG_HARD_IRON_OFFSET_RESPONSE_0.write(*codec.exactly("offset", self.offset, 3))
         return codec.finished(out)
 
 
-_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block("fffffffff", *["offset"] * 9)
+_MAG_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block("fffffffff", *["matrix"] * 9)
 
 
 @dataclass(slots=True)
-class MagnetometerSoftIronMatrixResponse(Response):
+class MagSoftIronMatrixResponse(Response):
     """Magnetometer Soft Iron Matrix response (0x0C,0x9D).
 
-    Also called `mag_soft_iron_matrix_response`. Answers `MagnetometerSoftIronMatrix`. Supported by
-    3DM-CV7-GNSS/INS.
+    Answers `MagSoftIronMatrix`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x9D
-    NAME = "3dm.magnetometer_soft_iron_matrix_response"
+    NAME = "3dm.mag_soft_iron_matrix_response"
     ROLE = "response"
 
-    offset: types.Matrix3f
+    matrix: types.Matrix3f
     """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
     Unit: 1. Frame: sensor.
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerSoftIronMatrixResponse, int]:
-        v = _MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MagSoftIronMatrixResponse, int]:
+        v = _MAG_SOFT_IRON_MATRIX_RESPONSE_0.read(raw, at)
         at += 36
-        offset = v[0:9]
-        return cls(offset), at
+        matrix = v[0:9]
+        return cls(matrix), at
 
     def _write(self) -> bytes:
-        out = _MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0.write(
-            *codec.exactly("offset", self.offset, 9)
-        )
+        out = _MAG_SOFT_IRON_MATRIX_RESPONSE_0.write(*codec.exactly("matrix", self.matrix, 9))
         return codec.finished(out)
 
 
-_CONING_AND_SCULLING_ENABLE_RESPONSE_0 = codec.Block("B", "enable")
+_CONING_SCULLING_ENABLE_RESPONSE_0 = codec.Block("B", "enable")
 
 
 @dataclass(slots=True)
-class ConingAndScullingEnableResponse(Response):
+class ConingScullingEnableResponse(Response):
     """Coning and Sculling Enable response (0x0C,0x9E).
 
-    Also called `coning_sculling_enable_response`. Answers `ConingAndScullingEnable`. Supported by
-    3DM-GX5-15.
+    Answers `ConingScullingEnable`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x9E
-    NAME = "3dm.coning_and_sculling_enable_response"
+    NAME = "3dm.coning_sculling_enable_response"
     ROLE = "response"
 
     enable: bool
     """Whether the compensation is on. Default: true."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConingAndScullingEnableResponse, int]:
-        v = _CONING_AND_SCULLING_ENABLE_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[ConingScullingEnableResponse, int]:
+        v = _CONING_SCULLING_ENABLE_RESPONSE_0.read(raw, at)
         at += 1
         enable = codec.truth(v[0])
         return cls(enable), at
 
     def _write(self) -> bytes:
-        out = _CONING_AND_SCULLING_ENABLE_RESPONSE_0.write(self.enable)
+        out = _CONING_SCULLING_ENABLE_RESPONSE_0.write(self.enable)
         return codec.finished(out)
 
 
@@ -2478,24 +2465,22 @@ class PpsSourceControlResponse(Response):
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_0 = codec.Block(
-    "fff", "roll", "pitch", "yaw"
-)
+_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_0 = codec.Block("fff", "roll", "pitch", "yaw")
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformationEulerResponse(Response):
+class SensorToVehicleTransformEulerResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
 
     Also called `sensor_2_vehicle_transform_euler_response`. Answers
-    `SensorToVehicleFrameTransformationEuler`. Supported by 3DM-CV7-GNSS/INS.
+    `SensorToVehicleTransformEuler`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xB1
-    NAME = "3dm.sensor_to_vehicle_frame_transformation_euler_response"
+    NAME = "3dm.sensor_to_vehicle_transform_euler_response"
     ROLE = "response"
 
     roll: float
@@ -2506,10 +2491,8 @@ class SensorToVehicleFrameTransformationEulerResponse(Response):
     """Rotation about the z axis. Unit: rad."""
 
     @classmethod
-    def _read(
-        cls, raw: bytes, at: int
-    ) -> tuple[SensorToVehicleFrameTransformationEulerResponse, int]:
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformEulerResponse, int]:
+        v = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_0.read(raw, at)
         at += 12
         roll = v[0]
         pitch = v[1]
@@ -2517,28 +2500,26 @@ class SensorToVehicleFrameTransformationEulerResponse(Response):
         return cls(roll, pitch, yaw), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_0.write(
-            self.roll, self.pitch, self.yaw
-        )
+        out = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_0.write(self.roll, self.pitch, self.yaw)
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] * 4)
+_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] * 4)
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformationQuaternionResponse(Response):
+class SensorToVehicleTransformQuaternionResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
 
     Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
-    `SensorToVehicleFrameTransformationQuaternion`. Supported by 3DM-CV7-GNSS/INS.
+    `SensorToVehicleTransformQuaternion`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xB2
-    NAME = "3dm.sensor_to_vehicle_frame_transformation_quaternion_response"
+    NAME = "3dm.sensor_to_vehicle_transform_quaternion_response"
     ROLE = "response"
 
     q: types.Quatf
@@ -2547,39 +2528,35 @@ class SensorToVehicleFrameTransformationQuaternionResponse(Response):
     """
 
     @classmethod
-    def _read(
-        cls, raw: bytes, at: int
-    ) -> tuple[SensorToVehicleFrameTransformationQuaternionResponse, int]:
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformQuaternionResponse, int]:
+        v = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_0.read(raw, at)
         at += 16
         q = v[0:4]
         return cls(q), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_0.write(
+        out = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_0.write(
             *codec.exactly("q", self.q, 4)
         )
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_0 = codec.Block(
-    "fffffffff", *["dcm"] * 9
-)
+_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] * 9)
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformationDirectionCosineMatrixResponse(Response):
+class SensorToVehicleTransformDcmResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
 
-    Also called `sensor_2_vehicle_transform_dcm_response`. Answers
-    `SensorToVehicleFrameTransformationDirectionCosineMatrix`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `sensor_2_vehicle_transform_dcm_response`. Answers `SensorToVehicleTransformDcm`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xB3
-    NAME = "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response"
+    NAME = "3dm.sensor_to_vehicle_transform_dcm_response"
     ROLE = "response"
 
     dcm: types.Matrix3f
@@ -2588,64 +2565,59 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrixResponse(Response):
     """
 
     @classmethod
-    def _read(
-        cls, raw: bytes, at: int
-    ) -> tuple[SensorToVehicleFrameTransformationDirectionCosineMatrixResponse, int]:
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformDcmResponse, int]:
+        v = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_0.read(raw, at)
         at += 36
         dcm = v[0:9]
         return cls(dcm), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_0.write(
-            *codec.exactly("dcm", self.dcm, 9)
-        )
+        out = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_0.write(*codec.exactly("dcm", self.dcm, 9))
         return codec.finished(out)
 
 
-_GET_SUPPORTED_EVENTS_RESPONSE_0 = codec.Block("BBB", "query", "max_instances", "num_entries")
+_GET_EVENT_SUPPORT_RESPONSE_0 = codec.Block("BBB", "query", "max_instances", "num_entries")
 
 
 @dataclass(slots=True)
-class GetSupportedEventsResponse(Response):
+class GetEventSupportResponse(Response):
     """Get Supported Events response (0x0C,0xB4).
 
-    Also called `get_event_support_response`. Answers `GetSupportedEvents`. Supported by
-    3DM-CV7-GNSS/INS.
+    Answers `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xB4
-    NAME = "3dm.get_supported_events_response"
+    NAME = "3dm.get_event_support_response"
     ROLE = "response"
 
-    query: SupportedEventsQuery
+    query: EventSupportQuery
     """Query of the command."""
     max_instances: int
     """Number of slots; instances go from 1 to this. Unit: 1."""
     # On the wire: num_entries. Number of types. The number of elements of `entries`.
-    entries: tuple[SupportedEventInfo, ...]
+    entries: tuple[EventSupportInfo, ...]
     """The types."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetSupportedEventsResponse, int]:
-        v = _GET_SUPPORTED_EVENTS_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GetEventSupportResponse, int]:
+        v = _GET_EVENT_SUPPORT_RESPONSE_0.read(raw, at)
         at += 3
-        query = SupportedEventsQuery(v[0])
+        query = EventSupportQuery(v[0])
         max_instances = v[1]
         num_entries = v[2]
         n = codec.counted(raw, at, num_entries, 2, 125)
-        entries, at = codec.read_structures(SupportedEventInfo, raw, at, n)
+        entries, at = codec.read_structures(EventSupportInfo, raw, at, n)
         return cls(query, max_instances, entries), at
 
     def _write(self) -> bytes:
-        out = _GET_SUPPORTED_EVENTS_RESPONSE_0.write(
+        out = _GET_EVENT_SUPPORT_RESPONSE_0.write(
             self.query, self.max_instances, codec.count("entries", self.entries, 125)
         )
         out += codec.write_structures(
-            "entries", codec.at_most("entries", self.entries, 125), SupportedEventInfo
+            "entries", codec.at_most("entries", self.entries, 125), EventSupportInfo
         )
         return codec.finished(out)
 
@@ -2763,14 +2735,14 @@ class GetEventActionStatusResponse(Response):
         return codec.finished(out)
 
 
-_EVENT_TRIGGER_CONFIGURATION_RESPONSE_0 = codec.Block("BB", "instance", "type")
+_EVENT_TRIGGER_CONFIG_RESPONSE_0 = codec.Block("BB", "instance", "type")
 
 
 @dataclass(slots=True)
-class EventTriggerConfigurationResponse(Response):
+class EventTriggerConfigResponse(Response):
     """Event Trigger Configuration response (0x0C,0xB8).
 
-    Also called `event_trigger_response`. Answers `EventTriggerConfiguration`. Supported by
+    Also called `event_trigger_response`. Answers `EventTriggerConfig`. Supported by
     3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
@@ -2778,7 +2750,7 @@ class EventTriggerConfigurationResponse(Response):
 
     SET = 0x0C
     DESCRIPTOR = 0xB8
-    NAME = "3dm.event_trigger_configuration_response"
+    NAME = "3dm.event_trigger_config_response"
     ROLE = "response"
 
     instance: int
@@ -2797,14 +2769,14 @@ class EventTriggerConfigurationResponse(Response):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfigurationResponse, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfigResponse, int]:
         parameters: (
             types.EventTriggerGpio
             | types.EventTriggerThreshold
             | types.EventTriggerCombination
             | None
         ) = None
-        v = _EVENT_TRIGGER_CONFIGURATION_RESPONSE_0.read(raw, at)
+        v = _EVENT_TRIGGER_CONFIG_RESPONSE_0.read(raw, at)
         at += 2
         instance = v[0]
         type = types.EventTriggerType(v[1])
@@ -2817,7 +2789,7 @@ class EventTriggerConfigurationResponse(Response):
         return cls(instance, type, parameters), at
 
     def _write(self) -> bytes:
-        out = _EVENT_TRIGGER_CONFIGURATION_RESPONSE_0.write(self.instance, self.type)
+        out = _EVENT_TRIGGER_CONFIG_RESPONSE_0.write(self.instance, self.type)
         if self.type == 1:
             if not isinstance(self.parameters, types.EventTriggerGpio):
                 raise codec.mismatch("parameters", self.type)
@@ -2835,22 +2807,21 @@ class EventTriggerConfigurationResponse(Response):
         return codec.finished(out)
 
 
-_EVENT_ACTION_CONFIGURATION_RESPONSE_0 = codec.Block("BBB", "instance", "trigger", "type")
+_EVENT_ACTION_CONFIG_RESPONSE_0 = codec.Block("BBB", "instance", "trigger", "type")
 
 
 @dataclass(slots=True)
-class EventActionConfigurationResponse(Response):
+class EventActionConfigResponse(Response):
     """Event Action Configuration response (0x0C,0xB9).
 
-    Also called `event_action_response`. Answers `EventActionConfiguration`. Supported by
-    3DM-CV7-GNSS/INS.
+    Also called `event_action_response`. Answers `EventActionConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xB9
-    NAME = "3dm.event_action_configuration_response"
+    NAME = "3dm.event_action_config_response"
     ROLE = "response"
 
     instance: int
@@ -2868,9 +2839,9 @@ class EventActionConfigurationResponse(Response):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfigurationResponse, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfigResponse, int]:
         parameters: types.EventActionGpio | types.EventActionMessage | None = None
-        v = _EVENT_ACTION_CONFIGURATION_RESPONSE_0.read(raw, at)
+        v = _EVENT_ACTION_CONFIG_RESPONSE_0.read(raw, at)
         at += 3
         instance = v[0]
         trigger = v[1]
@@ -2882,7 +2853,7 @@ class EventActionConfigurationResponse(Response):
         return cls(instance, trigger, type, parameters), at
 
     def _write(self) -> bytes:
-        out = _EVENT_ACTION_CONFIGURATION_RESPONSE_0.write(self.instance, self.trigger, self.type)
+        out = _EVENT_ACTION_CONFIG_RESPONSE_0.write(self.instance, self.trigger, self.type)
         if self.type == 1:
             if not isinstance(self.parameters, types.EventActionGpio):
                 raise codec.mismatch("parameters", self.type)
@@ -2896,21 +2867,21 @@ class EventActionConfigurationResponse(Response):
         return codec.finished(out)
 
 
-_GPIO_CONFIGURATION_RESPONSE_0 = codec.Block("BBBB", "pin", "feature", "behavior", "pin_mode")
+_GPIO_CONFIG_RESPONSE_0 = codec.Block("BBBB", "pin", "feature", "behavior", "pin_mode")
 
 
 @dataclass(slots=True)
-class GpioConfigurationResponse(Response):
+class GpioConfigResponse(Response):
     """GPIO Configuration response (0x0C,0xC1).
 
-    Also called `gpio_config_response`. Answers `GpioConfiguration`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `GpioConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xC1
-    NAME = "3dm.gpio_configuration_response"
+    NAME = "3dm.gpio_config_response"
     ROLE = "response"
     READINGS = {
         "behavior": (
@@ -2944,8 +2915,8 @@ class GpioConfigurationResponse(Response):
     """Electrical options."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfigurationResponse, int]:
-        v = _GPIO_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfigResponse, int]:
+        v = _GPIO_CONFIG_RESPONSE_0.read(raw, at)
         at += 4
         pin = v[0]
         feature = types.GpioFeature(v[1])
@@ -2954,9 +2925,7 @@ class GpioConfigurationResponse(Response):
         return cls(pin, feature, behavior, pin_mode), at
 
     def _write(self) -> bytes:
-        out = _GPIO_CONFIGURATION_RESPONSE_0.write(
-            self.pin, self.feature, self.behavior, self.pin_mode
-        )
+        out = _GPIO_CONFIG_RESPONSE_0.write(self.pin, self.feature, self.behavior, self.pin_mode)
         return codec.finished(out)
 
 
@@ -2995,21 +2964,21 @@ class GpioStateResponse(Response):
         return codec.finished(out)
 
 
-_ODOMETER_CONFIGURATION_RESPONSE_0 = codec.Block("Bff", "mode", "scaling", "uncertainty")
+_ODOMETER_CONFIG_RESPONSE_0 = codec.Block("Bff", "mode", "scaling", "uncertainty")
 
 
 @dataclass(slots=True)
-class OdometerConfigurationResponse(Response):
+class OdometerConfigResponse(Response):
     """Odometer Configuration response (0x0C,0xC3).
 
-    Also called `odometer_response`. Answers `OdometerConfiguration`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `odometer_response`. Answers `OdometerConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xC3
-    NAME = "3dm.odometer_configuration_response"
+    NAME = "3dm.odometer_config_response"
     ROLE = "response"
 
     mode: OdometerMode
@@ -3022,8 +2991,8 @@ class OdometerConfigurationResponse(Response):
     """Relative uncertainty of the scaling, 1 sigma. Unit: 1."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfigurationResponse, int]:
-        v = _ODOMETER_CONFIGURATION_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfigResponse, int]:
+        v = _ODOMETER_CONFIG_RESPONSE_0.read(raw, at)
         at += 9
         mode = OdometerMode(v[0])
         scaling = v[1]
@@ -3031,7 +3000,7 @@ class OdometerConfigurationResponse(Response):
         return cls(mode, scaling, uncertainty), at
 
     def _write(self) -> bytes:
-        out = _ODOMETER_CONFIGURATION_RESPONSE_0.write(self.mode, self.scaling, self.uncertainty)
+        out = _ODOMETER_CONFIG_RESPONSE_0.write(self.mode, self.scaling, self.uncertainty)
         return codec.finished(out)
 
 
@@ -3114,29 +3083,28 @@ class GetCalibratedSensorRangesResponse(Response):
         return codec.finished(out)
 
 
-_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_0 = codec.Block(
-    "BBBBf", "desc_set", "field_desc", "enable", "manual", "frequency"
+_LOW_PASS_FILTER_RESPONSE_0 = codec.Block(
+    "BBBBf", "descriptor_set", "field_descriptor", "enable", "manual", "frequency"
 )
 
 
 @dataclass(slots=True)
-class LowPassAntiAliasingFilterResponse(Response):
+class LowPassFilterResponse(Response):
     """Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
 
-    Also called `lowpass_filter_response`. Answers `LowPassAntiAliasingFilter`. Supported by
-    3DM-CV7-GNSS/INS.
+    Also called `lowpass_filter_response`. Answers `LowPassFilter`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0xD4
-    NAME = "3dm.low_pass_anti_aliasing_filter_response"
+    NAME = "3dm.low_pass_filter_response"
     ROLE = "response"
 
-    desc_set: int
+    descriptor_set: int
     """Descriptor set of the field."""
-    field_desc: int
+    field_descriptor: int
     """Field descriptor; 0 if the set is 0."""
     enable: bool
     """Whether the field is filtered."""
@@ -3146,19 +3114,19 @@ class LowPassAntiAliasingFilterResponse(Response):
     """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LowPassAntiAliasingFilterResponse, int]:
-        v = _LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[LowPassFilterResponse, int]:
+        v = _LOW_PASS_FILTER_RESPONSE_0.read(raw, at)
         at += 8
-        desc_set = v[0]
-        field_desc = v[1]
+        descriptor_set = v[0]
+        field_descriptor = v[1]
         enable = codec.truth(v[2])
         manual = codec.truth(v[3])
         frequency = v[4]
-        return cls(desc_set, field_desc, enable, manual, frequency), at
+        return cls(descriptor_set, field_descriptor, enable, manual, frequency), at
 
     def _write(self) -> bytes:
-        out = _LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_0.write(
-            self.desc_set, self.field_desc, self.enable, self.manual, self.frequency
+        out = _LOW_PASS_FILTER_RESPONSE_0.write(
+            self.descriptor_set, self.field_descriptor, self.enable, self.manual, self.frequency
         )
         return codec.finished(out)
 
@@ -3272,11 +3240,11 @@ class PollGnssData(Command):
         return codec.finished(out)
 
 
-_POLL_ESTIMATION_FILTER_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
+_POLL_FILTER_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 
 
 @dataclass(slots=True)
-class PollEstimationFilterData(Command):
+class PollFilterData(Command):
     """Poll Estimation Filter Data (0x0C,0x03).
 
     Asks for one filter data packet (0x82) with the fields listed, in their order.
@@ -3292,7 +3260,7 @@ class PollEstimationFilterData(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x03
-    NAME = "3dm.poll_estimation_filter_data"
+    NAME = "3dm.poll_filter_data"
     ROLE = "command"
 
     suppress_ack: bool
@@ -3306,8 +3274,8 @@ class PollEstimationFilterData(Command):
         return self.suppress_ack != 1
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PollEstimationFilterData, int]:
-        v = _POLL_ESTIMATION_FILTER_DATA_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[PollFilterData, int]:
+        v = _POLL_FILTER_DATA_0.read(raw, at)
         at += 2
         suppress_ack = codec.truth(v[0])
         num_descriptors = v[1]
@@ -3316,7 +3284,7 @@ class PollEstimationFilterData(Command):
         return cls(suppress_ack, descriptors), at
 
     def _write(self) -> bytes:
-        out = _POLL_ESTIMATION_FILTER_DATA_0.write(
+        out = _POLL_FILTER_DATA_0.write(
             self.suppress_ack, codec.count("descriptors", self.descriptors, 83)
         )
         out += codec.write_structures(
@@ -3382,25 +3350,24 @@ class PollNmeaData(Command):
 
 
 @dataclass(slots=True)
-class GetImuDataBaseRate(Command):
+class GetImuBaseRate(Command):
     """Get IMU Data Base Rate (0x0C,0x06).
 
     Asks for the rate that the decimations of the IMU message format divide.
 
-    Also called `imu_get_base_rate`. Answered by `GetImuDataBaseRateResponse`. Supported by
-    3DM-GX5-15.
+    Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x06
-    NAME = "3dm.get_imu_data_base_rate"
+    NAME = "3dm.get_imu_base_rate"
     ROLE = "command"
-    RESPONSES = (GetImuDataBaseRateResponse,)
+    RESPONSES = (GetImuBaseRateResponse,)
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetImuDataBaseRate, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetImuBaseRate, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -3408,24 +3375,24 @@ class GetImuDataBaseRate(Command):
 
 
 @dataclass(slots=True)
-class GetGnssDataBaseRate(Command):
+class GetGnssBaseRate(Command):
     """Get GNSS Data Base Rate (0x0C,0x07).
 
     Asks for the rate that the decimations of the GNSS message format divide.
 
-    Also called `gnss_get_base_rate`. Answered by `GetGnssDataBaseRateResponse`.
+    Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x07
-    NAME = "3dm.get_gnss_data_base_rate"
+    NAME = "3dm.get_gnss_base_rate"
     ROLE = "command"
-    RESPONSES = (GetGnssDataBaseRateResponse,)
+    RESPONSES = (GetGnssBaseRateResponse,)
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetGnssDataBaseRate, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetGnssBaseRate, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -3638,19 +3605,19 @@ class GnssMessageFormat(Command):
         return codec.finished(out)
 
 
-_ESTIMATION_FILTER_MESSAGE_FORMAT_0 = codec.Block("B", "function")
-_ESTIMATION_FILTER_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
-_ESTIMATION_FILTER_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
+_FILTER_MESSAGE_FORMAT_0 = codec.Block("B", "function")
+_FILTER_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
+_FILTER_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 
 
 @dataclass(slots=True)
-class EstimationFilterMessageFormat(Command):
+class FilterMessageFormat(Command):
     """Estimation Filter Message Format (0x0C,0x0A).
 
     Fields of the filter data packets (0x82), in order, with their decimations.
 
-    Also called `filter_message_format`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `EstimationFilterMessageFormatResponse`. Supported by 3DM-GX5-15.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `FilterMessageFormatResponse`. Supported by 3DM-GX5-15.
 
     The decimation is the base rate, as the get estimation filter data base rate command reports it,
     divided by the wanted rate. The list replaces the one before. If any descriptor is unknown the
@@ -3661,9 +3628,9 @@ class EstimationFilterMessageFormat(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x0A
-    NAME = "3dm.estimation_filter_message_format"
+    NAME = "3dm.filter_message_format"
     ROLE = "command"
-    RESPONSES = (EstimationFilterMessageFormatResponse,)
+    RESPONSES = (FilterMessageFormatResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -3674,40 +3641,40 @@ class EstimationFilterMessageFormat(Command):
     """Fields and decimations. Required for `write`."""
 
     @classmethod
-    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> EstimationFilterMessageFormat:
+    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> FilterMessageFormat:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptors=descriptors)
 
     @classmethod
-    def read(cls) -> EstimationFilterMessageFormat:
+    def read(cls) -> FilterMessageFormat:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> EstimationFilterMessageFormat:
+    def save(cls) -> FilterMessageFormat:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> EstimationFilterMessageFormat:
+    def load(cls) -> FilterMessageFormat:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> EstimationFilterMessageFormat:
+    def default(cls) -> FilterMessageFormat:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (EstimationFilterMessageFormatResponse,)
+            return (FilterMessageFormatResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EstimationFilterMessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[FilterMessageFormat, int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
-        v = _ESTIMATION_FILTER_MESSAGE_FORMAT_0.read(raw, at)
+        v = _FILTER_MESSAGE_FORMAT_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -3715,7 +3682,7 @@ class EstimationFilterMessageFormat(Command):
         try:
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _ESTIMATION_FILTER_MESSAGE_FORMAT_1.read(raw, at)
+            v = _FILTER_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             num_descriptors = v[0]
             n = codec.counted(raw, at, num_descriptors, 3, 83)
@@ -3728,13 +3695,11 @@ class EstimationFilterMessageFormat(Command):
         return cls(function, descriptors), at
 
     def _write(self) -> bytes:
-        out = _ESTIMATION_FILTER_MESSAGE_FORMAT_0.write(self.function)
+        out = _FILTER_MESSAGE_FORMAT_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ESTIMATION_FILTER_MESSAGE_FORMAT_GROUPS)
+        there = codec.present(self, required, _FILTER_MESSAGE_FORMAT_GROUPS)
         if there >= 2:
-            out += _ESTIMATION_FILTER_MESSAGE_FORMAT_1.write(
-                codec.count("descriptors", self.descriptors, 83)
-            )
+            out += _FILTER_MESSAGE_FORMAT_1.write(codec.count("descriptors", self.descriptors, 83))
             out += codec.write_structures(
                 "descriptors",
                 codec.at_most("descriptors", self.descriptors, 83),
@@ -3744,25 +3709,25 @@ class EstimationFilterMessageFormat(Command):
 
 
 @dataclass(slots=True)
-class GetEstimationFilterDataBaseRate(Command):
+class GetFilterBaseRate(Command):
     """Get Estimation Filter Data Base Rate (0x0C,0x0B).
 
     Asks for the rate that the decimations of the estimation filter message format divide.
 
-    Also called `filter_get_base_rate`. Answered by `GetEstimationFilterDataBaseRateResponse`.
-    Supported by 3DM-GX5-15.
+    Also called `filter_get_base_rate`. Answered by `GetFilterBaseRateResponse`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x0B
-    NAME = "3dm.get_estimation_filter_data_base_rate"
+    NAME = "3dm.get_filter_base_rate"
     ROLE = "command"
-    RESPONSES = (GetEstimationFilterDataBaseRateResponse,)
+    RESPONSES = (GetFilterBaseRateResponse,)
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetEstimationFilterDataBaseRate, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetFilterBaseRate, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -3873,7 +3838,7 @@ class NmeaMessageFormat(Command):
         return codec.finished(out)
 
 
-_POLL_DATA_0 = codec.Block("BBB", "desc_set", "suppress_ack", "num_descriptors")
+_POLL_DATA_0 = codec.Block("BBB", "descriptor_set", "suppress_ack", "num_descriptors")
 
 
 @dataclass(slots=True)
@@ -3896,7 +3861,7 @@ class PollData(Command):
     NAME = "3dm.poll_data"
     ROLE = "command"
 
-    desc_set: int
+    descriptor_set: int
     """Data descriptor set. Range: 128 to 254."""
     suppress_ack: bool
     """Send no acknowledge."""
@@ -3912,17 +3877,19 @@ class PollData(Command):
     def _read(cls, raw: bytes, at: int) -> tuple[PollData, int]:
         v = _POLL_DATA_0.read(raw, at)
         at += 3
-        desc_set = v[0]
+        descriptor_set = v[0]
         suppress_ack = codec.truth(v[1])
         num_descriptors = v[2]
         n = codec.counted(raw, at, num_descriptors, 1, 250)
         descriptors = codec.read_numbers("B", raw, at, n)
         at += n
-        return cls(desc_set, suppress_ack, descriptors), at
+        return cls(descriptor_set, suppress_ack, descriptors), at
 
     def _write(self) -> bytes:
         out = _POLL_DATA_0.write(
-            self.desc_set, self.suppress_ack, codec.count("descriptors", self.descriptors, 250)
+            self.descriptor_set,
+            self.suppress_ack,
+            codec.count("descriptors", self.descriptors, 250),
         )
         out += codec.write_numbers(
             "descriptors", "B", codec.at_most("descriptors", self.descriptors, 250)
@@ -3930,46 +3897,45 @@ class PollData(Command):
         return codec.finished(out)
 
 
-_GET_DATA_BASE_RATE_0 = codec.Block("B", "desc_set")
+_GET_BASE_RATE_0 = codec.Block("B", "descriptor_set")
 
 
 @dataclass(slots=True)
-class GetDataBaseRate(Command):
+class GetBaseRate(Command):
     """Get Data Base Rate (0x0C,0x0E).
 
     Asks for the rate that the decimations of a descriptor set divide.
 
-    Also called `get_base_rate`. Answered by `GetDataBaseRateResponse`. Supported by
-    3DM-CV7-GNSS/INS.
+    Answered by `GetBaseRateResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x0E
-    NAME = "3dm.get_data_base_rate"
+    NAME = "3dm.get_base_rate"
     ROLE = "command"
-    RESPONSES = (GetDataBaseRateResponse,)
+    RESPONSES = (GetBaseRateResponse,)
 
-    desc_set: int
+    descriptor_set: int
     """Data descriptor set. Range: 128 to 254."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDataBaseRate, int]:
-        v = _GET_DATA_BASE_RATE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GetBaseRate, int]:
+        v = _GET_BASE_RATE_0.read(raw, at)
         at += 1
-        desc_set = v[0]
-        return cls(desc_set), at
+        descriptor_set = v[0]
+        return cls(descriptor_set), at
 
     def _write(self) -> bytes:
-        out = _GET_DATA_BASE_RATE_0.write(self.desc_set)
+        out = _GET_BASE_RATE_0.write(self.descriptor_set)
         return codec.finished(out)
 
 
 _MESSAGE_FORMAT_0 = codec.Block("B", "function")
-_MESSAGE_FORMAT_1 = codec.Block("B", "desc_set")
+_MESSAGE_FORMAT_1 = codec.Block("B", "descriptor_set")
 _MESSAGE_FORMAT_2 = codec.Block("B", "num_descriptors")
-_MESSAGE_FORMAT_GROUPS = ((1, ("desc_set",), False), (3, ("descriptors",), False))
+_MESSAGE_FORMAT_GROUPS = ((1, ("descriptor_set",), False), (3, ("descriptors",), False))
 
 
 @dataclass(slots=True)
@@ -3997,7 +3963,7 @@ class MessageFormat(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    desc_set: int | None = None
+    descriptor_set: int | None = None
     """Data descriptor set; 0 means all of them (save, load, default)."""
     # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
@@ -4005,29 +3971,31 @@ class MessageFormat(Command):
     """Fields and decimations. Required for `write`."""
 
     @classmethod
-    def write(cls, desc_set: int, descriptors: tuple[types.DescriptorRate, ...]) -> MessageFormat:
+    def write(
+        cls, descriptor_set: int, descriptors: tuple[types.DescriptorRate, ...]
+    ) -> MessageFormat:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, desc_set=desc_set, descriptors=descriptors)
+        return cls(FunctionSelector.WRITE, descriptor_set=descriptor_set, descriptors=descriptors)
 
     @classmethod
-    def read(cls, desc_set: int) -> MessageFormat:
+    def read(cls, descriptor_set: int) -> MessageFormat:
         """Send the current setting back in a response."""
-        return cls(FunctionSelector.READ, desc_set=desc_set)
+        return cls(FunctionSelector.READ, descriptor_set=descriptor_set)
 
     @classmethod
-    def save(cls, desc_set: int) -> MessageFormat:
+    def save(cls, descriptor_set: int) -> MessageFormat:
         """Save the current setting to non-volatile memory."""
-        return cls(FunctionSelector.SAVE, desc_set=desc_set)
+        return cls(FunctionSelector.SAVE, descriptor_set=descriptor_set)
 
     @classmethod
-    def load(cls, desc_set: int) -> MessageFormat:
+    def load(cls, descriptor_set: int) -> MessageFormat:
         """Load the saved setting."""
-        return cls(FunctionSelector.LOAD, desc_set=desc_set)
+        return cls(FunctionSelector.LOAD, descriptor_set=descriptor_set)
 
     @classmethod
-    def default(cls, desc_set: int) -> MessageFormat:
+    def default(cls, descriptor_set: int) -> MessageFormat:
         """Load the factory default setting."""
-        return cls(FunctionSelector.DEFAULT, desc_set=desc_set)
+        return cls(FunctionSelector.DEFAULT, descriptor_set=descriptor_set)
 
     @property
     def expected(self) -> ResponseClasses:
@@ -4037,7 +4005,7 @@ class MessageFormat(Command):
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MessageFormat, int]:
-        desc_set: int | None = None
+        descriptor_set: int | None = None
         descriptors: tuple[types.DescriptorRate, ...] | None = None
         v = _MESSAGE_FORMAT_0.read(raw, at)
         at += 1
@@ -4049,7 +4017,7 @@ class MessageFormat(Command):
                 raise Truncated(1, 0)
             v = _MESSAGE_FORMAT_1.read(raw, at)
             at += 1
-            desc_set = v[0]
+            descriptor_set = v[0]
             done, end = 1, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
@@ -4063,14 +4031,14 @@ class MessageFormat(Command):
             if done < required:
                 raise
         at = end
-        return cls(function, desc_set, descriptors), at
+        return cls(function, descriptor_set, descriptors), at
 
     def _write(self) -> bytes:
         out = _MESSAGE_FORMAT_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _MESSAGE_FORMAT_GROUPS)
         if there >= 1:
-            out += _MESSAGE_FORMAT_1.write(self.desc_set)
+            out += _MESSAGE_FORMAT_1.write(self.descriptor_set)
         if there >= 3:
             out += _MESSAGE_FORMAT_2.write(codec.count("descriptors", self.descriptors, 83))
             out += codec.write_structures(
@@ -4119,9 +4087,9 @@ class FactoryStreaming(Command):
 
 
 _DATA_STREAM_CONTROL_0 = codec.Block("B", "function")
-_DATA_STREAM_CONTROL_1 = codec.Block("B", "desc_set")
+_DATA_STREAM_CONTROL_1 = codec.Block("B", "descriptor_set")
 _DATA_STREAM_CONTROL_2 = codec.Block("B", "enable")
-_DATA_STREAM_CONTROL_GROUPS = ((1, ("desc_set",), False), (2, ("enable",), False))
+_DATA_STREAM_CONTROL_GROUPS = ((1, ("descriptor_set",), False), (2, ("enable",), False))
 
 
 @dataclass(slots=True)
@@ -4146,11 +4114,11 @@ class DataStreamControl(Command):
     ROLE = "command"
     RESPONSES = (DataStreamControlResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
-    READINGS = {"desc_set": ("device", {"3dm-gx5-15": LegacyDataStream})}
+    READINGS = {"descriptor_set": ("device", {"3dm-gx5-15": LegacyDataStream})}
 
     function: FunctionSelector
     """What to do with the setting."""
-    desc_set: int | None = None
+    descriptor_set: int | None = None
     """Data descriptor set; 0 means all streams (save, load, default).
 
     - On the 3DM-GX5-15: values of `LegacyDataStream`.
@@ -4159,29 +4127,29 @@ class DataStreamControl(Command):
     """Whether the stream is sent. Default: true. Required for `write`."""
 
     @classmethod
-    def write(cls, desc_set: int, enable: bool) -> DataStreamControl:
+    def write(cls, descriptor_set: int, enable: bool) -> DataStreamControl:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, desc_set=desc_set, enable=enable)
+        return cls(FunctionSelector.WRITE, descriptor_set=descriptor_set, enable=enable)
 
     @classmethod
-    def read(cls, desc_set: int) -> DataStreamControl:
+    def read(cls, descriptor_set: int) -> DataStreamControl:
         """Send the current setting back in a response."""
-        return cls(FunctionSelector.READ, desc_set=desc_set)
+        return cls(FunctionSelector.READ, descriptor_set=descriptor_set)
 
     @classmethod
-    def save(cls, desc_set: int) -> DataStreamControl:
+    def save(cls, descriptor_set: int) -> DataStreamControl:
         """Save the current setting to non-volatile memory."""
-        return cls(FunctionSelector.SAVE, desc_set=desc_set)
+        return cls(FunctionSelector.SAVE, descriptor_set=descriptor_set)
 
     @classmethod
-    def load(cls, desc_set: int) -> DataStreamControl:
+    def load(cls, descriptor_set: int) -> DataStreamControl:
         """Load the saved setting."""
-        return cls(FunctionSelector.LOAD, desc_set=desc_set)
+        return cls(FunctionSelector.LOAD, descriptor_set=descriptor_set)
 
     @classmethod
-    def default(cls, desc_set: int) -> DataStreamControl:
+    def default(cls, descriptor_set: int) -> DataStreamControl:
         """Load the factory default setting."""
-        return cls(FunctionSelector.DEFAULT, desc_set=desc_set)
+        return cls(FunctionSelector.DEFAULT, descriptor_set=descriptor_set)
 
     @property
     def expected(self) -> ResponseClasses:
@@ -4191,7 +4159,7 @@ class DataStreamControl(Command):
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControl, int]:
-        desc_set: int | None = None
+        descriptor_set: int | None = None
         enable: bool | None = None
         v = _DATA_STREAM_CONTROL_0.read(raw, at)
         at += 1
@@ -4203,7 +4171,7 @@ class DataStreamControl(Command):
                 raise Truncated(1, 0)
             v = _DATA_STREAM_CONTROL_1.read(raw, at)
             at += 1
-            desc_set = v[0]
+            descriptor_set = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
@@ -4215,14 +4183,14 @@ class DataStreamControl(Command):
             if done < required:
                 raise
         at = end
-        return cls(function, desc_set, enable), at
+        return cls(function, descriptor_set, enable), at
 
     def _write(self) -> bytes:
         out = _DATA_STREAM_CONTROL_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _DATA_STREAM_CONTROL_GROUPS)
         if there >= 1:
-            out += _DATA_STREAM_CONTROL_1.write(self.desc_set)
+            out += _DATA_STREAM_CONTROL_1.write(self.descriptor_set)
         if there >= 2:
             out += _DATA_STREAM_CONTROL_2.write(self.enable)
         return codec.finished(out)
@@ -4789,39 +4757,38 @@ class PpsSourceControl(Command):
         return codec.finished(out)
 
 
-_GET_SUPPORTED_EVENTS_0 = codec.Block("B", "query")
+_GET_EVENT_SUPPORT_0 = codec.Block("B", "query")
 
 
 @dataclass(slots=True)
-class GetSupportedEvents(Command):
+class GetEventSupport(Command):
     """Get Supported Events (0x0C,0x2A).
 
     Asks which types of event triggers or actions there are and how many of each.
 
-    Also called `get_event_support`. Answered by `GetSupportedEventsResponse`. Supported by
-    3DM-CV7-GNSS/INS.
+    Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x2A
-    NAME = "3dm.get_supported_events"
+    NAME = "3dm.get_event_support"
     ROLE = "command"
-    RESPONSES = (GetSupportedEventsResponse,)
+    RESPONSES = (GetEventSupportResponse,)
 
-    query: SupportedEventsQuery
+    query: EventSupportQuery
     """Triggers or actions."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetSupportedEvents, int]:
-        v = _GET_SUPPORTED_EVENTS_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GetEventSupport, int]:
+        v = _GET_EVENT_SUPPORT_0.read(raw, at)
         at += 1
-        query = SupportedEventsQuery(v[0])
+        query = EventSupportQuery(v[0])
         return cls(query), at
 
     def _write(self) -> bytes:
-        out = _GET_SUPPORTED_EVENTS_0.write(self.query)
+        out = _GET_EVENT_SUPPORT_0.write(self.query)
         return codec.finished(out)
 
 
@@ -5024,10 +4991,10 @@ class GetEventActionStatus(Command):
         return codec.finished(out)
 
 
-_EVENT_TRIGGER_CONFIGURATION_0 = codec.Block("B", "function")
-_EVENT_TRIGGER_CONFIGURATION_1 = codec.Block("B", "instance")
-_EVENT_TRIGGER_CONFIGURATION_2 = codec.Block("B", "type")
-_EVENT_TRIGGER_CONFIGURATION_GROUPS = (
+_EVENT_TRIGGER_CONFIG_0 = codec.Block("B", "function")
+_EVENT_TRIGGER_CONFIG_1 = codec.Block("B", "instance")
+_EVENT_TRIGGER_CONFIG_2 = codec.Block("B", "type")
+_EVENT_TRIGGER_CONFIG_GROUPS = (
     (1, ("instance",), False),
     (2, ("type",), False),
     (3, ("parameters",), True),
@@ -5035,13 +5002,13 @@ _EVENT_TRIGGER_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class EventTriggerConfiguration(Command):
+class EventTriggerConfig(Command):
     """Event Trigger Configuration (0x0C,0x2E).
 
     Kind and condition of an event trigger.
 
     Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `EventTriggerConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+    by `EventTriggerConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     The trigger is disabled afterwards; the event control command enables it. A GPIO trigger needs
     its pin configured by the GPIO configuration command.
@@ -5051,9 +5018,9 @@ class EventTriggerConfiguration(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x2E
-    NAME = "3dm.event_trigger_configuration"
+    NAME = "3dm.event_trigger_config"
     ROLE = "command"
-    RESPONSES = (EventTriggerConfigurationResponse,)
+    RESPONSES = (EventTriggerConfigResponse,)
     REQUIRED = {1: 3, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
@@ -5082,38 +5049,38 @@ class EventTriggerConfiguration(Command):
         | types.EventTriggerThreshold
         | types.EventTriggerCombination
         | None,
-    ) -> EventTriggerConfiguration:
+    ) -> EventTriggerConfig:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, instance=instance, type=type, parameters=parameters)
 
     @classmethod
-    def read(cls, instance: int) -> EventTriggerConfiguration:
+    def read(cls, instance: int) -> EventTriggerConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
-    def save(cls, instance: int) -> EventTriggerConfiguration:
+    def save(cls, instance: int) -> EventTriggerConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, instance=instance)
 
     @classmethod
-    def load(cls, instance: int) -> EventTriggerConfiguration:
+    def load(cls, instance: int) -> EventTriggerConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, instance=instance)
 
     @classmethod
-    def default(cls, instance: int) -> EventTriggerConfiguration:
+    def default(cls, instance: int) -> EventTriggerConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (EventTriggerConfigurationResponse,)
+            return (EventTriggerConfigResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfig, int]:
         instance: int | None = None
         type: types.EventTriggerType | None = None
         parameters: (
@@ -5122,7 +5089,7 @@ class EventTriggerConfiguration(Command):
             | types.EventTriggerCombination
             | None
         ) = None
-        v = _EVENT_TRIGGER_CONFIGURATION_0.read(raw, at)
+        v = _EVENT_TRIGGER_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -5130,13 +5097,13 @@ class EventTriggerConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _EVENT_TRIGGER_CONFIGURATION_1.read(raw, at)
+            v = _EVENT_TRIGGER_CONFIG_1.read(raw, at)
             at += 1
             instance = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _EVENT_TRIGGER_CONFIGURATION_2.read(raw, at)
+            v = _EVENT_TRIGGER_CONFIG_2.read(raw, at)
             at += 1
             type = types.EventTriggerType(v[0])
             done, end = 2, at
@@ -5156,13 +5123,13 @@ class EventTriggerConfiguration(Command):
         return cls(function, instance, type, parameters), at
 
     def _write(self) -> bytes:
-        out = _EVENT_TRIGGER_CONFIGURATION_0.write(self.function)
+        out = _EVENT_TRIGGER_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _EVENT_TRIGGER_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _EVENT_TRIGGER_CONFIG_GROUPS)
         if there >= 1:
-            out += _EVENT_TRIGGER_CONFIGURATION_1.write(self.instance)
+            out += _EVENT_TRIGGER_CONFIG_1.write(self.instance)
         if there >= 2:
-            out += _EVENT_TRIGGER_CONFIGURATION_2.write(self.type)
+            out += _EVENT_TRIGGER_CONFIG_2.write(self.type)
         if there >= 3:
             if self.type == 1:
                 if not isinstance(self.parameters, types.EventTriggerGpio):
@@ -5181,11 +5148,11 @@ class EventTriggerConfiguration(Command):
         return codec.finished(out)
 
 
-_EVENT_ACTION_CONFIGURATION_0 = codec.Block("B", "function")
-_EVENT_ACTION_CONFIGURATION_1 = codec.Block("B", "instance")
-_EVENT_ACTION_CONFIGURATION_2 = codec.Block("B", "trigger")
-_EVENT_ACTION_CONFIGURATION_3 = codec.Block("B", "type")
-_EVENT_ACTION_CONFIGURATION_GROUPS = (
+_EVENT_ACTION_CONFIG_0 = codec.Block("B", "function")
+_EVENT_ACTION_CONFIG_1 = codec.Block("B", "instance")
+_EVENT_ACTION_CONFIG_2 = codec.Block("B", "trigger")
+_EVENT_ACTION_CONFIG_3 = codec.Block("B", "type")
+_EVENT_ACTION_CONFIG_GROUPS = (
     (1, ("instance",), False),
     (2, ("trigger",), False),
     (3, ("type",), False),
@@ -5194,13 +5161,13 @@ _EVENT_ACTION_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class EventActionConfiguration(Command):
+class EventActionConfig(Command):
     """Event Action Configuration (0x0C,0x2F).
 
     Trigger and effect of an event action.
 
     Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `EventActionConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+    by `EventActionConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     A packet holds one descriptor set; for several sets use several actions with the same trigger. A
     GPIO action needs its pin configured as an output with the gpio feature.
@@ -5210,9 +5177,9 @@ class EventActionConfiguration(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x2F
-    NAME = "3dm.event_action_configuration"
+    NAME = "3dm.event_action_config"
     ROLE = "command"
-    RESPONSES = (EventActionConfigurationResponse,)
+    RESPONSES = (EventActionConfigResponse,)
     REQUIRED = {1: 4, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
@@ -5238,7 +5205,7 @@ class EventActionConfiguration(Command):
         trigger: int,
         type: types.EventActionType,
         parameters: types.EventActionGpio | types.EventActionMessage | None,
-    ) -> EventActionConfiguration:
+    ) -> EventActionConfig:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -5249,38 +5216,38 @@ class EventActionConfiguration(Command):
         )
 
     @classmethod
-    def read(cls, instance: int) -> EventActionConfiguration:
+    def read(cls, instance: int) -> EventActionConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
-    def save(cls, instance: int) -> EventActionConfiguration:
+    def save(cls, instance: int) -> EventActionConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, instance=instance)
 
     @classmethod
-    def load(cls, instance: int) -> EventActionConfiguration:
+    def load(cls, instance: int) -> EventActionConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, instance=instance)
 
     @classmethod
-    def default(cls, instance: int) -> EventActionConfiguration:
+    def default(cls, instance: int) -> EventActionConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (EventActionConfigurationResponse,)
+            return (EventActionConfigResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfig, int]:
         instance: int | None = None
         trigger: int | None = None
         type: types.EventActionType | None = None
         parameters: types.EventActionGpio | types.EventActionMessage | None = None
-        v = _EVENT_ACTION_CONFIGURATION_0.read(raw, at)
+        v = _EVENT_ACTION_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -5288,19 +5255,19 @@ class EventActionConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _EVENT_ACTION_CONFIGURATION_1.read(raw, at)
+            v = _EVENT_ACTION_CONFIG_1.read(raw, at)
             at += 1
             instance = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _EVENT_ACTION_CONFIGURATION_2.read(raw, at)
+            v = _EVENT_ACTION_CONFIG_2.read(raw, at)
             at += 1
             trigger = v[0]
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _EVENT_ACTION_CONFIGURATION_3.read(raw, at)
+            v = _EVENT_ACTION_CONFIG_3.read(raw, at)
             at += 1
             type = types.EventActionType(v[0])
             done, end = 3, at
@@ -5318,15 +5285,15 @@ class EventActionConfiguration(Command):
         return cls(function, instance, trigger, type, parameters), at
 
     def _write(self) -> bytes:
-        out = _EVENT_ACTION_CONFIGURATION_0.write(self.function)
+        out = _EVENT_ACTION_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _EVENT_ACTION_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _EVENT_ACTION_CONFIG_GROUPS)
         if there >= 1:
-            out += _EVENT_ACTION_CONFIGURATION_1.write(self.instance)
+            out += _EVENT_ACTION_CONFIG_1.write(self.instance)
         if there >= 2:
-            out += _EVENT_ACTION_CONFIGURATION_2.write(self.trigger)
+            out += _EVENT_ACTION_CONFIG_2.write(self.trigger)
         if there >= 3:
-            out += _EVENT_ACTION_CONFIGURATION_3.write(self.type)
+            out += _EVENT_ACTION_CONFIG_3.write(self.type)
         if there >= 4:
             if self.type == 1:
                 if not isinstance(self.parameters, types.EventActionGpio):
@@ -5341,17 +5308,17 @@ class EventActionConfiguration(Command):
         return codec.finished(out)
 
 
-_DEVICE_START_UP_SETTINGS_0 = codec.Block("B", "function")
+_DEVICE_SETTINGS_0 = codec.Block("B", "function")
 
 
 @dataclass(slots=True)
-class DeviceStartUpSettings(Command):
+class DeviceSettings(Command):
     """Device Start Up Settings (0x0C,0x30).
 
     Saves, loads or resets all settings of the device at once.
 
-    Also called `device_settings`. Functions: `save`, `load` and `default`. The device may take 1 s
-    to answer. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Functions: `save`, `load` and `default`. The device may take 1 s to answer. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     A save may disturb the data output for a short time.
 
@@ -5361,7 +5328,7 @@ class DeviceStartUpSettings(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x30
-    NAME = "3dm.device_start_up_settings"
+    NAME = "3dm.device_settings"
     ROLE = "command"
     REQUIRED = {3: 0, 4: 0, 5: 0}
     TIMEOUT = 1.0
@@ -5370,37 +5337,37 @@ class DeviceStartUpSettings(Command):
     """What to do with the setting."""
 
     @classmethod
-    def save(cls) -> DeviceStartUpSettings:
+    def save(cls) -> DeviceSettings:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> DeviceStartUpSettings:
+    def load(cls) -> DeviceSettings:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> DeviceStartUpSettings:
+    def default(cls) -> DeviceSettings:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStartUpSettings, int]:
-        v = _DEVICE_START_UP_SETTINGS_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[DeviceSettings, int]:
+        v = _DEVICE_SETTINGS_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         return cls(function), at
 
     def _write(self) -> bytes:
-        out = _DEVICE_START_UP_SETTINGS_0.write(self.function)
+        out = _DEVICE_SETTINGS_0.write(self.function)
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_1 = codec.Block("f", "roll")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_2 = codec.Block("f", "pitch")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_3 = codec.Block("f", "yaw")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_GROUPS = (
+_SENSOR_TO_VEHICLE_TRANSFORM_EULER_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_TRANSFORM_EULER_1 = codec.Block("f", "roll")
+_SENSOR_TO_VEHICLE_TRANSFORM_EULER_2 = codec.Block("f", "pitch")
+_SENSOR_TO_VEHICLE_TRANSFORM_EULER_3 = codec.Block("f", "yaw")
+_SENSOR_TO_VEHICLE_TRANSFORM_EULER_GROUPS = (
     (1, ("roll",), False),
     (2, ("pitch",), False),
     (3, ("yaw",), False),
@@ -5408,14 +5375,13 @@ _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_GROUPS = (
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformationEuler(Command):
+class SensorToVehicleTransformEuler(Command):
     """Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
 
     Mounting of the sensor in the vehicle as Euler angles.
 
     Also called `sensor_2_vehicle_transform_euler`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `SensorToVehicleFrameTransformationEulerResponse`. Supported by
-    3DM-CV7-GNSS/INS.
+    `default`. Answered by `SensorToVehicleTransformEulerResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
     be another form of it. The mounting is reached from the vehicle frame by turning about the
@@ -5430,9 +5396,9 @@ class SensorToVehicleFrameTransformationEuler(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x31
-    NAME = "3dm.sensor_to_vehicle_frame_transformation_euler"
+    NAME = "3dm.sensor_to_vehicle_transform_euler"
     ROLE = "command"
-    RESPONSES = (SensorToVehicleFrameTransformationEulerResponse,)
+    RESPONSES = (SensorToVehicleTransformEulerResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -5445,44 +5411,42 @@ class SensorToVehicleFrameTransformationEuler(Command):
     """Rotation about the z axis. Unit: rad. Required for `write`."""
 
     @classmethod
-    def write(
-        cls, roll: float, pitch: float, yaw: float
-    ) -> SensorToVehicleFrameTransformationEuler:
+    def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleTransformEuler:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, roll=roll, pitch=pitch, yaw=yaw)
 
     @classmethod
-    def read(cls) -> SensorToVehicleFrameTransformationEuler:
+    def read(cls) -> SensorToVehicleTransformEuler:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleFrameTransformationEuler:
+    def save(cls) -> SensorToVehicleTransformEuler:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleFrameTransformationEuler:
+    def load(cls) -> SensorToVehicleTransformEuler:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleFrameTransformationEuler:
+    def default(cls) -> SensorToVehicleTransformEuler:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (SensorToVehicleFrameTransformationEulerResponse,)
+            return (SensorToVehicleTransformEulerResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationEuler, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformEuler, int]:
         roll: float | None = None
         pitch: float | None = None
         yaw: float | None = None
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_0.read(raw, at)
+        v = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -5490,19 +5454,19 @@ class SensorToVehicleFrameTransformationEuler(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_1.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_1.read(raw, at)
             at += 4
             roll = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_2.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_2.read(raw, at)
             at += 4
             pitch = v[0]
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_3.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_3.read(raw, at)
             at += 4
             yaw = v[0]
             done, end = 3, at
@@ -5513,31 +5477,31 @@ class SensorToVehicleFrameTransformationEuler(Command):
         return cls(function, roll, pitch, yaw), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_0.write(self.function)
+        out = _SENSOR_TO_VEHICLE_TRANSFORM_EULER_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_GROUPS)
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_TRANSFORM_EULER_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_1.write(self.roll)
+            out += _SENSOR_TO_VEHICLE_TRANSFORM_EULER_1.write(self.roll)
         if there >= 2:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_2.write(self.pitch)
+            out += _SENSOR_TO_VEHICLE_TRANSFORM_EULER_2.write(self.pitch)
         if there >= 3:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_3.write(self.yaw)
+            out += _SENSOR_TO_VEHICLE_TRANSFORM_EULER_3.write(self.yaw)
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_GROUPS = ((1, ("q",), False),)
+_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
+_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_GROUPS = ((1, ("q",), False),)
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformationQuaternion(Command):
+class SensorToVehicleTransformQuaternion(Command):
     """Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
 
     Mounting of the sensor in the vehicle as a quaternion.
 
     Also called `sensor_2_vehicle_transform_quaternion`. Functions: `write`, `read`, `save`, `load`
-    and `default`. Answered by `SensorToVehicleFrameTransformationQuaternionResponse`. Supported by
+    and `default`. Answered by `SensorToVehicleTransformQuaternionResponse`. Supported by
     3DM-CV7-GNSS/INS.
 
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
@@ -5549,9 +5513,9 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x32
-    NAME = "3dm.sensor_to_vehicle_frame_transformation_quaternion"
+    NAME = "3dm.sensor_to_vehicle_transform_quaternion"
     ROLE = "command"
-    RESPONSES = (SensorToVehicleFrameTransformationQuaternionResponse,)
+    RESPONSES = (SensorToVehicleTransformQuaternionResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -5562,40 +5526,40 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
     """
 
     @classmethod
-    def write(cls, q: types.Quatf) -> SensorToVehicleFrameTransformationQuaternion:
+    def write(cls, q: types.Quatf) -> SensorToVehicleTransformQuaternion:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, q=q)
 
     @classmethod
-    def read(cls) -> SensorToVehicleFrameTransformationQuaternion:
+    def read(cls) -> SensorToVehicleTransformQuaternion:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleFrameTransformationQuaternion:
+    def save(cls) -> SensorToVehicleTransformQuaternion:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleFrameTransformationQuaternion:
+    def load(cls) -> SensorToVehicleTransformQuaternion:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleFrameTransformationQuaternion:
+    def default(cls) -> SensorToVehicleTransformQuaternion:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (SensorToVehicleFrameTransformationQuaternionResponse,)
+            return (SensorToVehicleTransformQuaternionResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationQuaternion, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformQuaternion, int]:
         q: types.Quatf | None = None
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_0.read(raw, at)
+        v = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -5603,7 +5567,7 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_1.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1.read(raw, at)
             at += 16
             q = v[0:4]
             done, end = 1, at
@@ -5614,34 +5578,27 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
         return cls(function, q), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_0.write(self.function)
+        out = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(
-            self, required, _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_GROUPS
-        )
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_1.write(
-                *codec.exactly("q", self.q, 4)
-            )
+            out += _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1.write(*codec.exactly("q", self.q, 4))
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_1 = codec.Block(
-    "fffffffff", *["dcm"] * 9
-)
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_GROUPS = ((1, ("dcm",), False),)
+_SENSOR_TO_VEHICLE_TRANSFORM_DCM_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_TRANSFORM_DCM_1 = codec.Block("fffffffff", *["dcm"] * 9)
+_SENSOR_TO_VEHICLE_TRANSFORM_DCM_GROUPS = ((1, ("dcm",), False),)
 
 
 @dataclass(slots=True)
-class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
+class SensorToVehicleTransformDcm(Command):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
 
     Mounting of the sensor in the vehicle as a direction cosine matrix.
 
     Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `SensorToVehicleFrameTransformationDirectionCosineMatrixResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    `default`. Answered by `SensorToVehicleTransformDcmResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
     be another form of it. A vector in the vehicle frame is this matrix times the vector in the
@@ -5653,9 +5610,9 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x33
-    NAME = "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix"
+    NAME = "3dm.sensor_to_vehicle_transform_dcm"
     ROLE = "command"
-    RESPONSES = (SensorToVehicleFrameTransformationDirectionCosineMatrixResponse,)
+    RESPONSES = (SensorToVehicleTransformDcmResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -5666,42 +5623,40 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
     """
 
     @classmethod
-    def write(cls, dcm: types.Matrix3f) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
+    def write(cls, dcm: types.Matrix3f) -> SensorToVehicleTransformDcm:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, dcm=dcm)
 
     @classmethod
-    def read(cls) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
+    def read(cls) -> SensorToVehicleTransformDcm:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
+    def save(cls) -> SensorToVehicleTransformDcm:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
+    def load(cls) -> SensorToVehicleTransformDcm:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
+    def default(cls) -> SensorToVehicleTransformDcm:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (SensorToVehicleFrameTransformationDirectionCosineMatrixResponse,)
+            return (SensorToVehicleTransformDcmResponse,)
         return ()
 
     @classmethod
-    def _read(
-        cls, raw: bytes, at: int
-    ) -> tuple[SensorToVehicleFrameTransformationDirectionCosineMatrix, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformDcm, int]:
         dcm: types.Matrix3f | None = None
-        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_0.read(raw, at)
+        v = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -5709,7 +5664,7 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_1.read(raw, at)
+            v = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_1.read(raw, at)
             at += 36
             dcm = v[0:9]
             done, end = 1, at
@@ -5720,33 +5675,28 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
         return cls(function, dcm), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_0.write(self.function)
+        out = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(
-            self, required, _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_GROUPS
-        )
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_TRANSFORM_DCM_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_1.write(
-                *codec.exactly("dcm", self.dcm, 9)
-            )
+            out += _SENSOR_TO_VEHICLE_TRANSFORM_DCM_1.write(*codec.exactly("dcm", self.dcm, 9))
         return codec.finished(out)
 
 
-_ACCELEROMETER_BIAS_CONFIGURATION_0 = codec.Block("B", "function")
-_ACCELEROMETER_BIAS_CONFIGURATION_1 = codec.Block("fff", *["bias"] * 3)
-_ACCELEROMETER_BIAS_CONFIGURATION_GROUPS = ((1, ("bias",), False),)
+_ACCEL_BIAS_0 = codec.Block("B", "function")
+_ACCEL_BIAS_1 = codec.Block("fff", *["bias"] * 3)
+_ACCEL_BIAS_GROUPS = ((1, ("bias",), False),)
 
 
 @dataclass(slots=True)
-class AccelerometerBiasConfiguration(Command):
+class AccelBias(Command):
     """Accelerometer Bias Configuration (0x0C,0x37).
 
     Bias that is subtracted from the scaled acceleration.
 
-    For advanced use. Also called `accel_bias`. Functions: `write`, `read`, `save`, `load`,
-    `default` and `apply`. Answered by `AccelerometerBiasConfigurationResponse`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
-    `default` only.
+    For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
+    `AccelBiasResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS:
+    `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -5754,9 +5704,9 @@ class AccelerometerBiasConfiguration(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x37
-    NAME = "3dm.accelerometer_bias_configuration"
+    NAME = "3dm.accel_bias"
     ROLE = "command"
-    RESPONSES = (AccelerometerBiasConfigurationResponse,)
+    RESPONSES = (AccelBiasResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
 
     function: FunctionSelector
@@ -5767,32 +5717,32 @@ class AccelerometerBiasConfiguration(Command):
     """
 
     @classmethod
-    def write(cls, bias: types.Vector3f) -> AccelerometerBiasConfiguration:
+    def write(cls, bias: types.Vector3f) -> AccelBias:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, bias=bias)
 
     @classmethod
-    def read(cls) -> AccelerometerBiasConfiguration:
+    def read(cls) -> AccelBias:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AccelerometerBiasConfiguration:
+    def save(cls) -> AccelBias:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AccelerometerBiasConfiguration:
+    def load(cls) -> AccelBias:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AccelerometerBiasConfiguration:
+    def default(cls) -> AccelBias:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, bias: types.Vector3f) -> AccelerometerBiasConfiguration:
+    def apply(cls, bias: types.Vector3f) -> AccelBias:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, bias=bias)
 
@@ -5803,13 +5753,13 @@ class AccelerometerBiasConfiguration(Command):
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (AccelerometerBiasConfigurationResponse,)
+            return (AccelBiasResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelBias, int]:
         bias: types.Vector3f | None = None
-        v = _ACCELEROMETER_BIAS_CONFIGURATION_0.read(raw, at)
+        v = _ACCEL_BIAS_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -5817,7 +5767,7 @@ class AccelerometerBiasConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ACCELEROMETER_BIAS_CONFIGURATION_1.read(raw, at)
+            v = _ACCEL_BIAS_1.read(raw, at)
             at += 12
             bias = v[0:3]
             done, end = 1, at
@@ -5828,28 +5778,28 @@ class AccelerometerBiasConfiguration(Command):
         return cls(function, bias), at
 
     def _write(self) -> bytes:
-        out = _ACCELEROMETER_BIAS_CONFIGURATION_0.write(self.function)
+        out = _ACCEL_BIAS_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ACCELEROMETER_BIAS_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _ACCEL_BIAS_GROUPS)
         if there >= 1:
-            out += _ACCELEROMETER_BIAS_CONFIGURATION_1.write(*codec.exactly("bias", self.bias, 3))
+            out += _ACCEL_BIAS_1.write(*codec.exactly("bias", self.bias, 3))
         return codec.finished(out)
 
 
-_GYROSCOPE_BIAS_CONFIGURATION_0 = codec.Block("B", "function")
-_GYROSCOPE_BIAS_CONFIGURATION_1 = codec.Block("fff", *["bias"] * 3)
-_GYROSCOPE_BIAS_CONFIGURATION_GROUPS = ((1, ("bias",), False),)
+_GYRO_BIAS_0 = codec.Block("B", "function")
+_GYRO_BIAS_1 = codec.Block("fff", *["bias"] * 3)
+_GYRO_BIAS_GROUPS = ((1, ("bias",), False),)
 
 
 @dataclass(slots=True)
-class GyroscopeBiasConfiguration(Command):
+class GyroBias(Command):
     """Gyroscope Bias Configuration (0x0C,0x38).
 
     Bias that is subtracted from the scaled angular rate.
 
-    For advanced use. Also called `gyro_bias`. Functions: `write`, `read`, `save`, `load`, `default`
-    and `apply`. Answered by `GyroscopeBiasConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GX5-15. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+    For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
+    `GyroBiasResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS:
+    `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -5857,9 +5807,9 @@ class GyroscopeBiasConfiguration(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x38
-    NAME = "3dm.gyroscope_bias_configuration"
+    NAME = "3dm.gyro_bias"
     ROLE = "command"
-    RESPONSES = (GyroscopeBiasConfigurationResponse,)
+    RESPONSES = (GyroBiasResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
 
     function: FunctionSelector
@@ -5870,32 +5820,32 @@ class GyroscopeBiasConfiguration(Command):
     """
 
     @classmethod
-    def write(cls, bias: types.Vector3f) -> GyroscopeBiasConfiguration:
+    def write(cls, bias: types.Vector3f) -> GyroBias:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, bias=bias)
 
     @classmethod
-    def read(cls) -> GyroscopeBiasConfiguration:
+    def read(cls) -> GyroBias:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GyroscopeBiasConfiguration:
+    def save(cls) -> GyroBias:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GyroscopeBiasConfiguration:
+    def load(cls) -> GyroBias:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GyroscopeBiasConfiguration:
+    def default(cls) -> GyroBias:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, bias: types.Vector3f) -> GyroscopeBiasConfiguration:
+    def apply(cls, bias: types.Vector3f) -> GyroBias:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, bias=bias)
 
@@ -5906,13 +5856,13 @@ class GyroscopeBiasConfiguration(Command):
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (GyroscopeBiasConfigurationResponse,)
+            return (GyroBiasResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroBias, int]:
         bias: types.Vector3f | None = None
-        v = _GYROSCOPE_BIAS_CONFIGURATION_0.read(raw, at)
+        v = _GYRO_BIAS_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -5920,7 +5870,7 @@ class GyroscopeBiasConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GYROSCOPE_BIAS_CONFIGURATION_1.read(raw, at)
+            v = _GYRO_BIAS_1.read(raw, at)
             at += 12
             bias = v[0:3]
             done, end = 1, at
@@ -5931,25 +5881,25 @@ class GyroscopeBiasConfiguration(Command):
         return cls(function, bias), at
 
     def _write(self) -> bytes:
-        out = _GYROSCOPE_BIAS_CONFIGURATION_0.write(self.function)
+        out = _GYRO_BIAS_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GYROSCOPE_BIAS_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _GYRO_BIAS_GROUPS)
         if there >= 1:
-            out += _GYROSCOPE_BIAS_CONFIGURATION_1.write(*codec.exactly("bias", self.bias, 3))
+            out += _GYRO_BIAS_1.write(*codec.exactly("bias", self.bias, 3))
         return codec.finished(out)
 
 
-_CAPTURE_GYROSCOPE_BIAS_0 = codec.Block("H", "averaging_time_ms")
+_CAPTURE_GYRO_BIAS_0 = codec.Block("H", "averaging_time_ms")
 
 
 @dataclass(slots=True)
-class CaptureGyroscopeBias(Command):
+class CaptureGyroBias(Command):
     """Capture Gyroscope Bias (0x0C,0x39).
 
     Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
 
-    Also called `capture_gyro_bias`. Answered by `GyroscopeBiasConfigurationResponse`. The device
-    may take 31 s to answer. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answered by `GyroBiasResponse`. The device may take 31 s to answer. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The device must stand still, with as little vibration as possible, for the whole time. The reply
     comes after the averaging time. The bias is not saved; the gyroscope bias configuration command
@@ -5961,39 +5911,39 @@ class CaptureGyroscopeBias(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x39
-    NAME = "3dm.capture_gyroscope_bias"
+    NAME = "3dm.capture_gyro_bias"
     ROLE = "command"
-    RESPONSES = (GyroscopeBiasConfigurationResponse,)
+    RESPONSES = (GyroBiasResponse,)
     TIMEOUT = 31.0
 
     averaging_time_ms: int
     """Time to average over. Unit: ms. Range: 1000 to 30000."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CaptureGyroscopeBias, int]:
-        v = _CAPTURE_GYROSCOPE_BIAS_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[CaptureGyroBias, int]:
+        v = _CAPTURE_GYRO_BIAS_0.read(raw, at)
         at += 2
         averaging_time_ms = v[0]
         return cls(averaging_time_ms), at
 
     def _write(self) -> bytes:
-        out = _CAPTURE_GYROSCOPE_BIAS_0.write(self.averaging_time_ms)
+        out = _CAPTURE_GYRO_BIAS_0.write(self.averaging_time_ms)
         return codec.finished(out)
 
 
-_MAGNETOMETER_HARD_IRON_OFFSET_0 = codec.Block("B", "function")
-_MAGNETOMETER_HARD_IRON_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
-_MAGNETOMETER_HARD_IRON_OFFSET_GROUPS = ((1, ("offset",), False),)
+_MAG_HARD_IRON_OFFSET_0 = codec.Block("B", "function")
+_MAG_HARD_IRON_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
+_MAG_HARD_IRON_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
 @dataclass(slots=True)
-class MagnetometerHardIronOffset(Command):
+class MagHardIronOffset(Command):
     """Magnetometer Hard Iron Offset (0x0C,0x3A).
 
     Offset that corrects the scaled magnetic field for hard iron.
 
-    Also called `mag_hard_iron_offset`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `MagnetometerHardIronOffsetResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagHardIronOffsetResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     The values come from a calibration of the device as it is installed.
 
@@ -6002,9 +5952,9 @@ class MagnetometerHardIronOffset(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x3A
-    NAME = "3dm.magnetometer_hard_iron_offset"
+    NAME = "3dm.mag_hard_iron_offset"
     ROLE = "command"
-    RESPONSES = (MagnetometerHardIronOffsetResponse,)
+    RESPONSES = (MagHardIronOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -6013,40 +5963,40 @@ class MagnetometerHardIronOffset(Command):
     """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for `write`."""
 
     @classmethod
-    def write(cls, offset: types.Vector3f) -> MagnetometerHardIronOffset:
+    def write(cls, offset: types.Vector3f) -> MagHardIronOffset:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, offset=offset)
 
     @classmethod
-    def read(cls) -> MagnetometerHardIronOffset:
+    def read(cls) -> MagHardIronOffset:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagnetometerHardIronOffset:
+    def save(cls) -> MagHardIronOffset:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagnetometerHardIronOffset:
+    def load(cls) -> MagHardIronOffset:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagnetometerHardIronOffset:
+    def default(cls) -> MagHardIronOffset:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (MagnetometerHardIronOffsetResponse,)
+            return (MagHardIronOffsetResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerHardIronOffset, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagHardIronOffset, int]:
         offset: types.Vector3f | None = None
-        v = _MAGNETOMETER_HARD_IRON_OFFSET_0.read(raw, at)
+        v = _MAG_HARD_IRON_OFFSET_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -6054,7 +6004,7 @@ class MagnetometerHardIronOffset(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _MAGNETOMETER_HARD_IRON_OFFSET_1.read(raw, at)
+            v = _MAG_HARD_IRON_OFFSET_1.read(raw, at)
             at += 12
             offset = v[0:3]
             done, end = 1, at
@@ -6065,27 +6015,27 @@ class MagnetometerHardIronOffset(Command):
         return cls(function, offset), at
 
     def _write(self) -> bytes:
-        out = _MAGNETOMETER_HARD_IRON_OFFSET_0.write(self.function)
+        out = _MAG_HARD_IRON_OFFSET_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAGNETOMETER_HARD_IRON_OFFSET_GROUPS)
+        there = codec.present(self, required, _MAG_HARD_IRON_OFFSET_GROUPS)
         if there >= 1:
-            out += _MAGNETOMETER_HARD_IRON_OFFSET_1.write(*codec.exactly("offset", self.offset, 3))
+            out += _MAG_HARD_IRON_OFFSET_1.write(*codec.exactly("offset", self.offset, 3))
         return codec.finished(out)
 
 
-_MAGNETOMETER_SOFT_IRON_MATRIX_0 = codec.Block("B", "function")
-_MAGNETOMETER_SOFT_IRON_MATRIX_1 = codec.Block("fffffffff", *["offset"] * 9)
-_MAGNETOMETER_SOFT_IRON_MATRIX_GROUPS = ((1, ("offset",), False),)
+_MAG_SOFT_IRON_MATRIX_0 = codec.Block("B", "function")
+_MAG_SOFT_IRON_MATRIX_1 = codec.Block("fffffffff", *["matrix"] * 9)
+_MAG_SOFT_IRON_MATRIX_GROUPS = ((1, ("matrix",), False),)
 
 
 @dataclass(slots=True)
-class MagnetometerSoftIronMatrix(Command):
+class MagSoftIronMatrix(Command):
     """Magnetometer Soft Iron Matrix (0x0C,0x3B).
 
     Matrix that corrects the scaled magnetic field for soft iron.
 
-    Also called `mag_soft_iron_matrix`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `MagnetometerSoftIronMatrixResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagSoftIronMatrixResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     The values come from a calibration of the device as it is installed.
 
@@ -6094,53 +6044,53 @@ class MagnetometerSoftIronMatrix(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x3B
-    NAME = "3dm.magnetometer_soft_iron_matrix"
+    NAME = "3dm.mag_soft_iron_matrix"
     ROLE = "command"
-    RESPONSES = (MagnetometerSoftIronMatrixResponse,)
+    RESPONSES = (MagSoftIronMatrixResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
-    offset: types.Matrix3f | None = None
+    matrix: types.Matrix3f | None = None
     """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
     Unit: 1. Frame: sensor. Required for `write`.
     """
 
     @classmethod
-    def write(cls, offset: types.Matrix3f) -> MagnetometerSoftIronMatrix:
+    def write(cls, matrix: types.Matrix3f) -> MagSoftIronMatrix:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, offset=offset)
+        return cls(FunctionSelector.WRITE, matrix=matrix)
 
     @classmethod
-    def read(cls) -> MagnetometerSoftIronMatrix:
+    def read(cls) -> MagSoftIronMatrix:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagnetometerSoftIronMatrix:
+    def save(cls) -> MagSoftIronMatrix:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagnetometerSoftIronMatrix:
+    def load(cls) -> MagSoftIronMatrix:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagnetometerSoftIronMatrix:
+    def default(cls) -> MagSoftIronMatrix:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (MagnetometerSoftIronMatrixResponse,)
+            return (MagSoftIronMatrixResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerSoftIronMatrix, int]:
-        offset: types.Matrix3f | None = None
-        v = _MAGNETOMETER_SOFT_IRON_MATRIX_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[MagSoftIronMatrix, int]:
+        matrix: types.Matrix3f | None = None
+        v = _MAG_SOFT_IRON_MATRIX_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -6148,47 +6098,47 @@ class MagnetometerSoftIronMatrix(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _MAGNETOMETER_SOFT_IRON_MATRIX_1.read(raw, at)
+            v = _MAG_SOFT_IRON_MATRIX_1.read(raw, at)
             at += 36
-            offset = v[0:9]
+            matrix = v[0:9]
             done, end = 1, at
         except Truncated:
             if done < required:
                 raise
         at = end
-        return cls(function, offset), at
+        return cls(function, matrix), at
 
     def _write(self) -> bytes:
-        out = _MAGNETOMETER_SOFT_IRON_MATRIX_0.write(self.function)
+        out = _MAG_SOFT_IRON_MATRIX_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _MAGNETOMETER_SOFT_IRON_MATRIX_GROUPS)
+        there = codec.present(self, required, _MAG_SOFT_IRON_MATRIX_GROUPS)
         if there >= 1:
-            out += _MAGNETOMETER_SOFT_IRON_MATRIX_1.write(*codec.exactly("offset", self.offset, 9))
+            out += _MAG_SOFT_IRON_MATRIX_1.write(*codec.exactly("matrix", self.matrix, 9))
         return codec.finished(out)
 
 
-_CONING_AND_SCULLING_ENABLE_0 = codec.Block("B", "function")
-_CONING_AND_SCULLING_ENABLE_1 = codec.Block("B", "enable")
-_CONING_AND_SCULLING_ENABLE_GROUPS = ((1, ("enable",), False),)
+_CONING_SCULLING_ENABLE_0 = codec.Block("B", "function")
+_CONING_SCULLING_ENABLE_1 = codec.Block("B", "enable")
+_CONING_SCULLING_ENABLE_GROUPS = ((1, ("enable",), False),)
 
 
 @dataclass(slots=True)
-class ConingAndScullingEnable(Command):
+class ConingScullingEnable(Command):
     """Coning and Sculling Enable (0x0C,0x3E).
 
     Switches the compensation of coning and sculling on or off.
 
-    Also called `coning_sculling_enable`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `ConingAndScullingEnableResponse`. Supported by 3DM-GX5-15.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ConingScullingEnableResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x3E
-    NAME = "3dm.coning_and_sculling_enable"
+    NAME = "3dm.coning_sculling_enable"
     ROLE = "command"
-    RESPONSES = (ConingAndScullingEnableResponse,)
+    RESPONSES = (ConingScullingEnableResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -6197,40 +6147,40 @@ class ConingAndScullingEnable(Command):
     """Whether the compensation is on. Default: true. Required for `write`."""
 
     @classmethod
-    def write(cls, enable: bool) -> ConingAndScullingEnable:
+    def write(cls, enable: bool) -> ConingScullingEnable:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable)
 
     @classmethod
-    def read(cls) -> ConingAndScullingEnable:
+    def read(cls) -> ConingScullingEnable:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ConingAndScullingEnable:
+    def save(cls) -> ConingScullingEnable:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ConingAndScullingEnable:
+    def load(cls) -> ConingScullingEnable:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ConingAndScullingEnable:
+    def default(cls) -> ConingScullingEnable:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (ConingAndScullingEnableResponse,)
+            return (ConingScullingEnableResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConingAndScullingEnable, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ConingScullingEnable, int]:
         enable: bool | None = None
-        v = _CONING_AND_SCULLING_ENABLE_0.read(raw, at)
+        v = _CONING_SCULLING_ENABLE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -6238,7 +6188,7 @@ class ConingAndScullingEnable(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _CONING_AND_SCULLING_ENABLE_1.read(raw, at)
+            v = _CONING_SCULLING_ENABLE_1.read(raw, at)
             at += 1
             enable = codec.truth(v[0])
             done, end = 1, at
@@ -6249,11 +6199,11 @@ class ConingAndScullingEnable(Command):
         return cls(function, enable), at
 
     def _write(self) -> bytes:
-        out = _CONING_AND_SCULLING_ENABLE_0.write(self.function)
+        out = _CONING_SCULLING_ENABLE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _CONING_AND_SCULLING_ENABLE_GROUPS)
+        there = codec.present(self, required, _CONING_SCULLING_ENABLE_GROUPS)
         if there >= 1:
-            out += _CONING_AND_SCULLING_ENABLE_1.write(self.enable)
+            out += _CONING_SCULLING_ENABLE_1.write(self.enable)
         return codec.finished(out)
 
 
@@ -6356,12 +6306,12 @@ class UartBaudRate(Command):
         return codec.finished(out)
 
 
-_GPIO_CONFIGURATION_0 = codec.Block("B", "function")
-_GPIO_CONFIGURATION_1 = codec.Block("B", "pin")
-_GPIO_CONFIGURATION_2 = codec.Block("B", "feature")
-_GPIO_CONFIGURATION_3 = codec.Block("B", "behavior")
-_GPIO_CONFIGURATION_4 = codec.Block("B", "pin_mode")
-_GPIO_CONFIGURATION_GROUPS = (
+_GPIO_CONFIG_0 = codec.Block("B", "function")
+_GPIO_CONFIG_1 = codec.Block("B", "pin")
+_GPIO_CONFIG_2 = codec.Block("B", "feature")
+_GPIO_CONFIG_3 = codec.Block("B", "behavior")
+_GPIO_CONFIG_4 = codec.Block("B", "pin_mode")
+_GPIO_CONFIG_GROUPS = (
     (1, ("pin",), False),
     (2, ("feature",), False),
     (3, ("behavior",), False),
@@ -6370,13 +6320,13 @@ _GPIO_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class GpioConfiguration(Command):
+class GpioConfig(Command):
     """GPIO Configuration (0x0C,0x41).
 
     What a GPIO pin is used for.
 
-    Also called `gpio_config`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GpioConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpioConfigResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     Not every pin has every feature. Configure the function behind an output before its pin, and the
     pin of an input before its function. A configuration that only one pin can have passes to the
@@ -6388,9 +6338,9 @@ class GpioConfiguration(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x41
-    NAME = "3dm.gpio_configuration"
+    NAME = "3dm.gpio_config"
     ROLE = "command"
-    RESPONSES = (GpioConfigurationResponse,)
+    RESPONSES = (GpioConfigResponse,)
     REQUIRED = {1: 4, 2: 1, 3: 1, 4: 1, 5: 1}
     READINGS = {
         "behavior": (
@@ -6428,45 +6378,45 @@ class GpioConfiguration(Command):
     @classmethod
     def write(
         cls, pin: int, feature: types.GpioFeature, behavior: int, pin_mode: types.GpioPinMode
-    ) -> GpioConfiguration:
+    ) -> GpioConfig:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE, pin=pin, feature=feature, behavior=behavior, pin_mode=pin_mode
         )
 
     @classmethod
-    def read(cls, pin: int) -> GpioConfiguration:
+    def read(cls, pin: int) -> GpioConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, pin=pin)
 
     @classmethod
-    def save(cls, pin: int) -> GpioConfiguration:
+    def save(cls, pin: int) -> GpioConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, pin=pin)
 
     @classmethod
-    def load(cls, pin: int) -> GpioConfiguration:
+    def load(cls, pin: int) -> GpioConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, pin=pin)
 
     @classmethod
-    def default(cls, pin: int) -> GpioConfiguration:
+    def default(cls, pin: int) -> GpioConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, pin=pin)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (GpioConfigurationResponse,)
+            return (GpioConfigResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfig, int]:
         pin: int | None = None
         feature: types.GpioFeature | None = None
         behavior: int | None = None
         pin_mode: types.GpioPinMode | None = None
-        v = _GPIO_CONFIGURATION_0.read(raw, at)
+        v = _GPIO_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -6474,25 +6424,25 @@ class GpioConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _GPIO_CONFIGURATION_1.read(raw, at)
+            v = _GPIO_CONFIG_1.read(raw, at)
             at += 1
             pin = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _GPIO_CONFIGURATION_2.read(raw, at)
+            v = _GPIO_CONFIG_2.read(raw, at)
             at += 1
             feature = types.GpioFeature(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _GPIO_CONFIGURATION_3.read(raw, at)
+            v = _GPIO_CONFIG_3.read(raw, at)
             at += 1
             behavior = v[0]
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _GPIO_CONFIGURATION_4.read(raw, at)
+            v = _GPIO_CONFIG_4.read(raw, at)
             at += 1
             pin_mode = types.GpioPinMode(v[0])
             done, end = 4, at
@@ -6503,17 +6453,17 @@ class GpioConfiguration(Command):
         return cls(function, pin, feature, behavior, pin_mode), at
 
     def _write(self) -> bytes:
-        out = _GPIO_CONFIGURATION_0.write(self.function)
+        out = _GPIO_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _GPIO_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _GPIO_CONFIG_GROUPS)
         if there >= 1:
-            out += _GPIO_CONFIGURATION_1.write(self.pin)
+            out += _GPIO_CONFIG_1.write(self.pin)
         if there >= 2:
-            out += _GPIO_CONFIGURATION_2.write(self.feature)
+            out += _GPIO_CONFIG_2.write(self.feature)
         if there >= 3:
-            out += _GPIO_CONFIGURATION_3.write(self.behavior)
+            out += _GPIO_CONFIG_3.write(self.behavior)
         if there >= 4:
-            out += _GPIO_CONFIGURATION_4.write(self.pin_mode)
+            out += _GPIO_CONFIG_4.write(self.pin_mode)
         return codec.finished(out)
 
 
@@ -6608,11 +6558,11 @@ class GpioState(Command):
         return codec.finished(out)
 
 
-_ODOMETER_CONFIGURATION_0 = codec.Block("B", "function")
-_ODOMETER_CONFIGURATION_1 = codec.Block("B", "mode")
-_ODOMETER_CONFIGURATION_2 = codec.Block("f", "scaling")
-_ODOMETER_CONFIGURATION_3 = codec.Block("f", "uncertainty")
-_ODOMETER_CONFIGURATION_GROUPS = (
+_ODOMETER_CONFIG_0 = codec.Block("B", "function")
+_ODOMETER_CONFIG_1 = codec.Block("B", "mode")
+_ODOMETER_CONFIG_2 = codec.Block("f", "scaling")
+_ODOMETER_CONFIG_3 = codec.Block("f", "uncertainty")
+_ODOMETER_CONFIG_GROUPS = (
     (1, ("mode",), False),
     (2, ("scaling",), False),
     (3, ("uncertainty",), False),
@@ -6620,22 +6570,22 @@ _ODOMETER_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class OdometerConfiguration(Command):
+class OdometerConfig(Command):
     """Odometer Configuration (0x0C,0x43).
 
     Input from a wheel encoder.
 
     Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `OdometerConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `OdometerConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
 
     SET = 0x0C
     DESCRIPTOR = 0x43
-    NAME = "3dm.odometer_configuration"
+    NAME = "3dm.odometer_config"
     ROLE = "command"
-    RESPONSES = (OdometerConfigurationResponse,)
+    RESPONSES = (OdometerConfigResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -6651,42 +6601,42 @@ class OdometerConfiguration(Command):
     """Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for `write`."""
 
     @classmethod
-    def write(cls, mode: OdometerMode, scaling: float, uncertainty: float) -> OdometerConfiguration:
+    def write(cls, mode: OdometerMode, scaling: float, uncertainty: float) -> OdometerConfig:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, mode=mode, scaling=scaling, uncertainty=uncertainty)
 
     @classmethod
-    def read(cls) -> OdometerConfiguration:
+    def read(cls) -> OdometerConfig:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> OdometerConfiguration:
+    def save(cls) -> OdometerConfig:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> OdometerConfiguration:
+    def load(cls) -> OdometerConfig:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> OdometerConfiguration:
+    def default(cls) -> OdometerConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (OdometerConfigurationResponse,)
+            return (OdometerConfigResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfig, int]:
         mode: OdometerMode | None = None
         scaling: float | None = None
         uncertainty: float | None = None
-        v = _ODOMETER_CONFIGURATION_0.read(raw, at)
+        v = _ODOMETER_CONFIG_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -6694,19 +6644,19 @@ class OdometerConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ODOMETER_CONFIGURATION_1.read(raw, at)
+            v = _ODOMETER_CONFIG_1.read(raw, at)
             at += 1
             mode = OdometerMode(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _ODOMETER_CONFIGURATION_2.read(raw, at)
+            v = _ODOMETER_CONFIG_2.read(raw, at)
             at += 4
             scaling = v[0]
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _ODOMETER_CONFIGURATION_3.read(raw, at)
+            v = _ODOMETER_CONFIG_3.read(raw, at)
             at += 4
             uncertainty = v[0]
             done, end = 3, at
@@ -6717,25 +6667,25 @@ class OdometerConfiguration(Command):
         return cls(function, mode, scaling, uncertainty), at
 
     def _write(self) -> bytes:
-        out = _ODOMETER_CONFIGURATION_0.write(self.function)
+        out = _ODOMETER_CONFIG_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ODOMETER_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _ODOMETER_CONFIG_GROUPS)
         if there >= 1:
-            out += _ODOMETER_CONFIGURATION_1.write(self.mode)
+            out += _ODOMETER_CONFIG_1.write(self.mode)
         if there >= 2:
-            out += _ODOMETER_CONFIGURATION_2.write(self.scaling)
+            out += _ODOMETER_CONFIG_2.write(self.scaling)
         if there >= 3:
-            out += _ODOMETER_CONFIGURATION_3.write(self.uncertainty)
+            out += _ODOMETER_CONFIG_3.write(self.uncertainty)
         return codec.finished(out)
 
 
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_0 = codec.Block("B", "function")
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_1 = codec.Block("B", "target_descriptor")
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_2 = codec.Block("B", "enable")
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_3 = codec.Block("B", "manual")
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_4 = codec.Block("H", "frequency")
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_5 = codec.Block("B", "reserved")
-_ADVANCED_LOW_PASS_FILTER_SETTINGS_GROUPS = (
+_IMU_LOW_PASS_FILTER_0 = codec.Block("B", "function")
+_IMU_LOW_PASS_FILTER_1 = codec.Block("B", "target_descriptor")
+_IMU_LOW_PASS_FILTER_2 = codec.Block("B", "enable")
+_IMU_LOW_PASS_FILTER_3 = codec.Block("B", "manual")
+_IMU_LOW_PASS_FILTER_4 = codec.Block("H", "frequency")
+_IMU_LOW_PASS_FILTER_5 = codec.Block("B", "reserved")
+_IMU_LOW_PASS_FILTER_GROUPS = (
     (1, ("target_descriptor",), False),
     (2, ("enable",), False),
     (3, ("manual",), False),
@@ -6745,14 +6695,14 @@ _ADVANCED_LOW_PASS_FILTER_SETTINGS_GROUPS = (
 
 
 @dataclass(slots=True)
-class AdvancedLowPassFilterSettings(Command):
+class ImuLowPassFilter(Command):
     """Advanced Low-Pass Filter Settings (0x0C,0x50).
 
     Low-pass filter of one quantity of the sensor data.
 
-    Deprecated: use `LowPassAntiAliasingFilter` where the device has it. For advanced use. Also
-    called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `AdvancedLowPassFilterSettingsResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Deprecated: use `LowPassFilter` where the device has it. For advanced use. Also called
+    `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ImuLowPassFilterResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The filter has one pole. By default it is on and its cutoff is half the rate of the message
     format.
@@ -6763,9 +6713,9 @@ class AdvancedLowPassFilterSettings(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x50
-    NAME = "3dm.advanced_low_pass_filter_settings"
+    NAME = "3dm.imu_low_pass_filter"
     ROLE = "command"
-    RESPONSES = (AdvancedLowPassFilterSettingsResponse,)
+    RESPONSES = (ImuLowPassFilterResponse,)
     REQUIRED = {1: 5, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
@@ -6794,7 +6744,7 @@ class AdvancedLowPassFilterSettings(Command):
     @classmethod
     def write(
         cls, target_descriptor: int, enable: bool, manual: bool, frequency: int
-    ) -> AdvancedLowPassFilterSettings:
+    ) -> ImuLowPassFilter:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -6806,39 +6756,39 @@ class AdvancedLowPassFilterSettings(Command):
         )
 
     @classmethod
-    def read(cls, target_descriptor: int) -> AdvancedLowPassFilterSettings:
+    def read(cls, target_descriptor: int) -> ImuLowPassFilter:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, target_descriptor=target_descriptor)
 
     @classmethod
-    def save(cls, target_descriptor: int) -> AdvancedLowPassFilterSettings:
+    def save(cls, target_descriptor: int) -> ImuLowPassFilter:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, target_descriptor=target_descriptor)
 
     @classmethod
-    def load(cls, target_descriptor: int) -> AdvancedLowPassFilterSettings:
+    def load(cls, target_descriptor: int) -> ImuLowPassFilter:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, target_descriptor=target_descriptor)
 
     @classmethod
-    def default(cls, target_descriptor: int) -> AdvancedLowPassFilterSettings:
+    def default(cls, target_descriptor: int) -> ImuLowPassFilter:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, target_descriptor=target_descriptor)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (AdvancedLowPassFilterSettingsResponse,)
+            return (ImuLowPassFilterResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AdvancedLowPassFilterSettings, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuLowPassFilter, int]:
         target_descriptor: int | None = None
         enable: bool | None = None
         manual: bool | None = None
         frequency: int | None = None
         reserved: int | None = None
-        v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_0.read(raw, at)
+        v = _IMU_LOW_PASS_FILTER_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -6846,31 +6796,31 @@ class AdvancedLowPassFilterSettings(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_1.read(raw, at)
+            v = _IMU_LOW_PASS_FILTER_1.read(raw, at)
             at += 1
             target_descriptor = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_2.read(raw, at)
+            v = _IMU_LOW_PASS_FILTER_2.read(raw, at)
             at += 1
             enable = codec.truth(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_3.read(raw, at)
+            v = _IMU_LOW_PASS_FILTER_3.read(raw, at)
             at += 1
             manual = codec.truth(v[0])
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_4.read(raw, at)
+            v = _IMU_LOW_PASS_FILTER_4.read(raw, at)
             at += 2
             frequency = v[0]
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
-            v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_5.read(raw, at)
+            v = _IMU_LOW_PASS_FILTER_5.read(raw, at)
             at += 1
             reserved = v[0]
             done, end = 5, at
@@ -6881,28 +6831,28 @@ class AdvancedLowPassFilterSettings(Command):
         return cls(function, target_descriptor, enable, manual, frequency, reserved), at
 
     def _write(self) -> bytes:
-        out = _ADVANCED_LOW_PASS_FILTER_SETTINGS_0.write(self.function)
+        out = _IMU_LOW_PASS_FILTER_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _ADVANCED_LOW_PASS_FILTER_SETTINGS_GROUPS)
+        there = codec.present(self, required, _IMU_LOW_PASS_FILTER_GROUPS)
         if there >= 1:
-            out += _ADVANCED_LOW_PASS_FILTER_SETTINGS_1.write(self.target_descriptor)
+            out += _IMU_LOW_PASS_FILTER_1.write(self.target_descriptor)
         if there >= 2:
-            out += _ADVANCED_LOW_PASS_FILTER_SETTINGS_2.write(self.enable)
+            out += _IMU_LOW_PASS_FILTER_2.write(self.enable)
         if there >= 3:
-            out += _ADVANCED_LOW_PASS_FILTER_SETTINGS_3.write(self.manual)
+            out += _IMU_LOW_PASS_FILTER_3.write(self.manual)
         if there >= 4:
-            out += _ADVANCED_LOW_PASS_FILTER_SETTINGS_4.write(self.frequency)
+            out += _IMU_LOW_PASS_FILTER_4.write(self.frequency)
         if there >= 5:
-            out += _ADVANCED_LOW_PASS_FILTER_SETTINGS_5.write(self.reserved)
+            out += _IMU_LOW_PASS_FILTER_5.write(self.reserved)
         return codec.finished(out)
 
 
-_COMPLEMENTARY_FILTER_CONFIGURATION_0 = codec.Block("B", "function")
-_COMPLEMENTARY_FILTER_CONFIGURATION_1 = codec.Block("B", "pitch_roll_enable")
-_COMPLEMENTARY_FILTER_CONFIGURATION_2 = codec.Block("B", "heading_enable")
-_COMPLEMENTARY_FILTER_CONFIGURATION_3 = codec.Block("f", "pitch_roll_time_constant")
-_COMPLEMENTARY_FILTER_CONFIGURATION_4 = codec.Block("f", "heading_time_constant")
-_COMPLEMENTARY_FILTER_CONFIGURATION_GROUPS = (
+_COMPLEMENTARY_FILTER_0 = codec.Block("B", "function")
+_COMPLEMENTARY_FILTER_1 = codec.Block("B", "pitch_roll_enable")
+_COMPLEMENTARY_FILTER_2 = codec.Block("B", "heading_enable")
+_COMPLEMENTARY_FILTER_3 = codec.Block("f", "pitch_roll_time_constant")
+_COMPLEMENTARY_FILTER_4 = codec.Block("f", "heading_time_constant")
+_COMPLEMENTARY_FILTER_GROUPS = (
     (1, ("pitch_roll_enable",), False),
     (2, ("heading_enable",), False),
     (3, ("pitch_roll_time_constant",), False),
@@ -6911,14 +6861,13 @@ _COMPLEMENTARY_FILTER_CONFIGURATION_GROUPS = (
 
 
 @dataclass(slots=True)
-class ComplementaryFilterConfiguration(Command):
+class ComplementaryFilter(Command):
     """Complementary Filter Configuration (0x0C,0x51).
 
     Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
 
-    Also called `complementary_filter`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `ComplementaryFilterConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GX5-15.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ComplementaryFilterResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero. The
     heading follows the magnetometer, if the device has one. The device refuses time constants out
@@ -6931,9 +6880,9 @@ class ComplementaryFilterConfiguration(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x51
-    NAME = "3dm.complementary_filter_configuration"
+    NAME = "3dm.complementary_filter"
     ROLE = "command"
-    RESPONSES = (ComplementaryFilterConfigurationResponse,)
+    RESPONSES = (ComplementaryFilterResponse,)
     REQUIRED = {1: 4, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -6964,7 +6913,7 @@ class ComplementaryFilterConfiguration(Command):
         heading_enable: bool,
         pitch_roll_time_constant: float,
         heading_time_constant: float,
-    ) -> ComplementaryFilterConfiguration:
+    ) -> ComplementaryFilter:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -6975,38 +6924,38 @@ class ComplementaryFilterConfiguration(Command):
         )
 
     @classmethod
-    def read(cls) -> ComplementaryFilterConfiguration:
+    def read(cls) -> ComplementaryFilter:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ComplementaryFilterConfiguration:
+    def save(cls) -> ComplementaryFilter:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ComplementaryFilterConfiguration:
+    def load(cls) -> ComplementaryFilter:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ComplementaryFilterConfiguration:
+    def default(cls) -> ComplementaryFilter:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (ComplementaryFilterConfigurationResponse,)
+            return (ComplementaryFilterResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterConfiguration, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilter, int]:
         pitch_roll_enable: bool | None = None
         heading_enable: bool | None = None
         pitch_roll_time_constant: float | None = None
         heading_time_constant: float | None = None
-        v = _COMPLEMENTARY_FILTER_CONFIGURATION_0.read(raw, at)
+        v = _COMPLEMENTARY_FILTER_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -7014,25 +6963,25 @@ class ComplementaryFilterConfiguration(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _COMPLEMENTARY_FILTER_CONFIGURATION_1.read(raw, at)
+            v = _COMPLEMENTARY_FILTER_1.read(raw, at)
             at += 1
             pitch_roll_enable = codec.truth(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _COMPLEMENTARY_FILTER_CONFIGURATION_2.read(raw, at)
+            v = _COMPLEMENTARY_FILTER_2.read(raw, at)
             at += 1
             heading_enable = codec.truth(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _COMPLEMENTARY_FILTER_CONFIGURATION_3.read(raw, at)
+            v = _COMPLEMENTARY_FILTER_3.read(raw, at)
             at += 4
             pitch_roll_time_constant = v[0]
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _COMPLEMENTARY_FILTER_CONFIGURATION_4.read(raw, at)
+            v = _COMPLEMENTARY_FILTER_4.read(raw, at)
             at += 4
             heading_time_constant = v[0]
             done, end = 4, at
@@ -7049,17 +6998,17 @@ class ComplementaryFilterConfiguration(Command):
         ), at
 
     def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_CONFIGURATION_0.write(self.function)
+        out = _COMPLEMENTARY_FILTER_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _COMPLEMENTARY_FILTER_CONFIGURATION_GROUPS)
+        there = codec.present(self, required, _COMPLEMENTARY_FILTER_GROUPS)
         if there >= 1:
-            out += _COMPLEMENTARY_FILTER_CONFIGURATION_1.write(self.pitch_roll_enable)
+            out += _COMPLEMENTARY_FILTER_1.write(self.pitch_roll_enable)
         if there >= 2:
-            out += _COMPLEMENTARY_FILTER_CONFIGURATION_2.write(self.heading_enable)
+            out += _COMPLEMENTARY_FILTER_2.write(self.heading_enable)
         if there >= 3:
-            out += _COMPLEMENTARY_FILTER_CONFIGURATION_3.write(self.pitch_roll_time_constant)
+            out += _COMPLEMENTARY_FILTER_3.write(self.pitch_roll_time_constant)
         if there >= 4:
-            out += _COMPLEMENTARY_FILTER_CONFIGURATION_4.write(self.heading_time_constant)
+            out += _COMPLEMENTARY_FILTER_4.write(self.heading_time_constant)
         return codec.finished(out)
 
 
@@ -7204,15 +7153,15 @@ class GetCalibratedSensorRanges(Command):
         return codec.finished(out)
 
 
-_LOW_PASS_ANTI_ALIASING_FILTER_0 = codec.Block("B", "function")
-_LOW_PASS_ANTI_ALIASING_FILTER_1 = codec.Block("B", "desc_set")
-_LOW_PASS_ANTI_ALIASING_FILTER_2 = codec.Block("B", "field_desc")
-_LOW_PASS_ANTI_ALIASING_FILTER_3 = codec.Block("B", "enable")
-_LOW_PASS_ANTI_ALIASING_FILTER_4 = codec.Block("B", "manual")
-_LOW_PASS_ANTI_ALIASING_FILTER_5 = codec.Block("f", "frequency")
-_LOW_PASS_ANTI_ALIASING_FILTER_GROUPS = (
-    (1, ("desc_set",), False),
-    (2, ("field_desc",), False),
+_LOW_PASS_FILTER_0 = codec.Block("B", "function")
+_LOW_PASS_FILTER_1 = codec.Block("B", "descriptor_set")
+_LOW_PASS_FILTER_2 = codec.Block("B", "field_descriptor")
+_LOW_PASS_FILTER_3 = codec.Block("B", "enable")
+_LOW_PASS_FILTER_4 = codec.Block("B", "manual")
+_LOW_PASS_FILTER_5 = codec.Block("f", "frequency")
+_LOW_PASS_FILTER_GROUPS = (
+    (1, ("descriptor_set",), False),
+    (2, ("field_descriptor",), False),
     (3, ("enable",), False),
     (4, ("manual",), False),
     (5, ("frequency",), False),
@@ -7220,13 +7169,13 @@ _LOW_PASS_ANTI_ALIASING_FILTER_GROUPS = (
 
 
 @dataclass(slots=True)
-class LowPassAntiAliasingFilter(Command):
+class LowPassFilter(Command):
     """Low-Pass Anti-Aliasing Filter (0x0C,0x54).
 
     Low-pass filter of a data field.
 
     Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `LowPassAntiAliasingFilterResponse`. Supported by 3DM-CV7-GNSS/INS.
+    by `LowPassFilterResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
 
@@ -7235,16 +7184,16 @@ class LowPassAntiAliasingFilter(Command):
 
     SET = 0x0C
     DESCRIPTOR = 0x54
-    NAME = "3dm.low_pass_anti_aliasing_filter"
+    NAME = "3dm.low_pass_filter"
     ROLE = "command"
-    RESPONSES = (LowPassAntiAliasingFilterResponse,)
+    RESPONSES = (LowPassFilterResponse,)
     REQUIRED = {1: 5, 2: 2, 3: 2, 4: 2, 5: 2}
 
     function: FunctionSelector
     """What to do with the setting."""
-    desc_set: int | None = None
+    descriptor_set: int | None = None
     """Descriptor set of the field."""
-    field_desc: int | None = None
+    field_descriptor: int | None = None
     """Field descriptor; 0 if the set is 0."""
     enable: bool | None = None
     """Whether the field is filtered. Required for `write`."""
@@ -7259,52 +7208,67 @@ class LowPassAntiAliasingFilter(Command):
 
     @classmethod
     def write(
-        cls, desc_set: int, field_desc: int, enable: bool, manual: bool, frequency: float
-    ) -> LowPassAntiAliasingFilter:
+        cls,
+        descriptor_set: int,
+        field_descriptor: int,
+        enable: bool,
+        manual: bool,
+        frequency: float,
+    ) -> LowPassFilter:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
-            desc_set=desc_set,
-            field_desc=field_desc,
+            descriptor_set=descriptor_set,
+            field_descriptor=field_descriptor,
             enable=enable,
             manual=manual,
             frequency=frequency,
         )
 
     @classmethod
-    def read(cls, desc_set: int, field_desc: int) -> LowPassAntiAliasingFilter:
+    def read(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
         """Send the current setting back in a response."""
-        return cls(FunctionSelector.READ, desc_set=desc_set, field_desc=field_desc)
+        return cls(
+            FunctionSelector.READ, descriptor_set=descriptor_set, field_descriptor=field_descriptor
+        )
 
     @classmethod
-    def save(cls, desc_set: int, field_desc: int) -> LowPassAntiAliasingFilter:
+    def save(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
         """Save the current setting to non-volatile memory."""
-        return cls(FunctionSelector.SAVE, desc_set=desc_set, field_desc=field_desc)
+        return cls(
+            FunctionSelector.SAVE, descriptor_set=descriptor_set, field_descriptor=field_descriptor
+        )
 
     @classmethod
-    def load(cls, desc_set: int, field_desc: int) -> LowPassAntiAliasingFilter:
+    def load(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
         """Load the saved setting."""
-        return cls(FunctionSelector.LOAD, desc_set=desc_set, field_desc=field_desc)
+        return cls(
+            FunctionSelector.LOAD, descriptor_set=descriptor_set, field_descriptor=field_descriptor
+        )
 
     @classmethod
-    def default(cls, desc_set: int, field_desc: int) -> LowPassAntiAliasingFilter:
+    def default(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
         """Load the factory default setting."""
-        return cls(FunctionSelector.DEFAULT, desc_set=desc_set, field_desc=field_desc)
+        return cls(
+            FunctionSelector.DEFAULT,
+            descriptor_set=descriptor_set,
+            field_descriptor=field_descriptor,
+        )
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (LowPassAntiAliasingFilterResponse,)
+            return (LowPassFilterResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LowPassAntiAliasingFilter, int]:
-        desc_set: int | None = None
-        field_desc: int | None = None
+    def _read(cls, raw: bytes, at: int) -> tuple[LowPassFilter, int]:
+        descriptor_set: int | None = None
+        field_descriptor: int | None = None
         enable: bool | None = None
         manual: bool | None = None
         frequency: float | None = None
-        v = _LOW_PASS_ANTI_ALIASING_FILTER_0.read(raw, at)
+        v = _LOW_PASS_FILTER_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -7312,31 +7276,31 @@ class LowPassAntiAliasingFilter(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _LOW_PASS_ANTI_ALIASING_FILTER_1.read(raw, at)
+            v = _LOW_PASS_FILTER_1.read(raw, at)
             at += 1
-            desc_set = v[0]
+            descriptor_set = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _LOW_PASS_ANTI_ALIASING_FILTER_2.read(raw, at)
+            v = _LOW_PASS_FILTER_2.read(raw, at)
             at += 1
-            field_desc = v[0]
+            field_descriptor = v[0]
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
-            v = _LOW_PASS_ANTI_ALIASING_FILTER_3.read(raw, at)
+            v = _LOW_PASS_FILTER_3.read(raw, at)
             at += 1
             enable = codec.truth(v[0])
             done, end = 3, at
             if at == len(raw) and required < 4:
                 raise Truncated(1, 0)
-            v = _LOW_PASS_ANTI_ALIASING_FILTER_4.read(raw, at)
+            v = _LOW_PASS_FILTER_4.read(raw, at)
             at += 1
             manual = codec.truth(v[0])
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
-            v = _LOW_PASS_ANTI_ALIASING_FILTER_5.read(raw, at)
+            v = _LOW_PASS_FILTER_5.read(raw, at)
             at += 4
             frequency = v[0]
             done, end = 5, at
@@ -7344,22 +7308,22 @@ class LowPassAntiAliasingFilter(Command):
             if done < required:
                 raise
         at = end
-        return cls(function, desc_set, field_desc, enable, manual, frequency), at
+        return cls(function, descriptor_set, field_descriptor, enable, manual, frequency), at
 
     def _write(self) -> bytes:
-        out = _LOW_PASS_ANTI_ALIASING_FILTER_0.write(self.function)
+        out = _LOW_PASS_FILTER_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _LOW_PASS_ANTI_ALIASING_FILTER_GROUPS)
+        there = codec.present(self, required, _LOW_PASS_FILTER_GROUPS)
         if there >= 1:
-            out += _LOW_PASS_ANTI_ALIASING_FILTER_1.write(self.desc_set)
+            out += _LOW_PASS_FILTER_1.write(self.descriptor_set)
         if there >= 2:
-            out += _LOW_PASS_ANTI_ALIASING_FILTER_2.write(self.field_desc)
+            out += _LOW_PASS_FILTER_2.write(self.field_descriptor)
         if there >= 3:
-            out += _LOW_PASS_ANTI_ALIASING_FILTER_3.write(self.enable)
+            out += _LOW_PASS_FILTER_3.write(self.enable)
         if there >= 4:
-            out += _LOW_PASS_ANTI_ALIASING_FILTER_4.write(self.manual)
+            out += _LOW_PASS_FILTER_4.write(self.manual)
         if there >= 5:
-            out += _LOW_PASS_ANTI_ALIASING_FILTER_5.write(self.frequency)
+            out += _LOW_PASS_FILTER_5.write(self.frequency)
         return codec.finished(out)
 
 
@@ -7378,9 +7342,9 @@ class DeviceStatus(Command):
     `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response` or
     `DeviceStatusDiagnosticImuResponse`. Supported by 3DM-GX5-15.
 
-    The device expects its own model number, which is in the device information
-    `base.GetDeviceInformation` (0x01,0x03). Families of devices answer in layouts of their own. The
-    selector and the length tell them apart.
+    The device expects its own model number, which is in the device information `base.GetDeviceInfo`
+    (0x01,0x03). Families of devices answer in layouts of their own. The selector and the length
+    tell them apart.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -7438,15 +7402,15 @@ class DeviceStatus(Command):
 
 ImuMessageFormatResponse.COMMANDS = (ImuMessageFormat,)
 GnssMessageFormatResponse.COMMANDS = (GnssMessageFormat,)
-EstimationFilterMessageFormatResponse.COMMANDS = (EstimationFilterMessageFormat,)
-GetImuDataBaseRateResponse.COMMANDS = (GetImuDataBaseRate,)
-GetGnssDataBaseRateResponse.COMMANDS = (GetGnssDataBaseRate,)
+FilterMessageFormatResponse.COMMANDS = (FilterMessageFormat,)
+GetImuBaseRateResponse.COMMANDS = (GetImuBaseRate,)
+GetGnssBaseRateResponse.COMMANDS = (GetGnssBaseRate,)
 DataStreamControlResponse.COMMANDS = (DataStreamControl,)
 UartBaudRateResponse.COMMANDS = (UartBaudRate,)
-GetEstimationFilterDataBaseRateResponse.COMMANDS = (GetEstimationFilterDataBaseRate,)
-AdvancedLowPassFilterSettingsResponse.COMMANDS = (AdvancedLowPassFilterSettings,)
+GetFilterBaseRateResponse.COMMANDS = (GetFilterBaseRate,)
+ImuLowPassFilterResponse.COMMANDS = (ImuLowPassFilter,)
 NmeaMessageFormatResponse.COMMANDS = (NmeaMessageFormat,)
-GetDataBaseRateResponse.COMMANDS = (GetDataBaseRate,)
+GetBaseRateResponse.COMMANDS = (GetBaseRate,)
 MessageFormatResponse.COMMANDS = (MessageFormat,)
 DeviceStatusBasicResponse.COMMANDS = (DeviceStatus,)
 DeviceStatusBasicWithoutStateResponse.COMMANDS = (DeviceStatus,)
@@ -7456,54 +7420,48 @@ DeviceStatusDiagnosticGq4_45Response.COMMANDS = (DeviceStatus,)
 DeviceStatusDiagnosticRq1_45Response.COMMANDS = (DeviceStatus,)
 DeviceStatusDiagnosticGx4Response.COMMANDS = (DeviceStatus,)
 DeviceStatusDiagnosticImuResponse.COMMANDS = (DeviceStatus,)
-ComplementaryFilterConfigurationResponse.COMMANDS = (ComplementaryFilterConfiguration,)
-AccelerometerBiasConfigurationResponse.COMMANDS = (AccelerometerBiasConfiguration,)
-GyroscopeBiasConfigurationResponse.COMMANDS = (GyroscopeBiasConfiguration, CaptureGyroscopeBias)
-MagnetometerHardIronOffsetResponse.COMMANDS = (MagnetometerHardIronOffset,)
-MagnetometerSoftIronMatrixResponse.COMMANDS = (MagnetometerSoftIronMatrix,)
-ConingAndScullingEnableResponse.COMMANDS = (ConingAndScullingEnable,)
+ComplementaryFilterResponse.COMMANDS = (ComplementaryFilter,)
+AccelBiasResponse.COMMANDS = (AccelBias,)
+GyroBiasResponse.COMMANDS = (GyroBias, CaptureGyroBias)
+MagHardIronOffsetResponse.COMMANDS = (MagHardIronOffset,)
+MagSoftIronMatrixResponse.COMMANDS = (MagSoftIronMatrix,)
+ConingScullingEnableResponse.COMMANDS = (ConingScullingEnable,)
 ConstellationSettingsResponse.COMMANDS = (ConstellationSettings,)
 GnssSbasSettingsResponse.COMMANDS = (GnssSbasSettings,)
 GnssAssistedFixResponse.COMMANDS = (GnssAssistedFix,)
 GnssTimeAssistanceResponse.COMMANDS = (GnssTimeAssistance,)
 PpsSourceControlResponse.COMMANDS = (PpsSourceControl,)
-SensorToVehicleFrameTransformationEulerResponse.COMMANDS = (
-    SensorToVehicleFrameTransformationEuler,
-)
-SensorToVehicleFrameTransformationQuaternionResponse.COMMANDS = (
-    SensorToVehicleFrameTransformationQuaternion,
-)
-SensorToVehicleFrameTransformationDirectionCosineMatrixResponse.COMMANDS = (
-    SensorToVehicleFrameTransformationDirectionCosineMatrix,
-)
-GetSupportedEventsResponse.COMMANDS = (GetSupportedEvents,)
+SensorToVehicleTransformEulerResponse.COMMANDS = (SensorToVehicleTransformEuler,)
+SensorToVehicleTransformQuaternionResponse.COMMANDS = (SensorToVehicleTransformQuaternion,)
+SensorToVehicleTransformDcmResponse.COMMANDS = (SensorToVehicleTransformDcm,)
+GetEventSupportResponse.COMMANDS = (GetEventSupport,)
 EventControlResponse.COMMANDS = (EventControl,)
 GetEventTriggerStatusResponse.COMMANDS = (GetEventTriggerStatus,)
 GetEventActionStatusResponse.COMMANDS = (GetEventActionStatus,)
-EventTriggerConfigurationResponse.COMMANDS = (EventTriggerConfiguration,)
-EventActionConfigurationResponse.COMMANDS = (EventActionConfiguration,)
-GpioConfigurationResponse.COMMANDS = (GpioConfiguration,)
+EventTriggerConfigResponse.COMMANDS = (EventTriggerConfig,)
+EventActionConfigResponse.COMMANDS = (EventActionConfig,)
+GpioConfigResponse.COMMANDS = (GpioConfig,)
 GpioStateResponse.COMMANDS = (GpioState,)
-OdometerConfigurationResponse.COMMANDS = (OdometerConfiguration,)
+OdometerConfigResponse.COMMANDS = (OdometerConfig,)
 SensorRangeResponse.COMMANDS = (SensorRange,)
 GetCalibratedSensorRangesResponse.COMMANDS = (GetCalibratedSensorRanges,)
-LowPassAntiAliasingFilterResponse.COMMANDS = (LowPassAntiAliasingFilter,)
+LowPassFilterResponse.COMMANDS = (LowPassFilter,)
 
 #: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (PollImuData,),
     0x02: (PollGnssData,),
-    0x03: (PollEstimationFilterData,),
+    0x03: (PollFilterData,),
     0x04: (PollNmeaData,),
-    0x06: (GetImuDataBaseRate,),
-    0x07: (GetGnssDataBaseRate,),
+    0x06: (GetImuBaseRate,),
+    0x07: (GetGnssBaseRate,),
     0x08: (ImuMessageFormat,),
     0x09: (GnssMessageFormat,),
-    0x0A: (EstimationFilterMessageFormat,),
-    0x0B: (GetEstimationFilterDataBaseRate,),
+    0x0A: (FilterMessageFormat,),
+    0x0B: (GetFilterBaseRate,),
     0x0C: (NmeaMessageFormat,),
     0x0D: (PollData,),
-    0x0E: (GetDataBaseRate,),
+    0x0E: (GetBaseRate,),
     0x0F: (MessageFormat,),
     0x10: (FactoryStreaming,),
     0x11: (DataStreamControl,),
@@ -7512,43 +7470,43 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x23: (GnssAssistedFix,),
     0x24: (GnssTimeAssistance,),
     0x28: (PpsSourceControl,),
-    0x2A: (GetSupportedEvents,),
+    0x2A: (GetEventSupport,),
     0x2B: (EventControl,),
     0x2C: (GetEventTriggerStatus,),
     0x2D: (GetEventActionStatus,),
-    0x2E: (EventTriggerConfiguration,),
-    0x2F: (EventActionConfiguration,),
-    0x30: (DeviceStartUpSettings,),
-    0x31: (SensorToVehicleFrameTransformationEuler,),
-    0x32: (SensorToVehicleFrameTransformationQuaternion,),
-    0x33: (SensorToVehicleFrameTransformationDirectionCosineMatrix,),
-    0x37: (AccelerometerBiasConfiguration,),
-    0x38: (GyroscopeBiasConfiguration,),
-    0x39: (CaptureGyroscopeBias,),
-    0x3A: (MagnetometerHardIronOffset,),
-    0x3B: (MagnetometerSoftIronMatrix,),
-    0x3E: (ConingAndScullingEnable,),
+    0x2E: (EventTriggerConfig,),
+    0x2F: (EventActionConfig,),
+    0x30: (DeviceSettings,),
+    0x31: (SensorToVehicleTransformEuler,),
+    0x32: (SensorToVehicleTransformQuaternion,),
+    0x33: (SensorToVehicleTransformDcm,),
+    0x37: (AccelBias,),
+    0x38: (GyroBias,),
+    0x39: (CaptureGyroBias,),
+    0x3A: (MagHardIronOffset,),
+    0x3B: (MagSoftIronMatrix,),
+    0x3E: (ConingScullingEnable,),
     0x40: (UartBaudRate,),
-    0x41: (GpioConfiguration,),
+    0x41: (GpioConfig,),
     0x42: (GpioState,),
-    0x43: (OdometerConfiguration,),
-    0x50: (AdvancedLowPassFilterSettings,),
-    0x51: (ComplementaryFilterConfiguration,),
+    0x43: (OdometerConfig,),
+    0x50: (ImuLowPassFilter,),
+    0x51: (ComplementaryFilter,),
     0x52: (SensorRange,),
     0x53: (GetCalibratedSensorRanges,),
-    0x54: (LowPassAntiAliasingFilter,),
+    0x54: (LowPassFilter,),
     0x64: (DeviceStatus,),
     0x80: (ImuMessageFormatResponse,),
     0x81: (GnssMessageFormatResponse,),
-    0x82: (EstimationFilterMessageFormatResponse,),
-    0x83: (GetImuDataBaseRateResponse,),
-    0x84: (GetGnssDataBaseRateResponse,),
+    0x82: (FilterMessageFormatResponse,),
+    0x83: (GetImuBaseRateResponse,),
+    0x84: (GetGnssBaseRateResponse,),
     0x85: (DataStreamControlResponse,),
     0x87: (UartBaudRateResponse,),
-    0x8A: (GetEstimationFilterDataBaseRateResponse,),
-    0x8B: (AdvancedLowPassFilterSettingsResponse,),
+    0x8A: (GetFilterBaseRateResponse,),
+    0x8B: (ImuLowPassFilterResponse,),
     0x8C: (NmeaMessageFormatResponse,),
-    0x8E: (GetDataBaseRateResponse,),
+    0x8E: (GetBaseRateResponse,),
     0x8F: (MessageFormatResponse,),
     0x90: (
         DeviceStatusBasicResponse,
@@ -7560,30 +7518,30 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
         DeviceStatusDiagnosticGx4Response,
         DeviceStatusDiagnosticImuResponse,
     ),
-    0x97: (ComplementaryFilterConfigurationResponse,),
-    0x9A: (AccelerometerBiasConfigurationResponse,),
-    0x9B: (GyroscopeBiasConfigurationResponse,),
-    0x9C: (MagnetometerHardIronOffsetResponse,),
-    0x9D: (MagnetometerSoftIronMatrixResponse,),
-    0x9E: (ConingAndScullingEnableResponse,),
+    0x97: (ComplementaryFilterResponse,),
+    0x9A: (AccelBiasResponse,),
+    0x9B: (GyroBiasResponse,),
+    0x9C: (MagHardIronOffsetResponse,),
+    0x9D: (MagSoftIronMatrixResponse,),
+    0x9E: (ConingScullingEnableResponse,),
     0xA0: (ConstellationSettingsResponse,),
     0xA1: (GnssSbasSettingsResponse,),
     0xA2: (GnssAssistedFixResponse,),
     0xA3: (GnssTimeAssistanceResponse,),
     0xA8: (PpsSourceControlResponse,),
-    0xB1: (SensorToVehicleFrameTransformationEulerResponse,),
-    0xB2: (SensorToVehicleFrameTransformationQuaternionResponse,),
-    0xB3: (SensorToVehicleFrameTransformationDirectionCosineMatrixResponse,),
-    0xB4: (GetSupportedEventsResponse,),
+    0xB1: (SensorToVehicleTransformEulerResponse,),
+    0xB2: (SensorToVehicleTransformQuaternionResponse,),
+    0xB3: (SensorToVehicleTransformDcmResponse,),
+    0xB4: (GetEventSupportResponse,),
     0xB5: (EventControlResponse,),
     0xB6: (GetEventTriggerStatusResponse,),
     0xB7: (GetEventActionStatusResponse,),
-    0xB8: (EventTriggerConfigurationResponse,),
-    0xB9: (EventActionConfigurationResponse,),
-    0xC1: (GpioConfigurationResponse,),
+    0xB8: (EventTriggerConfigResponse,),
+    0xB9: (EventActionConfigResponse,),
+    0xC1: (GpioConfigResponse,),
     0xC2: (GpioStateResponse,),
-    0xC3: (OdometerConfigurationResponse,),
+    0xC3: (OdometerConfigResponse,),
     0xD2: (SensorRangeResponse,),
     0xD3: (GetCalibratedSensorRangesResponse,),
-    0xD4: (LowPassAntiAliasingFilterResponse,),
+    0xD4: (LowPassFilterResponse,),
 }

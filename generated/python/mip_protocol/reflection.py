@@ -41,17 +41,17 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("mode", "mode", "scalar", scalar="u8", type=types.EventTriggerGpioMode),
     ),
     types.EventThresholdWindow: (
-        Parameter("low_thres", "low_thres", "scalar", scalar="double"),
-        Parameter("high_thres", "high_thres", "scalar", scalar="double"),
+        Parameter("low_threshold", "low_threshold", "scalar", scalar="double"),
+        Parameter("high_threshold", "high_threshold", "scalar", scalar="double"),
     ),
     types.EventThresholdInterval: (
-        Parameter("int_thres", "int_thres", "scalar", scalar="double"),
+        Parameter("interval_threshold", "interval_threshold", "scalar", scalar="double"),
         Parameter("interval", "interval", "scalar", scalar="double"),
     ),
     types.EventTriggerThreshold: (
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
-        Parameter("field_desc", "field_desc", "scalar", scalar="u8"),
-        Parameter("param_id", "param_id", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
+        Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8"),
+        Parameter("parameter_id", "parameter_id", "scalar", scalar="u8"),
         Parameter("type", "type", "scalar", scalar="u8", type=types.EventThresholdType),
         Parameter(
             "thresholds",
@@ -73,7 +73,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("mode", "mode", "scalar", scalar="u8", type=types.EventActionGpioMode),
     ),
     types.EventActionMessage: (
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter("decimation", "decimation", "scalar", scalar="u16"),
         Parameter("num_fields", "num_fields", "counter", scalar="u8", counts="descriptors"),
         Parameter("descriptors", "descriptors", "array", scalar="u8", length="num_fields"),
@@ -81,7 +81,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     types.NmeaMessage: (
         Parameter("message_id", "message_id", "scalar", scalar="u8", type=types.NmeaMessageId),
         Parameter("talker_id", "talker_id", "scalar", scalar="u8", type=types.NmeaTalkerId),
-        Parameter("source_desc_set", "source_desc_set", "scalar", scalar="u8"),
+        Parameter("source_descriptor_set", "source_descriptor_set", "scalar", scalar="u8"),
         Parameter("decimation", "decimation", "scalar", scalar="u16"),
     ),
     types.DescriptorRate: (
@@ -97,14 +97,14 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("device_options", "device_options", "text", scalar="char", length=16),
     ),
     base.Ping: (),
-    base.SetToIdle: (),
-    base.GetDeviceInformation: (),
+    base.SetIdle: (),
+    base.GetDeviceInfo: (),
     base.GetDeviceDescriptors: (),
     base.BuiltInTest: (),
     base.Resume: (),
-    base.GetDeviceDescriptorsExtended: (),
+    base.GetExtendedDescriptors: (),
     base.ContinuousBuiltInTest: (),
-    base.CommPortSpeed: (
+    base.CommSpeed: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("port", "port", "scalar", scalar="u8"),
         Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
@@ -114,8 +114,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("field_id", "field_id", "scalar", scalar="u8", type=base.GpsTimeField),
         Parameter("value", "value", "scalar", scalar="u32"),
     ),
-    base.ResetDevice: (),
-    base.GetDeviceInformationResponse: (
+    base.SoftReset: (),
+    base.GetDeviceInfoResponse: (
         Parameter("device_info", "device_info", "struct", type=base.BaseDeviceInfo),
     ),
     base.GetDeviceDescriptorsResponse: (
@@ -125,16 +125,14 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     base.GpsTimeUpdateWeekNumberResponse: (
         Parameter("week_number", "week_number", "scalar", scalar="u32", units=("week",)),
     ),
-    base.GpsTimeUpdateTimeOfWeekResponse: (
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="u32", units=("s",)),
-    ),
-    base.GetDeviceDescriptorsExtendedResponse: (
+    base.GpsTimeUpdateTowResponse: (Parameter("tow", "tow", "scalar", scalar="u32", units=("s",)),),
+    base.GetExtendedDescriptorsResponse: (
         Parameter("descriptors", "descriptors", "array", scalar="u16", length="rest"),
     ),
     base.ContinuousBuiltInTestResponse: (
         Parameter("result", "result", "array", scalar="u8", length=16),
     ),
-    base.CommPortSpeedResponse: (
+    base.CommSpeedResponse: (
         Parameter("port", "port", "scalar", scalar="u8"),
         Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
     ),
@@ -161,7 +159,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=mip_3dm.ConstellationOptions,
         ),
     ),
-    mip_3dm.SupportedEventInfo: (
+    mip_3dm.EventSupportInfo: (
         Parameter("type", "type", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8", units=("1",)),
     ),
@@ -195,7 +193,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "descriptors", "descriptors", "array", length="num_descriptors", type=mip_3dm.PollEntry
         ),
     ),
-    mip_3dm.PollEstimationFilterData: (
+    mip_3dm.PollFilterData: (
         Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
         Parameter(
             "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
@@ -211,8 +209,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "format_entries", "format_entries", "array", length="count", type=types.NmeaMessage
         ),
     ),
-    mip_3dm.GetImuDataBaseRate: (),
-    mip_3dm.GetGnssDataBaseRate: (),
+    mip_3dm.GetImuBaseRate: (),
+    mip_3dm.GetGnssBaseRate: (),
     mip_3dm.ImuMessageFormat: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
@@ -239,7 +237,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=types.DescriptorRate,
         ),
     ),
-    mip_3dm.EstimationFilterMessageFormat: (
+    mip_3dm.FilterMessageFormat: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
@@ -252,7 +250,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=types.DescriptorRate,
         ),
     ),
-    mip_3dm.GetEstimationFilterDataBaseRate: (),
+    mip_3dm.GetFilterBaseRate: (),
     mip_3dm.NmeaMessageFormat: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("count", "count", "counter", scalar="u8", counts="format_entries"),
@@ -261,17 +259,17 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     mip_3dm.PollData: (
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
         Parameter(
             "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
         ),
         Parameter("descriptors", "descriptors", "array", scalar="u8", length="num_descriptors"),
     ),
-    mip_3dm.GetDataBaseRate: (Parameter("desc_set", "desc_set", "scalar", scalar="u8"),),
+    mip_3dm.GetBaseRate: (Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),),
     mip_3dm.MessageFormat: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter(
             "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
         ),
@@ -289,7 +287,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     mip_3dm.DataStreamControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter("enable", "enable", "scalar", scalar="bool"),
     ),
     mip_3dm.ConstellationSettings: (
@@ -330,8 +328,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("source", "source", "scalar", scalar="u8", type=mip_3dm.PpsSource),
     ),
-    mip_3dm.GetSupportedEvents: (
-        Parameter("query", "query", "scalar", scalar="u8", type=mip_3dm.SupportedEventsQuery),
+    mip_3dm.GetEventSupport: (
+        Parameter("query", "query", "scalar", scalar="u8", type=mip_3dm.EventSupportQuery),
     ),
     mip_3dm.EventControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -370,7 +368,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             length="requested_count",
         ),
     ),
-    mip_3dm.EventTriggerConfiguration: (
+    mip_3dm.EventTriggerConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("instance", "instance", "scalar", scalar="u8"),
         Parameter("type", "type", "scalar", scalar="u8", type=types.EventTriggerType),
@@ -389,7 +387,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             },
         ),
     ),
-    mip_3dm.EventActionConfiguration: (
+    mip_3dm.EventActionConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("instance", "instance", "scalar", scalar="u8"),
         Parameter("trigger", "trigger", "scalar", scalar="u8"),
@@ -406,20 +404,20 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             },
         ),
     ),
-    mip_3dm.DeviceStartUpSettings: (
+    mip_3dm.DeviceSettings: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
     ),
-    mip_3dm.SensorToVehicleFrameTransformationEuler: (
+    mip_3dm.SensorToVehicleTransformEuler: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
         Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
         Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",)),
     ),
-    mip_3dm.SensorToVehicleFrameTransformationQuaternion: (
+    mip_3dm.SensorToVehicleTransformQuaternion: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
     ),
-    mip_3dm.SensorToVehicleFrameTransformationDirectionCosineMatrix: (
+    mip_3dm.SensorToVehicleTransformDcm: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "dcm",
@@ -430,37 +428,37 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("1",),
         ),
     ),
-    mip_3dm.AccelerometerBiasConfiguration: (
+    mip_3dm.AccelBias: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",)),
     ),
-    mip_3dm.GyroscopeBiasConfiguration: (
+    mip_3dm.GyroBias: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
         ),
     ),
-    mip_3dm.CaptureGyroscopeBias: (
+    mip_3dm.CaptureGyroBias: (
         Parameter("averaging_time_ms", "averaging_time_ms", "scalar", scalar="u16", units=("ms",)),
     ),
-    mip_3dm.MagnetometerHardIronOffset: (
+    mip_3dm.MagHardIronOffset: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
         ),
     ),
-    mip_3dm.MagnetometerSoftIronMatrix: (
+    mip_3dm.MagSoftIronMatrix: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
-            "offset",
-            "offset",
+            "matrix",
+            "matrix",
             "array",
             scalar="float",
             elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
             units=("1",),
         ),
     ),
-    mip_3dm.ConingAndScullingEnable: (
+    mip_3dm.ConingScullingEnable: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="bool"),
     ),
@@ -468,7 +466,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
     ),
-    mip_3dm.GpioConfiguration: (
+    mip_3dm.GpioConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("pin", "pin", "scalar", scalar="u8"),
         Parameter("feature", "feature", "scalar", scalar="u8", type=types.GpioFeature),
@@ -480,13 +478,13 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("pin", "pin", "scalar", scalar="u8"),
         Parameter("state", "state", "scalar", scalar="bool"),
     ),
-    mip_3dm.OdometerConfiguration: (
+    mip_3dm.OdometerConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("mode", "mode", "scalar", scalar="u8", type=mip_3dm.OdometerMode),
         Parameter("scaling", "scaling", "scalar", scalar="float", units=("pulse/m",)),
         Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("1",)),
     ),
-    mip_3dm.AdvancedLowPassFilterSettings: (
+    mip_3dm.ImuLowPassFilter: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("target_descriptor", "target_descriptor", "scalar", scalar="u8"),
         Parameter("enable", "enable", "scalar", scalar="bool"),
@@ -494,7 +492,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("frequency", "frequency", "scalar", scalar="u16", units=("Hz",)),
         Parameter("reserved", "reserved", "scalar", scalar="u8"),
     ),
-    mip_3dm.ComplementaryFilterConfiguration: (
+    mip_3dm.ComplementaryFilter: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("pitch_roll_enable", "pitch_roll_enable", "scalar", scalar="bool"),
         Parameter("heading_enable", "heading_enable", "scalar", scalar="bool"),
@@ -517,10 +515,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     mip_3dm.GetCalibratedSensorRanges: (
         Parameter("sensor", "sensor", "scalar", scalar="u8", type=mip_3dm.SensorRangeType),
     ),
-    mip_3dm.LowPassAntiAliasingFilter: (
+    mip_3dm.LowPassFilter: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
-        Parameter("field_desc", "field_desc", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
+        Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8"),
         Parameter("enable", "enable", "scalar", scalar="bool"),
         Parameter("manual", "manual", "scalar", scalar="bool"),
         Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
@@ -559,7 +557,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=types.DescriptorRate,
         ),
     ),
-    mip_3dm.EstimationFilterMessageFormatResponse: (
+    mip_3dm.FilterMessageFormatResponse: (
         Parameter(
             "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
         ),
@@ -571,23 +569,23 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=types.DescriptorRate,
         ),
     ),
-    mip_3dm.GetImuDataBaseRateResponse: (
+    mip_3dm.GetImuBaseRateResponse: (
         Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
     ),
-    mip_3dm.GetGnssDataBaseRateResponse: (
+    mip_3dm.GetGnssBaseRateResponse: (
         Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
     ),
     mip_3dm.DataStreamControlResponse: (
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter("enabled", "enabled", "scalar", scalar="bool"),
     ),
     mip_3dm.UartBaudRateResponse: (
         Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
     ),
-    mip_3dm.GetEstimationFilterDataBaseRateResponse: (
+    mip_3dm.GetFilterBaseRateResponse: (
         Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
     ),
-    mip_3dm.AdvancedLowPassFilterSettingsResponse: (
+    mip_3dm.ImuLowPassFilterResponse: (
         Parameter("target_descriptor", "target_descriptor", "scalar", scalar="u8"),
         Parameter("enable", "enable", "scalar", scalar="bool"),
         Parameter("manual", "manual", "scalar", scalar="bool"),
@@ -600,12 +598,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "format_entries", "format_entries", "array", length="count", type=types.NmeaMessage
         ),
     ),
-    mip_3dm.GetDataBaseRateResponse: (
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
+    mip_3dm.GetBaseRateResponse: (
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
     ),
     mip_3dm.MessageFormatResponse: (
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter(
             "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
         ),
@@ -645,24 +643,28 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "filter_dropped_packets", "filter_dropped_packets", "scalar", scalar="u32", units=("1",)
         ),
         Parameter(
-            "com_port_bytes_written",
-            "com_port_bytes_written",
+            "comm_port_bytes_written",
+            "comm_port_bytes_written",
             "scalar",
             scalar="u32",
             units=("byte",),
         ),
         Parameter(
-            "com_port_bytes_read", "com_port_bytes_read", "scalar", scalar="u32", units=("byte",)
+            "comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)
         ),
         Parameter(
-            "com_port_write_overruns",
-            "com_port_write_overruns",
+            "comm_port_write_overruns",
+            "comm_port_write_overruns",
             "scalar",
             scalar="u32",
             units=("1",),
         ),
         Parameter(
-            "com_port_read_overruns", "com_port_read_overruns", "scalar", scalar="u32", units=("1",)
+            "comm_port_read_overruns",
+            "comm_port_read_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
         ),
         Parameter("imu_parser_errors", "imu_parser_errors", "scalar", scalar="u32", units=("1",)),
         Parameter("imu_message_count", "imu_message_count", "scalar", scalar="u32", units=("1",)),
@@ -692,24 +694,28 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "filter_dropped_packets", "filter_dropped_packets", "scalar", scalar="u32", units=("1",)
         ),
         Parameter(
-            "com_port_bytes_written",
-            "com_port_bytes_written",
+            "comm_port_bytes_written",
+            "comm_port_bytes_written",
             "scalar",
             scalar="u32",
             units=("byte",),
         ),
         Parameter(
-            "com_port_bytes_read", "com_port_bytes_read", "scalar", scalar="u32", units=("byte",)
+            "comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)
         ),
         Parameter(
-            "com_port_write_overruns",
-            "com_port_write_overruns",
+            "comm_port_write_overruns",
+            "comm_port_write_overruns",
             "scalar",
             scalar="u32",
             units=("1",),
         ),
         Parameter(
-            "com_port_read_overruns", "com_port_read_overruns", "scalar", scalar="u32", units=("1",)
+            "comm_port_read_overruns",
+            "comm_port_read_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
         ),
         Parameter("imu_parser_errors", "imu_parser_errors", "scalar", scalar="u32", units=("1",)),
         Parameter("imu_message_count", "imu_message_count", "scalar", scalar="u32", units=("1",)),
@@ -748,24 +754,28 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "filter_dropped_packets", "filter_dropped_packets", "scalar", scalar="u32", units=("1",)
         ),
         Parameter(
-            "com_port_bytes_written",
-            "com_port_bytes_written",
+            "comm_port_bytes_written",
+            "comm_port_bytes_written",
             "scalar",
             scalar="u32",
             units=("byte",),
         ),
         Parameter(
-            "com_port_bytes_read", "com_port_bytes_read", "scalar", scalar="u32", units=("byte",)
+            "comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)
         ),
         Parameter(
-            "com_port_write_overruns",
-            "com_port_write_overruns",
+            "comm_port_write_overruns",
+            "comm_port_write_overruns",
             "scalar",
             scalar="u32",
             units=("1",),
         ),
         Parameter(
-            "com_port_read_overruns", "com_port_read_overruns", "scalar", scalar="u32", units=("1",)
+            "comm_port_read_overruns",
+            "comm_port_read_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
         ),
         Parameter("imu_parser_errors", "imu_parser_errors", "scalar", scalar="u32", units=("1",)),
         Parameter("imu_message_count", "imu_message_count", "scalar", scalar="u32", units=("1",)),
@@ -781,7 +791,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="u32",
             units=("ms",),
         ),
-        Parameter("magnetometer_init_failed", "magnetometer_init_failed", "scalar", scalar="bool"),
+        Parameter("mag_init_failed", "mag_init_failed", "scalar", scalar="bool"),
         Parameter("pressure_init_failed", "pressure_init_failed", "scalar", scalar="bool"),
         Parameter("receiver_init_failed", "receiver_init_failed", "scalar", scalar="bool"),
     ),
@@ -812,24 +822,28 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "filter_dropped_packets", "filter_dropped_packets", "scalar", scalar="u32", units=("1",)
         ),
         Parameter(
-            "com_port_bytes_written",
-            "com_port_bytes_written",
+            "comm_port_bytes_written",
+            "comm_port_bytes_written",
             "scalar",
             scalar="u32",
             units=("byte",),
         ),
         Parameter(
-            "com_port_bytes_read", "com_port_bytes_read", "scalar", scalar="u32", units=("byte",)
+            "comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)
         ),
         Parameter(
-            "com_port_write_overruns",
-            "com_port_write_overruns",
+            "comm_port_write_overruns",
+            "comm_port_write_overruns",
             "scalar",
             scalar="u32",
             units=("1",),
         ),
         Parameter(
-            "com_port_read_overruns", "com_port_read_overruns", "scalar", scalar="u32", units=("1",)
+            "comm_port_read_overruns",
+            "comm_port_read_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
         ),
         Parameter("imu_parser_errors", "imu_parser_errors", "scalar", scalar="u32", units=("1",)),
         Parameter("imu_message_count", "imu_message_count", "scalar", scalar="u32", units=("1",)),
@@ -862,24 +876,28 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "filter_dropped_packets", "filter_dropped_packets", "scalar", scalar="u32", units=("1",)
         ),
         Parameter(
-            "com_port_bytes_written",
-            "com_port_bytes_written",
+            "comm_port_bytes_written",
+            "comm_port_bytes_written",
             "scalar",
             scalar="u32",
             units=("byte",),
         ),
         Parameter(
-            "com_port_bytes_read", "com_port_bytes_read", "scalar", scalar="u32", units=("byte",)
+            "comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)
         ),
         Parameter(
-            "com_port_write_overruns",
-            "com_port_write_overruns",
+            "comm_port_write_overruns",
+            "comm_port_write_overruns",
             "scalar",
             scalar="u32",
             units=("1",),
         ),
         Parameter(
-            "com_port_read_overruns", "com_port_read_overruns", "scalar", scalar="u32", units=("1",)
+            "comm_port_read_overruns",
+            "comm_port_read_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
         ),
         Parameter(
             "usb_bytes_written", "usb_bytes_written", "scalar", scalar="u32", units=("byte",)
@@ -898,7 +916,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
         Parameter("status_flags", "status_flags", "scalar", scalar="u32"),
         Parameter("system_timer", "system_timer", "scalar", scalar="u32", units=("ms",)),
-        Parameter("has_magnetometer", "has_magnetometer", "scalar", scalar="bool"),
+        Parameter("has_mag", "has_mag", "scalar", scalar="bool"),
         Parameter("has_pressure", "has_pressure", "scalar", scalar="bool"),
         Parameter("power_state", "power_state", "scalar", scalar="u8"),
         Parameter("gyro_range", "gyro_range", "scalar", scalar="u16"),
@@ -916,27 +934,31 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "imu_dropped_packets", "imu_dropped_packets", "scalar", scalar="u32", units=("1",)
         ),
         Parameter(
-            "com_port_bytes_written",
-            "com_port_bytes_written",
+            "comm_port_bytes_written",
+            "comm_port_bytes_written",
             "scalar",
             scalar="u32",
             units=("byte",),
         ),
         Parameter(
-            "com_port_bytes_read", "com_port_bytes_read", "scalar", scalar="u32", units=("byte",)
+            "comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)
         ),
         Parameter(
-            "com_port_write_overruns",
-            "com_port_write_overruns",
+            "comm_port_write_overruns",
+            "comm_port_write_overruns",
             "scalar",
             scalar="u32",
             units=("1",),
         ),
         Parameter(
-            "com_port_read_overruns", "com_port_read_overruns", "scalar", scalar="u32", units=("1",)
+            "comm_port_read_overruns",
+            "comm_port_read_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
         ),
     ),
-    mip_3dm.ComplementaryFilterConfigurationResponse: (
+    mip_3dm.ComplementaryFilterResponse: (
         Parameter("pitch_roll_enable", "pitch_roll_enable", "scalar", scalar="bool"),
         Parameter("heading_enable", "heading_enable", "scalar", scalar="bool"),
         Parameter(
@@ -950,32 +972,30 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "heading_time_constant", "heading_time_constant", "scalar", scalar="float", units=("s",)
         ),
     ),
-    mip_3dm.AccelerometerBiasConfigurationResponse: (
+    mip_3dm.AccelBiasResponse: (
         Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",)),
     ),
-    mip_3dm.GyroscopeBiasConfigurationResponse: (
+    mip_3dm.GyroBiasResponse: (
         Parameter(
             "bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
         ),
     ),
-    mip_3dm.MagnetometerHardIronOffsetResponse: (
+    mip_3dm.MagHardIronOffsetResponse: (
         Parameter(
             "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
         ),
     ),
-    mip_3dm.MagnetometerSoftIronMatrixResponse: (
+    mip_3dm.MagSoftIronMatrixResponse: (
         Parameter(
-            "offset",
-            "offset",
+            "matrix",
+            "matrix",
             "array",
             scalar="float",
             elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
             units=("1",),
         ),
     ),
-    mip_3dm.ConingAndScullingEnableResponse: (
-        Parameter("enable", "enable", "scalar", scalar="bool"),
-    ),
+    mip_3dm.ConingScullingEnableResponse: (Parameter("enable", "enable", "scalar", scalar="bool"),),
     mip_3dm.ConstellationSettingsResponse: (
         Parameter(
             "max_channels_available", "max_channels_available", "scalar", scalar="u16", units=("1",)
@@ -1012,15 +1032,15 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     mip_3dm.PpsSourceControlResponse: (
         Parameter("source", "source", "scalar", scalar="u8", type=mip_3dm.PpsSource),
     ),
-    mip_3dm.SensorToVehicleFrameTransformationEulerResponse: (
+    mip_3dm.SensorToVehicleTransformEulerResponse: (
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
         Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
         Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",)),
     ),
-    mip_3dm.SensorToVehicleFrameTransformationQuaternionResponse: (
+    mip_3dm.SensorToVehicleTransformQuaternionResponse: (
         Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
     ),
-    mip_3dm.SensorToVehicleFrameTransformationDirectionCosineMatrixResponse: (
+    mip_3dm.SensorToVehicleTransformDcmResponse: (
         Parameter(
             "dcm",
             "dcm",
@@ -1030,12 +1050,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("1",),
         ),
     ),
-    mip_3dm.GetSupportedEventsResponse: (
-        Parameter("query", "query", "scalar", scalar="u8", type=mip_3dm.SupportedEventsQuery),
+    mip_3dm.GetEventSupportResponse: (
+        Parameter("query", "query", "scalar", scalar="u8", type=mip_3dm.EventSupportQuery),
         Parameter("max_instances", "max_instances", "scalar", scalar="u8", units=("1",)),
         Parameter("num_entries", "num_entries", "counter", scalar="u8", counts="entries"),
         Parameter(
-            "entries", "entries", "array", length="num_entries", type=mip_3dm.SupportedEventInfo
+            "entries", "entries", "array", length="num_entries", type=mip_3dm.EventSupportInfo
         ),
     ),
     mip_3dm.EventControlResponse: (
@@ -1054,7 +1074,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "actions", "actions", "array", length="count", type=mip_3dm.EventActionStatusEntry
         ),
     ),
-    mip_3dm.EventTriggerConfigurationResponse: (
+    mip_3dm.EventTriggerConfigResponse: (
         Parameter("instance", "instance", "scalar", scalar="u8"),
         Parameter("type", "type", "scalar", scalar="u8", type=types.EventTriggerType),
         Parameter(
@@ -1072,7 +1092,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             },
         ),
     ),
-    mip_3dm.EventActionConfigurationResponse: (
+    mip_3dm.EventActionConfigResponse: (
         Parameter("instance", "instance", "scalar", scalar="u8"),
         Parameter("trigger", "trigger", "scalar", scalar="u8"),
         Parameter("type", "type", "scalar", scalar="u8", type=types.EventActionType),
@@ -1088,7 +1108,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             },
         ),
     ),
-    mip_3dm.GpioConfigurationResponse: (
+    mip_3dm.GpioConfigResponse: (
         Parameter("pin", "pin", "scalar", scalar="u8"),
         Parameter("feature", "feature", "scalar", scalar="u8", type=types.GpioFeature),
         Parameter("behavior", "behavior", "scalar", scalar="u8"),
@@ -1098,7 +1118,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("pin", "pin", "scalar", scalar="u8"),
         Parameter("state", "state", "scalar", scalar="bool"),
     ),
-    mip_3dm.OdometerConfigurationResponse: (
+    mip_3dm.OdometerConfigResponse: (
         Parameter("mode", "mode", "scalar", scalar="u8", type=mip_3dm.OdometerMode),
         Parameter("scaling", "scaling", "scalar", scalar="float", units=("pulse/m",)),
         Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("1",)),
@@ -1112,28 +1132,28 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("num_ranges", "num_ranges", "counter", scalar="u8", counts="ranges"),
         Parameter("ranges", "ranges", "array", length="num_ranges", type=mip_3dm.SensorRangeEntry),
     ),
-    mip_3dm.LowPassAntiAliasingFilterResponse: (
-        Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
-        Parameter("field_desc", "field_desc", "scalar", scalar="u8"),
+    mip_3dm.LowPassFilterResponse: (
+        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
+        Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8"),
         Parameter("enable", "enable", "scalar", scalar="bool"),
         Parameter("manual", "manual", "scalar", scalar="bool"),
         Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
     ),
-    filter.ResetNavigationFilter: (),
+    filter.Reset: (),
     filter.SetInitialAttitude: (
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
         Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
         Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
     ),
-    filter.SetInitialHeadingControl: (
+    filter.SetInitialHeading: (
         Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
     ),
-    filter.RunNavigationFilter: (),
+    filter.Run: (),
     filter.VehicleDynamicsMode: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("mode", "mode", "scalar", scalar="u8", type=filter.DynamicsMode),
     ),
-    filter.SensorToVehicleFrameTransformation: (
+    filter.SensorToVehicleRotationEuler: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
         Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
@@ -1145,17 +1165,17 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
         ),
     ),
-    filter.GnssAntennaOffsetControl: (
+    filter.AntennaOffset: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
         ),
     ),
-    filter.EstimationControlFlags: (
+    filter.EstimationControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("flags", "flags", "scalar", scalar="u16", type=filter.EstimatedStates),
     ),
-    filter.GnssAidingSourceControl: (
+    filter.GnssSource: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("source", "source", "scalar", scalar="u8", type=filter.GnssAidingSource),
     ),
@@ -1197,27 +1217,27 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
         Parameter("type", "type", "scalar", scalar="u8", type=filter.HeadingType),
     ),
-    filter.HeadingUpdateControl: (
+    filter.HeadingSource: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("enable", "enable", "scalar", scalar="u8", type=filter.HeadingUpdateSource),
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.HeadingUpdateSource),
     ),
     filter.AutoInitializationControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="u8"),
     ),
-    filter.AccelerometerNoiseStandardDeviation: (
+    filter.AccelNoise: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
         ),
     ),
-    filter.GyroscopeNoiseStandardDeviation: (
+    filter.GyroNoise: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
         ),
     ),
-    filter.AccelerometerBiasModelParameters: (
+    filter.AccelBiasModel: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",)
@@ -1226,7 +1246,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
         ),
     ),
-    filter.GyroscopeBiasModelParameters: (
+    filter.GyroBiasModel: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",)
@@ -1241,15 +1261,15 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("threshold", "threshold", "scalar", scalar="float", units=("m/s",)),
     ),
     filter.ExternalHeadingUpdateWithTime: (
-        Parameter("gps_time", "gps_time", "scalar", scalar="double", units=("s",)),
-        Parameter("gps_week", "gps_week", "scalar", scalar="u16", units=("week",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
         Parameter(
             "heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",)
         ),
         Parameter("type", "type", "scalar", scalar="u8", type=filter.HeadingType),
     ),
-    filter.ZeroAngularRateUpdateControl: (
+    filter.AutoAngularZupt: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("threshold", "threshold", "scalar", scalar="float", units=("rad/s",)),
@@ -1259,18 +1279,18 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("axes", "axes", "scalar", scalar="u8", type=filter.TareAxes),
     ),
     filter.CommandedZupt: (),
-    filter.CommandedZeroAngularRateUpdate: (),
-    filter.SetReferencePosition: (
+    filter.CommandedAngularZupt: (),
+    filter.ReferencePosition: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",)),
         Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",)),
         Parameter("altitude", "altitude", "scalar", scalar="double", units=("m",)),
     ),
-    filter.MagCaptureAutoCal: (
+    filter.MagCaptureAutoCalibration: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
     ),
-    filter.GravityNoiseStandardDeviation: (
+    filter.GravityNoise: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("g",)
@@ -1297,7 +1317,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("1",),
         ),
     ),
-    filter.EnableDisableMeasurements: (
+    filter.EnableMeasurements: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("control", "control", "scalar", scalar="u16", type=filter.MeasurementFlags),
     ),
@@ -1307,12 +1327,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
         ),
     ),
-    filter.MagneticFieldDeclinationSourceControl: (
+    filter.MagneticDeclinationSource: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
         Parameter("declination", "declination", "scalar", scalar="float", units=("rad",)),
     ),
-    filter.GravityMagnitudeErrorAdaptiveMeasurement: (
+    filter.AccelMagnitudeErrorAdaptiveMeasurement: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "adaptive_measurement",
@@ -1392,16 +1412,16 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("selector", "selector", "scalar", scalar="u8", type=filter.AltitudeAidingSource),
     ),
-    filter.PitchRollAidingControl: (
+    filter.PitchRollAiding: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("aiding", "aiding", "scalar", scalar="u8", type=filter.PitchRollAidingSource),
     ),
-    filter.InclinationSource: (
+    filter.MagneticInclinationSource: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
         Parameter("inclination", "inclination", "scalar", scalar="float", units=("rad",)),
     ),
-    filter.MagFieldMagnitudeSource: (
+    filter.MagneticMagnitudeSource: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
         Parameter("magnitude", "magnitude", "scalar", scalar="float", units=("gauss",)),
@@ -1419,11 +1439,9 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter.SensorToVehicleRotationQuaternion: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter(
-            "quat", "quat", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)
-        ),
+        Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
     ),
-    filter.AidingMeasurementControl: (
+    filter.AidingMeasurementEnable: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "aiding_source", "aiding_source", "scalar", scalar="u16", type=filter.AidingSource
@@ -1454,12 +1472,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=filter.AngularConstraint,
         ),
     ),
-    filter.NavigationFilterInitialization: (
+    filter.InitializationConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("wait_for_run_command", "wait_for_run_command", "scalar", scalar="u8"),
         Parameter(
-            "initial_cond_src",
-            "initial_cond_src",
+            "initial_condition_source",
+            "initial_condition_source",
             "scalar",
             scalar="u8",
             type=filter.InitialConditionSource,
@@ -1497,12 +1515,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=filter.ReferenceFrame,
         ),
     ),
-    filter.AdaptiveFilterControl: (
+    filter.AdaptiveFilterOptions: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("level", "level", "scalar", scalar="u8", type=filter.AdaptiveLevel),
         Parameter("time_limit", "time_limit", "scalar", scalar="u16", units=("ms",)),
     ),
-    filter.GnssMultiAntennaOffsetControl: (
+    filter.MultiAntennaOffset: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
         Parameter(
@@ -1514,7 +1532,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("m",),
         ),
     ),
-    filter.RelativePositionConfiguration: (
+    filter.RelativePositionConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("source", "source", "scalar", scalar="u8", type=filter.RelativePositionSource),
         Parameter(
@@ -1535,7 +1553,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     filter.ReferencePointLeverArm: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
-            "ref_point_sel", "ref_point_sel", "scalar", scalar="u8", type=filter.ReferencePoint
+            "reference_point", "reference_point", "scalar", scalar="u8", type=filter.ReferencePoint
         ),
         Parameter(
             "lever_arm_offset",
@@ -1554,7 +1572,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "speed_uncertainty", "speed_uncertainty", "scalar", scalar="float", units=("m/s",)
         ),
     ),
-    filter.MeasurementSpeedLeverArm: (
+    filter.SpeedLeverArm: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("source", "source", "scalar", scalar="u8"),
         Parameter(
@@ -1574,7 +1592,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="u8"),
     ),
-    filter.GnssAntennaOffsetCalibrationControl: (
+    filter.GnssAntennaCalibrationControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("max_offset", "max_offset", "scalar", scalar="float", units=("m",)),
@@ -1582,7 +1600,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     filter.VehicleDynamicsModeResponse: (
         Parameter("mode", "mode", "scalar", scalar="u8", type=filter.DynamicsMode),
     ),
-    filter.SensorToVehicleFrameTransformationResponse: (
+    filter.SensorToVehicleRotationEulerResponse: (
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
         Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
         Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",)),
@@ -1592,34 +1610,34 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
         ),
     ),
-    filter.GnssAntennaOffsetControlResponse: (
+    filter.AntennaOffsetResponse: (
         Parameter(
             "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
         ),
     ),
-    filter.EstimationControlFlagsResponse: (
+    filter.EstimationControlResponse: (
         Parameter("flags", "flags", "scalar", scalar="u16", type=filter.EstimatedStates),
     ),
-    filter.GnssAidingSourceControlResponse: (
+    filter.GnssSourceResponse: (
         Parameter("source", "source", "scalar", scalar="u8", type=filter.GnssAidingSource),
     ),
-    filter.HeadingUpdateControlResponse: (
-        Parameter("enable", "enable", "scalar", scalar="u8", type=filter.HeadingUpdateSource),
+    filter.HeadingSourceResponse: (
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.HeadingUpdateSource),
     ),
     filter.AutoInitializationControlResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
     ),
-    filter.AccelerometerNoiseStandardDeviationResponse: (
+    filter.AccelNoiseResponse: (
         Parameter(
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
         ),
     ),
-    filter.GyroscopeNoiseStandardDeviationResponse: (
+    filter.GyroNoiseResponse: (
         Parameter(
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
         ),
     ),
-    filter.AccelerometerBiasModelParametersResponse: (
+    filter.AccelBiasModelResponse: (
         Parameter(
             "beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",)
         ),
@@ -1627,7 +1645,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
         ),
     ),
-    filter.GyroscopeBiasModelParametersResponse: (
+    filter.GyroBiasModelResponse: (
         Parameter(
             "beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",)
         ),
@@ -1639,17 +1657,17 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("threshold", "threshold", "scalar", scalar="float", units=("m/s",)),
     ),
-    filter.ZeroAngularRateUpdateControlResponse: (
+    filter.AutoAngularZuptResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("threshold", "threshold", "scalar", scalar="float", units=("rad/s",)),
     ),
-    filter.SetReferencePositionResponse: (
+    filter.ReferencePositionResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",)),
         Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",)),
         Parameter("altitude", "altitude", "scalar", scalar="double", units=("m",)),
     ),
-    filter.GravityNoiseStandardDeviationResponse: (
+    filter.GravityNoiseResponse: (
         Parameter(
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("g",)
         ),
@@ -1675,7 +1693,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     filter.TareOrientationResponse: (
         Parameter("axes", "axes", "scalar", scalar="u8", type=filter.TareAxes),
     ),
-    filter.EnableDisableMeasurementsResponse: (
+    filter.EnableMeasurementsResponse: (
         Parameter("control", "control", "scalar", scalar="u16", type=filter.MeasurementFlags),
     ),
     filter.MagNoiseResponse: (
@@ -1683,11 +1701,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
         ),
     ),
-    filter.MagneticFieldDeclinationSourceControlResponse: (
+    filter.MagneticDeclinationSourceResponse: (
         Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
         Parameter("declination", "declination", "scalar", scalar="float", units=("rad",)),
     ),
-    filter.GravityMagnitudeErrorAdaptiveMeasurementResponse: (
+    filter.AccelMagnitudeErrorAdaptiveMeasurementResponse: (
         Parameter(
             "adaptive_measurement",
             "adaptive_measurement",
@@ -1763,14 +1781,14 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     filter.AltitudeAidingResponse: (
         Parameter("selector", "selector", "scalar", scalar="u8", type=filter.AltitudeAidingSource),
     ),
-    filter.PitchRollAidingControlResponse: (
+    filter.PitchRollAidingResponse: (
         Parameter("aiding", "aiding", "scalar", scalar="u8", type=filter.PitchRollAidingSource),
     ),
-    filter.InclinationSourceResponse: (
+    filter.MagneticInclinationSourceResponse: (
         Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
         Parameter("inclination", "inclination", "scalar", scalar="float", units=("rad",)),
     ),
-    filter.MagFieldMagnitudeSourceResponse: (
+    filter.MagneticMagnitudeSourceResponse: (
         Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
         Parameter("magnitude", "magnitude", "scalar", scalar="float", units=("gauss",)),
     ),
@@ -1785,11 +1803,9 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     filter.SensorToVehicleRotationQuaternionResponse: (
-        Parameter(
-            "quat", "quat", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)
-        ),
+        Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
     ),
-    filter.AidingMeasurementControlResponse: (
+    filter.AidingMeasurementEnableResponse: (
         Parameter(
             "aiding_source", "aiding_source", "scalar", scalar="u16", type=filter.AidingSource
         ),
@@ -1818,11 +1834,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=filter.AngularConstraint,
         ),
     ),
-    filter.NavigationFilterInitializationResponse: (
+    filter.InitializationConfigResponse: (
         Parameter("wait_for_run_command", "wait_for_run_command", "scalar", scalar="u8"),
         Parameter(
-            "initial_cond_src",
-            "initial_cond_src",
+            "initial_condition_source",
+            "initial_condition_source",
             "scalar",
             scalar="u8",
             type=filter.InitialConditionSource,
@@ -1860,11 +1876,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=filter.ReferenceFrame,
         ),
     ),
-    filter.AdaptiveFilterControlResponse: (
+    filter.AdaptiveFilterOptionsResponse: (
         Parameter("level", "level", "scalar", scalar="u8", type=filter.AdaptiveLevel),
         Parameter("time_limit", "time_limit", "scalar", scalar="u16", units=("ms",)),
     ),
-    filter.GnssMultiAntennaOffsetControlResponse: (
+    filter.MultiAntennaOffsetResponse: (
         Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
         Parameter(
             "antenna_offset",
@@ -1875,7 +1891,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("m",),
         ),
     ),
-    filter.RelativePositionConfigurationResponse: (
+    filter.RelativePositionConfigResponse: (
         Parameter("source", "source", "scalar", scalar="u8", type=filter.RelativePositionSource),
         Parameter(
             "reference_frame_selector",
@@ -1894,7 +1910,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter.ReferencePointLeverArmResponse: (
         Parameter(
-            "ref_point_sel", "ref_point_sel", "scalar", scalar="u8", type=filter.ReferencePoint
+            "reference_point", "reference_point", "scalar", scalar="u8", type=filter.ReferencePoint
         ),
         Parameter(
             "lever_arm_offset",
@@ -1905,7 +1921,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("m",),
         ),
     ),
-    filter.MeasurementSpeedLeverArmResponse: (
+    filter.SpeedLeverArmResponse: (
         Parameter("source", "source", "scalar", scalar="u8"),
         Parameter(
             "lever_arm_offset",
@@ -1922,7 +1938,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     filter.WheeledVehicleConstraintControlResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
     ),
-    filter.GnssAntennaOffsetCalibrationControlResponse: (
+    filter.GnssAntennaCalibrationControlResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("max_offset", "max_offset", "scalar", scalar="float", units=("m",)),
     ),
@@ -1932,7 +1948,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("description", "description", "text", scalar="char", length=32),
     ),
     gnss.ReceiverInfo: (),
-    gnss.SignalConfiguration: (
+    gnss.SignalConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("gps_enable", "gps_enable", "scalar", scalar="u8", type=gnss.GpsSignals),
         Parameter(
@@ -1944,12 +1960,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("beidou_enable", "beidou_enable", "scalar", scalar="u8", type=gnss.BeidouSignals),
         Parameter("reserved", "reserved", "array", scalar="u8", length=4),
     ),
-    gnss.RtkDongleConfiguration: (
+    gnss.RtkDongleConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("reserved", "reserved", "array", scalar="u8", length=3),
     ),
-    gnss.SpartnConfiguration: (
+    gnss.SpartnConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("type", "type", "scalar", scalar="u8", type=gnss.SpartnConnection),
@@ -1970,7 +1986,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=gnss.ReceiverInfoEntry,
         ),
     ),
-    gnss.SignalConfigurationResponse: (
+    gnss.SignalConfigResponse: (
         Parameter("gps_enable", "gps_enable", "scalar", scalar="u8", type=gnss.GpsSignals),
         Parameter(
             "glonass_enable", "glonass_enable", "scalar", scalar="u8", type=gnss.GlonassSignals
@@ -1981,11 +1997,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("beidou_enable", "beidou_enable", "scalar", scalar="u8", type=gnss.BeidouSignals),
         Parameter("reserved", "reserved", "array", scalar="u8", length=4),
     ),
-    gnss.RtkDongleConfigurationResponse: (
+    gnss.RtkDongleConfigResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("reserved", "reserved", "array", scalar="u8", length=3),
     ),
-    gnss.SpartnConfigurationResponse: (
+    gnss.SpartnConfigResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("type", "type", "scalar", scalar="u8", type=gnss.SpartnConnection),
         Parameter("current_key_tow", "current_key_tow", "scalar", scalar="u32", units=("s",)),
@@ -2051,7 +2067,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("reserved", "reserved", "scalar", scalar="u8"),
         Parameter("nanoseconds", "nanoseconds", "scalar", scalar="u64", units=("ns",)),
     ),
-    aiding.FrameConfiguration: (
+    aiding.FrameConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
         Parameter("format", "format", "scalar", scalar="u8", type=aiding.AidingFrameFormat),
@@ -2230,7 +2246,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("mbar",)),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16"),
     ),
-    aiding.FrameConfigurationResponse: (
+    aiding.FrameConfigResponse: (
         Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
         Parameter("format", "format", "scalar", scalar="u8", type=aiding.AidingFrameFormat),
         Parameter("tracking_enabled", "tracking_enabled", "scalar", scalar="bool"),
@@ -2272,44 +2288,44 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     system.InterfaceControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("port", "port", "scalar", scalar="u8", type=system.CommsInterface),
+        Parameter("port", "port", "scalar", scalar="u8", type=system.CommInterface),
         Parameter(
             "protocols_incoming",
             "protocols_incoming",
             "scalar",
             scalar="u32",
-            type=system.CommsProtocols,
+            type=system.CommProtocols,
         ),
         Parameter(
             "protocols_outgoing",
             "protocols_outgoing",
             "scalar",
             scalar="u32",
-            type=system.CommsProtocols,
+            type=system.CommProtocols,
         ),
     ),
-    system.CommunicationMode: (
+    system.CommMode: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("mode", "mode", "scalar", scalar="u8", type=system.ProtocolMode),
     ),
     system.InterfaceControlResponse: (
-        Parameter("port", "port", "scalar", scalar="u8", type=system.CommsInterface),
+        Parameter("port", "port", "scalar", scalar="u8", type=system.CommInterface),
         Parameter(
             "protocols_incoming",
             "protocols_incoming",
             "scalar",
             scalar="u32",
-            type=system.CommsProtocols,
+            type=system.CommProtocols,
         ),
         Parameter(
             "protocols_outgoing",
             "protocols_outgoing",
             "scalar",
             scalar="u32",
-            type=system.CommsProtocols,
+            type=system.CommProtocols,
         ),
     ),
-    system.CommunicationModeResponse: (
+    system.CommModeResponse: (
         Parameter("mode", "mode", "scalar", scalar="u8", type=system.ProtocolMode),
     ),
     sensor.RawAccel: (
@@ -2382,7 +2398,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("g*s",),
         ),
     ),
-    sensor.ComplementaryFilterOrientationMatrix: (
+    sensor.CompOrientationMatrix: (
         Parameter(
             "m",
             "m",
@@ -2392,7 +2408,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("1",),
         ),
     ),
-    sensor.ComplementaryFilterQuaternion: (
+    sensor.CompQuaternion: (
         Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
     ),
     sensor.CompOrientationUpdateMatrix: (
@@ -2405,13 +2421,15 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("1",),
         ),
     ),
-    sensor.ComplementaryFilterEulerAngles: (
+    sensor.CompEulerAngles: (
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
         Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
         Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",)),
     ),
-    sensor.OrientationRawTemp: (
-        Parameter("raw_temp", "raw_temp", "array", scalar="u16", length=4, units=("1",)),
+    sensor.OrientationRawTemperature: (
+        Parameter(
+            "raw_temperature", "raw_temperature", "array", scalar="u16", length=4, units=("1",)
+        ),
     ),
     sensor.InternalTimestamp: (
         Parameter("counts", "counts", "scalar", scalar="u32", units=("1",)),
@@ -2420,7 +2438,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("seconds", "seconds", "scalar", scalar="u32", units=("s",)),
         Parameter("useconds", "useconds", "scalar", scalar="u32", units=("us",)),
     ),
-    sensor.ComplementaryFilterStabilizedNorthVector: (
+    sensor.NorthVector: (
         Parameter(
             "stabilized_mag",
             "stabilized_mag",
@@ -2430,7 +2448,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("gauss",),
         ),
     ),
-    sensor.ComplementaryFilterStabilizedUpVector: (
+    sensor.UpVector: (
         Parameter(
             "stabilized_accel",
             "stabilized_accel",
@@ -2448,9 +2466,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     sensor.TemperatureStatistics: (
-        Parameter("min_temp", "min_temp", "scalar", scalar="float", units=("degC",)),
-        Parameter("max_temp", "max_temp", "scalar", scalar="float", units=("degC",)),
-        Parameter("mean_temp", "mean_temp", "scalar", scalar="float", units=("degC",)),
+        Parameter("min_temperature", "min_temperature", "scalar", scalar="float", units=("degC",)),
+        Parameter("max_temperature", "max_temperature", "scalar", scalar="float", units=("degC",)),
+        Parameter(
+            "mean_temperature", "mean_temperature", "scalar", scalar="float", units=("degC",)
+        ),
     ),
     sensor.RawPressure: (
         Parameter("raw_pressure", "raw_pressure", "scalar", scalar="float", units=("1",)),
@@ -2474,7 +2494,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
-    filter_data.VelocityNed: (
+    filter_data.NedVelocity: (
         Parameter("north", "north", "scalar", scalar="float", units=("m/s",)),
         Parameter("east", "east", "scalar", scalar="float", units=("m/s",)),
         Parameter("down", "down", "scalar", scalar="float", units=("m/s",)),
@@ -2551,8 +2571,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.GyroBiasUncertainty: (
         Parameter(
-            "bias_uncert",
-            "bias_uncert",
+            "bias_uncertainty",
+            "bias_uncertainty",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
@@ -2564,8 +2584,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.AccelBiasUncertainty: (
         Parameter(
-            "bias_uncert",
-            "bias_uncert",
+            "bias_uncertainty",
+            "bias_uncertainty",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
@@ -2591,7 +2611,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
-    filter_data.Wgs84LocalGravityMagnitude: (
+    filter_data.Wgs84GravityMagnitude: (
         Parameter(
             "gravity_magnitude", "gravity_magnitude", "scalar", scalar="float", units=("m/s^2",)
         ),
@@ -2630,7 +2650,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
-    filter_data.HeadingUpdateSourceState: (
+    filter_data.HeadingUpdateState: (
         Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
         Parameter(
             "heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",)
@@ -2723,7 +2743,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
-    filter_data.CompensatedAcceleration: (
+    filter_data.CompAccel: (
         Parameter(
             "accel", "accel", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
         ),
@@ -2899,8 +2919,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     filter_data.MultiAntennaOffsetCorrectionUncertainty: (
         Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
         Parameter(
-            "offset_uncert",
-            "offset_uncert",
+            "offset_uncertainty",
+            "offset_uncertainty",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
@@ -2912,8 +2932,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.EcefPositionUncertainty: (
         Parameter(
-            "pos_uncertainty",
-            "pos_uncertainty",
+            "position_uncertainty",
+            "position_uncertainty",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
@@ -2925,8 +2945,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.EcefVelocityUncertainty: (
         Parameter(
-            "vel_uncertainty",
-            "vel_uncertainty",
+            "velocity_uncertainty",
+            "velocity_uncertainty",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
@@ -2938,12 +2958,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.EcefPosition: (
         Parameter(
-            "position_ecef",
-            "position_ecef",
-            "array",
-            scalar="double",
-            elements=("x", "y", "z"),
-            units=("m",),
+            "position", "position", "array", scalar="double", elements=("x", "y", "z"), units=("m",)
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2951,8 +2966,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.EcefVelocity: (
         Parameter(
-            "velocity_ecef",
-            "velocity_ecef",
+            "velocity",
+            "velocity",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
@@ -2977,7 +2992,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.GnssPositionAidingStatus: (
         Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="float", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
         Parameter("status", "status", "scalar", scalar="u16", type=filter_data.GnssAidingStatus),
         Parameter("reserved", "reserved", "array", scalar="u8", length=8),
     ),
@@ -2992,7 +3007,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("reserved", "reserved", "array", scalar="float", length=2),
     ),
     filter_data.AidingMeasurementSummary: (
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="float", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
         Parameter("source", "source", "scalar", scalar="u8"),
         Parameter("type", "type", "scalar", scalar="u8", type=filter_data.AidingMeasurementType),
         Parameter(
@@ -3024,9 +3039,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     filter_data.GnssDualAntennaStatus: (
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="float", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
         Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
-        Parameter("heading_unc", "heading_unc", "scalar", scalar="float", units=("rad",)),
+        Parameter(
+            "heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",)
+        ),
         Parameter(
             "fix_type", "fix_type", "scalar", scalar="u8", type=filter_data.DualAntennaFixType
         ),
@@ -3041,7 +3058,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
-    filter_data.AidingFrameConfigurationError: (
+    filter_data.AidingFrameConfigError: (
         Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
         Parameter(
             "translation",
@@ -3060,26 +3077,26 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("1",),
         ),
     ),
-    filter_data.AidingFrameConfigurationErrorUncertainty: (
+    filter_data.AidingFrameConfigErrorUncertainty: (
         Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
         Parameter(
-            "translation_unc",
-            "translation_unc",
+            "translation_uncertainty",
+            "translation_uncertainty",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
         ),
         Parameter(
-            "attitude_unc",
-            "attitude_unc",
+            "attitude_uncertainty",
+            "attitude_uncertainty",
             "array",
             scalar="float",
             elements=("x", "y", "z"),
             units=("rad",),
         ),
     ),
-    gnss_1.GnssLlhPosition: (
+    gnss_1.LlhPosition: (
         Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",)),
         Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",)),
         Parameter("ellipsoid_height", "ellipsoid_height", "scalar", scalar="double", units=("m",)),
@@ -3089,18 +3106,27 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
         Parameter("vertical_accuracy", "vertical_accuracy", "scalar", scalar="float", units=("m",)),
         Parameter(
-            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.GnssLlhPositionFlags
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.LlhPositionFlags
         ),
     ),
-    gnss_1.GnssEcefPosition: (
-        Parameter("x", "x", "array", scalar="double", elements=("x", "y", "z"), units=("m",)),
-        Parameter("x_accuracy", "x_accuracy", "scalar", scalar="float", units=("m",)),
+    gnss_1.EcefPosition: (
         Parameter(
-            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.GnssEcefPositionFlags
+            "position", "position", "array", scalar="double", elements=("x", "y", "z"), units=("m",)
+        ),
+        Parameter("position_accuracy", "position_accuracy", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.EcefPositionFlags
         ),
     ),
     gnss_1.NedVelocity: (
-        Parameter("v", "v_", "array", scalar="float", elements=("x", "y", "z"), units=("m/s",)),
+        Parameter(
+            "velocity",
+            "velocity",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s",),
+        ),
         Parameter("speed", "speed", "scalar", scalar="float", units=("m/s",)),
         Parameter("ground_speed", "ground_speed", "scalar", scalar="float", units=("m/s",)),
         Parameter("heading", "heading", "scalar", scalar="float", units=("deg",)),
@@ -3110,11 +3136,20 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.NedVelocityFlags
         ),
     ),
-    gnss_1.GnssEcefVelocity: (
-        Parameter("v", "v_", "array", scalar="float", elements=("x", "y", "z"), units=("m/s",)),
-        Parameter("v_accuracy", "v_accuracy", "scalar", scalar="float", units=("m/s",)),
+    gnss_1.EcefVelocity: (
         Parameter(
-            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.GnssEcefVelocityFlags
+            "velocity",
+            "velocity",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s",),
+        ),
+        Parameter(
+            "velocity_accuracy", "velocity_accuracy", "scalar", scalar="float", units=("m/s",)
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.EcefVelocityFlags
         ),
     ),
     gnss_1.Dop: (
@@ -3167,7 +3202,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("sv_flags", "sv_flags", "scalar", scalar="u16", type=gnss_1.SvFlags),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.SvInfoFlags),
     ),
-    gnss_1.GnssHardwareStatus: (
+    gnss_1.HardwareStatus: (
         Parameter(
             "receiver_state", "receiver_state", "scalar", scalar="u8", type=gnss_1.ReceiverState
         ),
@@ -3178,11 +3213,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "antenna_power", "antenna_power", "scalar", scalar="u8", type=gnss_1.AntennaPower
         ),
         Parameter(
-            "valid_flags",
-            "valid_flags",
-            "scalar",
-            scalar="u16",
-            type=gnss_1.GnssHardwareStatusFlags,
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.HardwareStatusFlags
         ),
     ),
     gnss_1.DgpsInfo: (
@@ -3235,7 +3266,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     gnss_1.SbasInfo: (
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("sbas_system", "sbas_system", "scalar", scalar="u8", type=gnss_1.SbasSystem),
         Parameter("sbas_id", "sbas_id", "scalar", scalar="u8"),
@@ -3279,7 +3310,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     gnss_1.SatelliteStatus: (
         Parameter("index", "index", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8"),
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("gnss_id", "gnss_id", "scalar", scalar="u8", type=types.GnssConstellation),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
@@ -3293,7 +3324,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     gnss_1.Raw: (
         Parameter("index", "index", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8"),
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("receiver_id", "receiver_id", "scalar", scalar="u16"),
         Parameter("tracking_channel", "tracking_channel", "scalar", scalar="u8"),
@@ -3305,17 +3336,26 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("pseudorange", "pseudorange", "scalar", scalar="double", units=("m",)),
         Parameter("carrier_phase", "carrier_phase", "scalar", scalar="double", units=("cycle",)),
         Parameter("doppler", "doppler", "scalar", scalar="float", units=("Hz",)),
-        Parameter("range_uncert", "range_uncert", "scalar", scalar="float", units=("m",)),
-        Parameter("phase_uncert", "phase_uncert", "scalar", scalar="float", units=("cycle",)),
-        Parameter("doppler_uncert", "doppler_uncert", "scalar", scalar="float", units=("Hz",)),
+        Parameter("range_uncertainty", "range_uncertainty", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "phase_uncertainty", "phase_uncertainty", "scalar", scalar="float", units=("cycle",)
+        ),
+        Parameter(
+            "doppler_uncertainty", "doppler_uncertainty", "scalar", scalar="float", units=("Hz",)
+        ),
         Parameter("lock_time", "lock_time", "scalar", scalar="float", units=("s",)),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.RawFlags),
     ),
     gnss_1.BaseStationInfo: (
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter(
-            "ecef_pos", "ecef_pos", "array", scalar="double", elements=("x", "y", "z"), units=("m",)
+            "ecef_position",
+            "ecef_position",
+            "array",
+            scalar="double",
+            elements=("x", "y", "z"),
+            units=("m",),
         ),
         Parameter("height", "height", "scalar", scalar="float", units=("m",)),
         Parameter("station_id", "station_id", "scalar", scalar="u16"),
@@ -3327,7 +3367,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     gnss_1.RtkCorrectionsStatus: (
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter(
             "epoch_status", "epoch_status", "scalar", scalar="u16", type=gnss_1.RtkEpochStatus
@@ -3375,11 +3415,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     gnss_1.GpsEphemeris: (
         Parameter("index", "index", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8"),
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
         Parameter("health", "health", "scalar", scalar="u8"),
-        Parameter("iodec", "iodec", "scalar", scalar="u8"),
+        Parameter("iodc", "iodc", "scalar", scalar="u8"),
         Parameter("iode", "iode", "scalar", scalar="u8"),
         Parameter("t_oc", "t_oc", "scalar", scalar="double", units=("s",)),
         Parameter("af0", "af0", "scalar", scalar="double", units=("s",)),
@@ -3423,18 +3463,35 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     gnss_1.GlonassEphemeris: (
         Parameter("index", "index", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8"),
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
-        Parameter("freq_number", "freq_number", "scalar", scalar="s8"),
+        Parameter("frequency_number", "frequency_number", "scalar", scalar="s8"),
         Parameter("tk", "tk", "scalar", scalar="u32", units=("s",)),
         Parameter("tb", "tb", "scalar", scalar="u32", units=("s",)),
-        Parameter("sat_type", "sat_type", "scalar", scalar="u8", type=gnss_1.GlonassSatelliteType),
+        Parameter(
+            "satellite_type",
+            "satellite_type",
+            "scalar",
+            scalar="u8",
+            type=gnss_1.GlonassSatelliteType,
+        ),
         Parameter("gamma", "gamma", "scalar", scalar="double", units=("1",)),
         Parameter("tau_n", "tau_n", "scalar", scalar="double", units=("s",)),
-        Parameter("x", "x", "array", scalar="double", elements=("x", "y", "z"), units=("m",)),
-        Parameter("v", "v_", "array", scalar="float", elements=("x", "y", "z"), units=("m/s",)),
-        Parameter("a", "a", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)),
+        Parameter(
+            "position", "position", "array", scalar="double", elements=("x", "y", "z"), units=("m",)
+        ),
+        Parameter(
+            "velocity",
+            "velocity",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s",),
+        ),
+        Parameter(
+            "accel", "accel", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
+        ),
         Parameter("health", "health", "scalar", scalar="u8"),
         Parameter("p", "p", "scalar", scalar="u8"),
         Parameter("nt", "nt", "scalar", scalar="u8", units=("day",)),
@@ -3452,11 +3509,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     gnss_1.GalileoEphemeris: (
         Parameter("index", "index", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8"),
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
         Parameter("health", "health", "scalar", scalar="u8"),
-        Parameter("iodec", "iodec", "scalar", scalar="u8"),
+        Parameter("iodc", "iodc", "scalar", scalar="u8"),
         Parameter("iode", "iode", "scalar", scalar="u8"),
         Parameter("t_oc", "t_oc", "scalar", scalar="double", units=("s",)),
         Parameter("af0", "af0", "scalar", scalar="double", units=("s",)),
@@ -3500,11 +3557,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     gnss_1.BeidouEphemeris: (
         Parameter("index", "index", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8"),
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
         Parameter("health", "health", "scalar", scalar="u8"),
-        Parameter("iodec", "iodec", "scalar", scalar="u8"),
+        Parameter("iodc", "iodc", "scalar", scalar="u8"),
         Parameter("iode", "iode", "scalar", scalar="u8"),
         Parameter("t_oc", "t_oc", "scalar", scalar="double", units=("s",)),
         Parameter("af0", "af0", "scalar", scalar="double", units=("s",)),
@@ -3584,7 +3641,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     system_data.BuiltInTest: (Parameter("result", "result", "array", scalar="u8", length=16),),
     system_data.TimeSyncStatus: (
         Parameter("time_sync", "time_sync", "scalar", scalar="bool"),
-        Parameter("last_pps_rcvd", "last_pps_rcvd", "scalar", scalar="u8", units=("s",)),
+        Parameter("last_pps_received", "last_pps_received", "scalar", scalar="u8", units=("s",)),
     ),
     system_data.GpioState: (
         Parameter("states", "states", "scalar", scalar="u8", type=system_data.GpioPinStates),
@@ -3624,17 +3681,17 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
 }
 
-PARAMETERS[gnss_data.GnssLlhPosition] = PARAMETERS[gnss_1.GnssLlhPosition]
-PARAMETERS[gnss_data.GnssEcefPosition] = PARAMETERS[gnss_1.GnssEcefPosition]
+PARAMETERS[gnss_data.LlhPosition] = PARAMETERS[gnss_1.LlhPosition]
+PARAMETERS[gnss_data.EcefPosition] = PARAMETERS[gnss_1.EcefPosition]
 PARAMETERS[gnss_data.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
-PARAMETERS[gnss_data.GnssEcefVelocity] = PARAMETERS[gnss_1.GnssEcefVelocity]
+PARAMETERS[gnss_data.EcefVelocity] = PARAMETERS[gnss_1.EcefVelocity]
 PARAMETERS[gnss_data.Dop] = PARAMETERS[gnss_1.Dop]
 PARAMETERS[gnss_data.UtcTime] = PARAMETERS[gnss_1.UtcTime]
 PARAMETERS[gnss_data.GpsTime] = PARAMETERS[gnss_1.GpsTime]
 PARAMETERS[gnss_data.ClockInfo] = PARAMETERS[gnss_1.ClockInfo]
 PARAMETERS[gnss_data.FixInfo] = PARAMETERS[gnss_1.FixInfo]
 PARAMETERS[gnss_data.SvInfo] = PARAMETERS[gnss_1.SvInfo]
-PARAMETERS[gnss_data.GnssHardwareStatus] = PARAMETERS[gnss_1.GnssHardwareStatus]
+PARAMETERS[gnss_data.HardwareStatus] = PARAMETERS[gnss_1.HardwareStatus]
 PARAMETERS[gnss_data.DgpsInfo] = PARAMETERS[gnss_1.DgpsInfo]
 PARAMETERS[gnss_data.DgpsChannel] = PARAMETERS[gnss_1.DgpsChannel]
 PARAMETERS[gnss_data.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]
@@ -3653,17 +3710,17 @@ PARAMETERS[gnss_data.BeidouEphemeris] = PARAMETERS[gnss_1.BeidouEphemeris]
 PARAMETERS[gnss_data.GpsIonoCorrection] = PARAMETERS[gnss_1.GpsIonoCorrection]
 PARAMETERS[gnss_data.GalileoIonoCorrection] = PARAMETERS[gnss_1.GalileoIonoCorrection]
 PARAMETERS[gnss_data.BeidouIonoCorrection] = PARAMETERS[gnss_1.BeidouIonoCorrection]
-PARAMETERS[gnss_2.GnssLlhPosition] = PARAMETERS[gnss_1.GnssLlhPosition]
-PARAMETERS[gnss_2.GnssEcefPosition] = PARAMETERS[gnss_1.GnssEcefPosition]
+PARAMETERS[gnss_2.LlhPosition] = PARAMETERS[gnss_1.LlhPosition]
+PARAMETERS[gnss_2.EcefPosition] = PARAMETERS[gnss_1.EcefPosition]
 PARAMETERS[gnss_2.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
-PARAMETERS[gnss_2.GnssEcefVelocity] = PARAMETERS[gnss_1.GnssEcefVelocity]
+PARAMETERS[gnss_2.EcefVelocity] = PARAMETERS[gnss_1.EcefVelocity]
 PARAMETERS[gnss_2.Dop] = PARAMETERS[gnss_1.Dop]
 PARAMETERS[gnss_2.UtcTime] = PARAMETERS[gnss_1.UtcTime]
 PARAMETERS[gnss_2.GpsTime] = PARAMETERS[gnss_1.GpsTime]
 PARAMETERS[gnss_2.ClockInfo] = PARAMETERS[gnss_1.ClockInfo]
 PARAMETERS[gnss_2.FixInfo] = PARAMETERS[gnss_1.FixInfo]
 PARAMETERS[gnss_2.SvInfo] = PARAMETERS[gnss_1.SvInfo]
-PARAMETERS[gnss_2.GnssHardwareStatus] = PARAMETERS[gnss_1.GnssHardwareStatus]
+PARAMETERS[gnss_2.HardwareStatus] = PARAMETERS[gnss_1.HardwareStatus]
 PARAMETERS[gnss_2.DgpsInfo] = PARAMETERS[gnss_1.DgpsInfo]
 PARAMETERS[gnss_2.DgpsChannel] = PARAMETERS[gnss_1.DgpsChannel]
 PARAMETERS[gnss_2.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]
@@ -3682,17 +3739,17 @@ PARAMETERS[gnss_2.BeidouEphemeris] = PARAMETERS[gnss_1.BeidouEphemeris]
 PARAMETERS[gnss_2.GpsIonoCorrection] = PARAMETERS[gnss_1.GpsIonoCorrection]
 PARAMETERS[gnss_2.GalileoIonoCorrection] = PARAMETERS[gnss_1.GalileoIonoCorrection]
 PARAMETERS[gnss_2.BeidouIonoCorrection] = PARAMETERS[gnss_1.BeidouIonoCorrection]
-PARAMETERS[gnss_corrections.GnssLlhPosition] = PARAMETERS[gnss_1.GnssLlhPosition]
-PARAMETERS[gnss_corrections.GnssEcefPosition] = PARAMETERS[gnss_1.GnssEcefPosition]
+PARAMETERS[gnss_corrections.LlhPosition] = PARAMETERS[gnss_1.LlhPosition]
+PARAMETERS[gnss_corrections.EcefPosition] = PARAMETERS[gnss_1.EcefPosition]
 PARAMETERS[gnss_corrections.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
-PARAMETERS[gnss_corrections.GnssEcefVelocity] = PARAMETERS[gnss_1.GnssEcefVelocity]
+PARAMETERS[gnss_corrections.EcefVelocity] = PARAMETERS[gnss_1.EcefVelocity]
 PARAMETERS[gnss_corrections.Dop] = PARAMETERS[gnss_1.Dop]
 PARAMETERS[gnss_corrections.UtcTime] = PARAMETERS[gnss_1.UtcTime]
 PARAMETERS[gnss_corrections.GpsTime] = PARAMETERS[gnss_1.GpsTime]
 PARAMETERS[gnss_corrections.ClockInfo] = PARAMETERS[gnss_1.ClockInfo]
 PARAMETERS[gnss_corrections.FixInfo] = PARAMETERS[gnss_1.FixInfo]
 PARAMETERS[gnss_corrections.SvInfo] = PARAMETERS[gnss_1.SvInfo]
-PARAMETERS[gnss_corrections.GnssHardwareStatus] = PARAMETERS[gnss_1.GnssHardwareStatus]
+PARAMETERS[gnss_corrections.HardwareStatus] = PARAMETERS[gnss_1.HardwareStatus]
 PARAMETERS[gnss_corrections.DgpsInfo] = PARAMETERS[gnss_1.DgpsInfo]
 PARAMETERS[gnss_corrections.DgpsChannel] = PARAMETERS[gnss_1.DgpsChannel]
 PARAMETERS[gnss_corrections.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]
@@ -3711,17 +3768,17 @@ PARAMETERS[gnss_corrections.BeidouEphemeris] = PARAMETERS[gnss_1.BeidouEphemeris
 PARAMETERS[gnss_corrections.GpsIonoCorrection] = PARAMETERS[gnss_1.GpsIonoCorrection]
 PARAMETERS[gnss_corrections.GalileoIonoCorrection] = PARAMETERS[gnss_1.GalileoIonoCorrection]
 PARAMETERS[gnss_corrections.BeidouIonoCorrection] = PARAMETERS[gnss_1.BeidouIonoCorrection]
-PARAMETERS[gnss_external.GnssLlhPosition] = PARAMETERS[gnss_1.GnssLlhPosition]
-PARAMETERS[gnss_external.GnssEcefPosition] = PARAMETERS[gnss_1.GnssEcefPosition]
+PARAMETERS[gnss_external.LlhPosition] = PARAMETERS[gnss_1.LlhPosition]
+PARAMETERS[gnss_external.EcefPosition] = PARAMETERS[gnss_1.EcefPosition]
 PARAMETERS[gnss_external.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
-PARAMETERS[gnss_external.GnssEcefVelocity] = PARAMETERS[gnss_1.GnssEcefVelocity]
+PARAMETERS[gnss_external.EcefVelocity] = PARAMETERS[gnss_1.EcefVelocity]
 PARAMETERS[gnss_external.Dop] = PARAMETERS[gnss_1.Dop]
 PARAMETERS[gnss_external.UtcTime] = PARAMETERS[gnss_1.UtcTime]
 PARAMETERS[gnss_external.GpsTime] = PARAMETERS[gnss_1.GpsTime]
 PARAMETERS[gnss_external.ClockInfo] = PARAMETERS[gnss_1.ClockInfo]
 PARAMETERS[gnss_external.FixInfo] = PARAMETERS[gnss_1.FixInfo]
 PARAMETERS[gnss_external.SvInfo] = PARAMETERS[gnss_1.SvInfo]
-PARAMETERS[gnss_external.GnssHardwareStatus] = PARAMETERS[gnss_1.GnssHardwareStatus]
+PARAMETERS[gnss_external.HardwareStatus] = PARAMETERS[gnss_1.HardwareStatus]
 PARAMETERS[gnss_external.DgpsInfo] = PARAMETERS[gnss_1.DgpsInfo]
 PARAMETERS[gnss_external.DgpsChannel] = PARAMETERS[gnss_1.DgpsChannel]
 PARAMETERS[gnss_external.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]
@@ -3740,17 +3797,17 @@ PARAMETERS[gnss_external.BeidouEphemeris] = PARAMETERS[gnss_1.BeidouEphemeris]
 PARAMETERS[gnss_external.GpsIonoCorrection] = PARAMETERS[gnss_1.GpsIonoCorrection]
 PARAMETERS[gnss_external.GalileoIonoCorrection] = PARAMETERS[gnss_1.GalileoIonoCorrection]
 PARAMETERS[gnss_external.BeidouIonoCorrection] = PARAMETERS[gnss_1.BeidouIonoCorrection]
-PARAMETERS[gnss_external_2.GnssLlhPosition] = PARAMETERS[gnss_1.GnssLlhPosition]
-PARAMETERS[gnss_external_2.GnssEcefPosition] = PARAMETERS[gnss_1.GnssEcefPosition]
+PARAMETERS[gnss_external_2.LlhPosition] = PARAMETERS[gnss_1.LlhPosition]
+PARAMETERS[gnss_external_2.EcefPosition] = PARAMETERS[gnss_1.EcefPosition]
 PARAMETERS[gnss_external_2.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
-PARAMETERS[gnss_external_2.GnssEcefVelocity] = PARAMETERS[gnss_1.GnssEcefVelocity]
+PARAMETERS[gnss_external_2.EcefVelocity] = PARAMETERS[gnss_1.EcefVelocity]
 PARAMETERS[gnss_external_2.Dop] = PARAMETERS[gnss_1.Dop]
 PARAMETERS[gnss_external_2.UtcTime] = PARAMETERS[gnss_1.UtcTime]
 PARAMETERS[gnss_external_2.GpsTime] = PARAMETERS[gnss_1.GpsTime]
 PARAMETERS[gnss_external_2.ClockInfo] = PARAMETERS[gnss_1.ClockInfo]
 PARAMETERS[gnss_external_2.FixInfo] = PARAMETERS[gnss_1.FixInfo]
 PARAMETERS[gnss_external_2.SvInfo] = PARAMETERS[gnss_1.SvInfo]
-PARAMETERS[gnss_external_2.GnssHardwareStatus] = PARAMETERS[gnss_1.GnssHardwareStatus]
+PARAMETERS[gnss_external_2.HardwareStatus] = PARAMETERS[gnss_1.HardwareStatus]
 PARAMETERS[gnss_external_2.DgpsInfo] = PARAMETERS[gnss_1.DgpsInfo]
 PARAMETERS[gnss_external_2.DgpsChannel] = PARAMETERS[gnss_1.DgpsChannel]
 PARAMETERS[gnss_external_2.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]

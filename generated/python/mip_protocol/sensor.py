@@ -37,7 +37,7 @@ class OverrangeFlags(IntFlag):
     """Magnetometer Y axis. Bit 9."""
     MAG_Z = 1 << 10
     """Magnetometer Z axis. Bit 10."""
-    PRESS = 1 << 12
+    PRESSURE = 1 << 12
     """Pressure sensor. Bit 12."""
 
 
@@ -324,16 +324,16 @@ class DeltaVelocity(Data):
         return codec.finished(out)
 
 
-_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_0 = codec.Block("fffffffff", *["m"] * 9)
+_COMP_ORIENTATION_MATRIX_0 = codec.Block("fffffffff", *["m"] * 9)
 
 
 @dataclass(slots=True)
-class ComplementaryFilterOrientationMatrix(Data):
+class CompOrientationMatrix(Data):
     """Complementary filter orientation matrix (0x80,0x09).
 
     Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
 
-    Also called `comp_orientation_matrix`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
 
@@ -343,7 +343,7 @@ class ComplementaryFilterOrientationMatrix(Data):
 
     SET = 0x80
     DESCRIPTOR = 0x09
-    NAME = "sensor.complementary_filter_orientation_matrix"
+    NAME = "sensor.comp_orientation_matrix"
     ROLE = "data"
 
     m: types.Matrix3f
@@ -354,27 +354,27 @@ class ComplementaryFilterOrientationMatrix(Data):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterOrientationMatrix, int]:
-        v = _COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[CompOrientationMatrix, int]:
+        v = _COMP_ORIENTATION_MATRIX_0.read(raw, at)
         at += 36
         m = v[0:9]
         return cls(m), at
 
     def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_0.write(*codec.exactly("m", self.m, 9))
+        out = _COMP_ORIENTATION_MATRIX_0.write(*codec.exactly("m", self.m, 9))
         return codec.finished(out)
 
 
-_COMPLEMENTARY_FILTER_QUATERNION_0 = codec.Block("ffff", *["q"] * 4)
+_COMP_QUATERNION_0 = codec.Block("ffff", *["q"] * 4)
 
 
 @dataclass(slots=True)
-class ComplementaryFilterQuaternion(Data):
+class CompQuaternion(Data):
     """Complementary filter quaternion (0x80,0x0A).
 
     Attitude by the complementary filter as a quaternion, relative to the NED frame.
 
-    Also called `comp_quaternion`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
 
@@ -384,7 +384,7 @@ class ComplementaryFilterQuaternion(Data):
 
     SET = 0x80
     DESCRIPTOR = 0x0A
-    NAME = "sensor.complementary_filter_quaternion"
+    NAME = "sensor.comp_quaternion"
     ROLE = "data"
 
     q: types.Quatf
@@ -394,14 +394,14 @@ class ComplementaryFilterQuaternion(Data):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterQuaternion, int]:
-        v = _COMPLEMENTARY_FILTER_QUATERNION_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[CompQuaternion, int]:
+        v = _COMP_QUATERNION_0.read(raw, at)
         at += 16
         q = v[0:4]
         return cls(q), at
 
     def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_QUATERNION_0.write(*codec.exactly("q", self.q, 4))
+        out = _COMP_QUATERNION_0.write(*codec.exactly("q", self.q, 4))
         return codec.finished(out)
 
 
@@ -440,16 +440,16 @@ class CompOrientationUpdateMatrix(Data):
         return codec.finished(out)
 
 
-_COMPLEMENTARY_FILTER_EULER_ANGLES_0 = codec.Block("fff", "roll", "pitch", "yaw")
+_COMP_EULER_ANGLES_0 = codec.Block("fff", "roll", "pitch", "yaw")
 
 
 @dataclass(slots=True)
-class ComplementaryFilterEulerAngles(Data):
+class CompEulerAngles(Data):
     """Complementary filter Euler angles (0x80,0x0C).
 
     Attitude by the complementary filter as Euler angles, relative to the NED frame.
 
-    Also called `comp_euler_angles`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The rotations are in the order yaw, pitch, roll (3-2-1).
 
@@ -459,7 +459,7 @@ class ComplementaryFilterEulerAngles(Data):
 
     SET = 0x80
     DESCRIPTOR = 0x0C
-    NAME = "sensor.complementary_filter_euler_angles"
+    NAME = "sensor.comp_euler_angles"
     ROLE = "data"
 
     roll: float
@@ -470,8 +470,8 @@ class ComplementaryFilterEulerAngles(Data):
     """Yaw angle. Unit: rad."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterEulerAngles, int]:
-        v = _COMPLEMENTARY_FILTER_EULER_ANGLES_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[CompEulerAngles, int]:
+        v = _COMP_EULER_ANGLES_0.read(raw, at)
         at += 12
         roll = v[0]
         pitch = v[1]
@@ -479,42 +479,44 @@ class ComplementaryFilterEulerAngles(Data):
         return cls(roll, pitch, yaw), at
 
     def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_EULER_ANGLES_0.write(self.roll, self.pitch, self.yaw)
+        out = _COMP_EULER_ANGLES_0.write(self.roll, self.pitch, self.yaw)
         return codec.finished(out)
 
 
-_ORIENTATION_RAW_TEMP_0 = codec.Block("HHHH", *["raw_temp"] * 4)
+_ORIENTATION_RAW_TEMPERATURE_0 = codec.Block("HHHH", *["raw_temperature"] * 4)
 
 
 @dataclass(slots=True)
-class OrientationRawTemp(Data):
+class OrientationRawTemperature(Data):
     """Orientation raw temperatures (0x80,0x0D).
 
     Raw readings of four temperature sensors.
 
-    Deprecated: the SDK marks it so and names no replacement.
+    Deprecated: the SDK marks it so and names no replacement. Also called `orientation_raw_temp`.
 
     - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
     """
 
     SET = 0x80
     DESCRIPTOR = 0x0D
-    NAME = "sensor.orientation_raw_temp"
+    NAME = "sensor.orientation_raw_temperature"
     ROLE = "data"
 
-    raw_temp: tuple[int, int, int, int]
+    raw_temperature: tuple[int, int, int, int]
     """Temperatures in counts. Unit: 1. Uncertain: The scale. Uncertain: and which sensor is which.
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OrientationRawTemp, int]:
-        v = _ORIENTATION_RAW_TEMP_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[OrientationRawTemperature, int]:
+        v = _ORIENTATION_RAW_TEMPERATURE_0.read(raw, at)
         at += 8
-        raw_temp = v[0:4]
-        return cls(raw_temp), at
+        raw_temperature = v[0:4]
+        return cls(raw_temperature), at
 
     def _write(self) -> bytes:
-        out = _ORIENTATION_RAW_TEMP_0.write(*codec.exactly("raw_temp", self.raw_temp, 4))
+        out = _ORIENTATION_RAW_TEMPERATURE_0.write(
+            *codec.exactly("raw_temperature", self.raw_temperature, 4)
+        )
         return codec.finished(out)
 
 
@@ -589,16 +591,16 @@ class PpsTimestamp(Data):
         return codec.finished(out)
 
 
-_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_0 = codec.Block("fff", *["stabilized_mag"] * 3)
+_NORTH_VECTOR_0 = codec.Block("fff", *["stabilized_mag"] * 3)
 
 
 @dataclass(slots=True)
-class ComplementaryFilterStabilizedNorthVector(Data):
+class NorthVector(Data):
     """Complementary filter stabilized north vector (0x80,0x10).
 
     Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
 
-    Also called `north_vector`. Supported by 3DM-GX5-15.
+    Supported by 3DM-GX5-15.
 
     Without magnetic disturbance it equals the measured magnetic field. A lasting disturbance is not
     compensated.
@@ -608,36 +610,34 @@ class ComplementaryFilterStabilizedNorthVector(Data):
 
     SET = 0x80
     DESCRIPTOR = 0x10
-    NAME = "sensor.complementary_filter_stabilized_north_vector"
+    NAME = "sensor.north_vector"
     ROLE = "data"
 
     stabilized_mag: types.Vector3f
     """Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterStabilizedNorthVector, int]:
-        v = _COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[NorthVector, int]:
+        v = _NORTH_VECTOR_0.read(raw, at)
         at += 12
         stabilized_mag = v[0:3]
         return cls(stabilized_mag), at
 
     def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_0.write(
-            *codec.exactly("stabilized_mag", self.stabilized_mag, 3)
-        )
+        out = _NORTH_VECTOR_0.write(*codec.exactly("stabilized_mag", self.stabilized_mag, 3))
         return codec.finished(out)
 
 
-_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_0 = codec.Block("fff", *["stabilized_accel"] * 3)
+_UP_VECTOR_0 = codec.Block("fff", *["stabilized_accel"] * 3)
 
 
 @dataclass(slots=True)
-class ComplementaryFilterStabilizedUpVector(Data):
+class UpVector(Data):
     """Complementary filter stabilized up vector (0x80,0x11).
 
     Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
 
-    Also called `up_vector`. Supported by 3DM-GX5-15.
+    Supported by 3DM-GX5-15.
 
     At rest it equals the measured acceleration.
 
@@ -646,7 +646,7 @@ class ComplementaryFilterStabilizedUpVector(Data):
 
     SET = 0x80
     DESCRIPTOR = 0x11
-    NAME = "sensor.complementary_filter_stabilized_up_vector"
+    NAME = "sensor.up_vector"
     ROLE = "data"
 
     stabilized_accel: types.Vector3f
@@ -655,16 +655,14 @@ class ComplementaryFilterStabilizedUpVector(Data):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterStabilizedUpVector, int]:
-        v = _COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[UpVector, int]:
+        v = _UP_VECTOR_0.read(raw, at)
         at += 12
         stabilized_accel = v[0:3]
         return cls(stabilized_accel), at
 
     def _write(self) -> bytes:
-        out = _COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_0.write(
-            *codec.exactly("stabilized_accel", self.stabilized_accel, 3)
-        )
+        out = _UP_VECTOR_0.write(*codec.exactly("stabilized_accel", self.stabilized_accel, 3))
         return codec.finished(out)
 
 
@@ -722,7 +720,9 @@ class GpsTimestamp(Data):
         return codec.finished(out)
 
 
-_TEMPERATURE_STATISTICS_0 = codec.Block("fff", "min_temp", "max_temp", "mean_temp")
+_TEMPERATURE_STATISTICS_0 = codec.Block(
+    "fff", "min_temperature", "max_temperature", "mean_temperature"
+)
 
 
 @dataclass(slots=True)
@@ -743,24 +743,26 @@ class TemperatureStatistics(Data):
     NAME = "sensor.temperature_statistics"
     ROLE = "data"
 
-    min_temp: float
+    min_temperature: float
     """Lowest temperature. Unit: degC."""
-    max_temp: float
+    max_temperature: float
     """Highest temperature. Unit: degC."""
-    mean_temp: float
+    mean_temperature: float
     """Mean temperature. Unit: degC."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TemperatureStatistics, int]:
         v = _TEMPERATURE_STATISTICS_0.read(raw, at)
         at += 12
-        min_temp = v[0]
-        max_temp = v[1]
-        mean_temp = v[2]
-        return cls(min_temp, max_temp, mean_temp), at
+        min_temperature = v[0]
+        max_temperature = v[1]
+        mean_temperature = v[2]
+        return cls(min_temperature, max_temperature, mean_temperature), at
 
     def _write(self) -> bytes:
-        out = _TEMPERATURE_STATISTICS_0.write(self.min_temp, self.max_temp, self.mean_temp)
+        out = _TEMPERATURE_STATISTICS_0.write(
+            self.min_temperature, self.max_temperature, self.mean_temperature
+        )
         return codec.finished(out)
 
 
@@ -919,15 +921,15 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x06: (ScaledMag,),
     0x07: (DeltaTheta,),
     0x08: (DeltaVelocity,),
-    0x09: (ComplementaryFilterOrientationMatrix,),
-    0x0A: (ComplementaryFilterQuaternion,),
+    0x09: (CompOrientationMatrix,),
+    0x0A: (CompQuaternion,),
     0x0B: (CompOrientationUpdateMatrix,),
-    0x0C: (ComplementaryFilterEulerAngles,),
-    0x0D: (OrientationRawTemp,),
+    0x0C: (CompEulerAngles,),
+    0x0D: (OrientationRawTemperature,),
     0x0E: (InternalTimestamp,),
     0x0F: (PpsTimestamp,),
-    0x10: (ComplementaryFilterStabilizedNorthVector,),
-    0x11: (ComplementaryFilterStabilizedUpVector,),
+    0x10: (NorthVector,),
+    0x11: (UpVector,),
     0x12: (GpsTimestamp,),
     0x14: (TemperatureStatistics,),
     0x16: (RawPressure,),

@@ -16,7 +16,7 @@ from .field import Command, Field, Response, ResponseClasses
 from .protocol import FunctionSelector
 
 
-class CommsInterface(codec.OpenEnum):
+class CommInterface(codec.OpenEnum):
     """A port of a device.
 
     - mip-sdk-4: Interface Control (0x7F,0x02)
@@ -39,7 +39,7 @@ class CommsInterface(codec.OpenEnum):
 
 
 @codec.open_flag(32)
-class CommsProtocols(IntFlag):
+class CommProtocols(IntFlag):
     """Protocols of a port.
 
     - mip-sdk-4: Interface Control (0x7F,0x02)
@@ -86,20 +86,20 @@ class InterfaceControlResponse(Response):
     NAME = "system.interface_control_response"
     ROLE = "response"
 
-    port: CommsInterface
+    port: CommInterface
     """The port. Uncertain: Whether write and read take `all`."""
-    protocols_incoming: CommsProtocols
+    protocols_incoming: CommProtocols
     """Protocols that it takes in."""
-    protocols_outgoing: CommsProtocols
+    protocols_outgoing: CommProtocols
     """Protocols that it gives out."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControlResponse, int]:
         v = _INTERFACE_CONTROL_RESPONSE_0.read(raw, at)
         at += 9
-        port = CommsInterface(v[0])
-        protocols_incoming = CommsProtocols(v[1])
-        protocols_outgoing = CommsProtocols(v[2])
+        port = CommInterface(v[0])
+        protocols_incoming = CommProtocols(v[1])
+        protocols_outgoing = CommProtocols(v[2])
         return cls(port, protocols_incoming, protocols_outgoing), at
 
     def _write(self) -> bytes:
@@ -109,35 +109,35 @@ class InterfaceControlResponse(Response):
         return codec.finished(out)
 
 
-_COMMUNICATION_MODE_RESPONSE_0 = codec.Block("B", "mode")
+_COMM_MODE_RESPONSE_0 = codec.Block("B", "mode")
 
 
 @dataclass(slots=True)
-class CommunicationModeResponse(Response):
+class CommModeResponse(Response):
     """Communication mode response (0x7F,0x90).
 
-    Also called `comm_mode_response`. Answers `CommunicationMode`. Supported by 3DM-GX5-15.
+    Answers `CommMode`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
 
     SET = 0x7F
     DESCRIPTOR = 0x90
-    NAME = "system.communication_mode_response"
+    NAME = "system.comm_mode_response"
     ROLE = "response"
 
     mode: ProtocolMode
     """Communication mode. Default: `ProtocolMode.STANDARD`."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommunicationModeResponse, int]:
-        v = _COMMUNICATION_MODE_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[CommModeResponse, int]:
+        v = _COMM_MODE_RESPONSE_0.read(raw, at)
         at += 1
         mode = ProtocolMode(v[0])
         return cls(mode), at
 
     def _write(self) -> bytes:
-        out = _COMMUNICATION_MODE_RESPONSE_0.write(self.mode)
+        out = _COMM_MODE_RESPONSE_0.write(self.mode)
         return codec.finished(out)
 
 
@@ -180,19 +180,19 @@ class InterfaceControl(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    port: CommsInterface | None = None
+    port: CommInterface | None = None
     """The port. Uncertain: Whether write and read take `all`."""
-    protocols_incoming: CommsProtocols | None = None
+    protocols_incoming: CommProtocols | None = None
     """Protocols that it takes in. Required for `write`."""
-    protocols_outgoing: CommsProtocols | None = None
+    protocols_outgoing: CommProtocols | None = None
     """Protocols that it gives out. Required for `write`."""
 
     @classmethod
     def write(
         cls,
-        port: CommsInterface,
-        protocols_incoming: CommsProtocols,
-        protocols_outgoing: CommsProtocols,
+        port: CommInterface,
+        protocols_incoming: CommProtocols,
+        protocols_outgoing: CommProtocols,
     ) -> InterfaceControl:
         """Apply the new setting."""
         return cls(
@@ -203,22 +203,22 @@ class InterfaceControl(Command):
         )
 
     @classmethod
-    def read(cls, port: CommsInterface) -> InterfaceControl:
+    def read(cls, port: CommInterface) -> InterfaceControl:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, port=port)
 
     @classmethod
-    def save(cls, port: CommsInterface) -> InterfaceControl:
+    def save(cls, port: CommInterface) -> InterfaceControl:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, port=port)
 
     @classmethod
-    def load(cls, port: CommsInterface) -> InterfaceControl:
+    def load(cls, port: CommInterface) -> InterfaceControl:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, port=port)
 
     @classmethod
-    def default(cls, port: CommsInterface) -> InterfaceControl:
+    def default(cls, port: CommInterface) -> InterfaceControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, port=port)
 
@@ -230,9 +230,9 @@ class InterfaceControl(Command):
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControl, int]:
-        port: CommsInterface | None = None
-        protocols_incoming: CommsProtocols | None = None
-        protocols_outgoing: CommsProtocols | None = None
+        port: CommInterface | None = None
+        protocols_incoming: CommProtocols | None = None
+        protocols_outgoing: CommProtocols | None = None
         v = _INTERFACE_CONTROL_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
@@ -243,19 +243,19 @@ class InterfaceControl(Command):
                 raise Truncated(1, 0)
             v = _INTERFACE_CONTROL_1.read(raw, at)
             at += 1
-            port = CommsInterface(v[0])
+            port = CommInterface(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
             v = _INTERFACE_CONTROL_2.read(raw, at)
             at += 4
-            protocols_incoming = CommsProtocols(v[0])
+            protocols_incoming = CommProtocols(v[0])
             done, end = 2, at
             if at == len(raw) and required < 3:
                 raise Truncated(1, 0)
             v = _INTERFACE_CONTROL_3.read(raw, at)
             at += 4
-            protocols_outgoing = CommsProtocols(v[0])
+            protocols_outgoing = CommProtocols(v[0])
             done, end = 3, at
         except Truncated:
             if done < required:
@@ -276,19 +276,19 @@ class InterfaceControl(Command):
         return codec.finished(out)
 
 
-_COMMUNICATION_MODE_0 = codec.Block("B", "function")
-_COMMUNICATION_MODE_1 = codec.Block("B", "mode")
-_COMMUNICATION_MODE_GROUPS = ((1, ("mode",), False),)
+_COMM_MODE_0 = codec.Block("B", "function")
+_COMM_MODE_1 = codec.Block("B", "mode")
+_COMM_MODE_GROUPS = ((1, ("mode",), False),)
 
 
 @dataclass(slots=True)
-class CommunicationMode(Command):
+class CommMode(Command):
     """Communication mode (0x7F,0x10).
 
     Switches the port between the device and one of the sensors inside it.
 
-    For advanced use. Also called `comm_mode`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `CommunicationModeResponse`. Supported by 3DM-GX5-15.
+    For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `CommModeResponse`. Supported by 3DM-GX5-15.
 
     The acknowledge is sent in the old mode, just before the switch. In a direct mode only this
     command and device status `mip_3dm.DeviceStatus` (0x0C,0x64) of the device itself are answered.
@@ -298,9 +298,9 @@ class CommunicationMode(Command):
 
     SET = 0x7F
     DESCRIPTOR = 0x10
-    NAME = "system.communication_mode"
+    NAME = "system.comm_mode"
     ROLE = "command"
-    RESPONSES = (CommunicationModeResponse,)
+    RESPONSES = (CommModeResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
@@ -309,40 +309,40 @@ class CommunicationMode(Command):
     """Communication mode. Default: `ProtocolMode.STANDARD`. Required for `write`."""
 
     @classmethod
-    def write(cls, mode: ProtocolMode) -> CommunicationMode:
+    def write(cls, mode: ProtocolMode) -> CommMode:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, mode=mode)
 
     @classmethod
-    def read(cls) -> CommunicationMode:
+    def read(cls) -> CommMode:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> CommunicationMode:
+    def save(cls) -> CommMode:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> CommunicationMode:
+    def load(cls) -> CommMode:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> CommunicationMode:
+    def default(cls) -> CommMode:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @property
     def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return (CommunicationModeResponse,)
+            return (CommModeResponse,)
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommunicationMode, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[CommMode, int]:
         mode: ProtocolMode | None = None
-        v = _COMMUNICATION_MODE_0.read(raw, at)
+        v = _COMM_MODE_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -350,7 +350,7 @@ class CommunicationMode(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _COMMUNICATION_MODE_1.read(raw, at)
+            v = _COMM_MODE_1.read(raw, at)
             at += 1
             mode = ProtocolMode(v[0])
             done, end = 1, at
@@ -361,21 +361,21 @@ class CommunicationMode(Command):
         return cls(function, mode), at
 
     def _write(self) -> bytes:
-        out = _COMMUNICATION_MODE_0.write(self.function)
+        out = _COMM_MODE_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _COMMUNICATION_MODE_GROUPS)
+        there = codec.present(self, required, _COMM_MODE_GROUPS)
         if there >= 1:
-            out += _COMMUNICATION_MODE_1.write(self.mode)
+            out += _COMM_MODE_1.write(self.mode)
         return codec.finished(out)
 
 
 InterfaceControlResponse.COMMANDS = (InterfaceControl,)
-CommunicationModeResponse.COMMANDS = (CommunicationMode,)
+CommModeResponse.COMMANDS = (CommMode,)
 
 #: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x02: (InterfaceControl,),
-    0x10: (CommunicationMode,),
+    0x10: (CommMode,),
     0x82: (InterfaceControlResponse,),
-    0x90: (CommunicationModeResponse,),
+    0x90: (CommModeResponse,),
 }

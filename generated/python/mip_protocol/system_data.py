@@ -72,7 +72,7 @@ class BuiltInTest(Data):
         return codec.finished(out)
 
 
-_TIME_SYNC_STATUS_0 = codec.Block("BB", "time_sync", "last_pps_rcvd")
+_TIME_SYNC_STATUS_0 = codec.Block("BB", "time_sync", "last_pps_received")
 
 
 @dataclass(slots=True)
@@ -93,7 +93,7 @@ class TimeSyncStatus(Data):
 
     time_sync: bool
     """True while the lock is valid; false if the PPS is disabled or no pulse is found."""
-    last_pps_rcvd: int
+    last_pps_received: int
     """Time since the last pulse, at most 255. Unit: s."""
 
     @classmethod
@@ -101,11 +101,11 @@ class TimeSyncStatus(Data):
         v = _TIME_SYNC_STATUS_0.read(raw, at)
         at += 2
         time_sync = codec.truth(v[0])
-        last_pps_rcvd = v[1]
-        return cls(time_sync, last_pps_rcvd), at
+        last_pps_received = v[1]
+        return cls(time_sync, last_pps_received), at
 
     def _write(self) -> bytes:
-        out = _TIME_SYNC_STATUS_0.write(self.time_sync, self.last_pps_rcvd)
+        out = _TIME_SYNC_STATUS_0.write(self.time_sync, self.last_pps_received)
         return codec.finished(out)
 
 
@@ -121,9 +121,8 @@ class GpioState(Data):
     Supported by 3DM-CV7-GNSS/INS.
 
     The pins are sampled within one base period of this set; shorter pulses can be missed. Only pins
-    that are configured to the GPIO feature by `mip_3dm.GpioConfiguration` (0x0C,0x41) are sure to
-    give valid levels. For fast signals and exact times use the timestamp feature and the event
-    system.
+    that are configured to the GPIO feature by `mip_3dm.GpioConfig` (0x0C,0x41) are sure to give
+    valid levels. For fast signals and exact times use the timestamp feature and the event system.
 
     - 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03)
     """

@@ -145,28 +145,27 @@ typedef uint8_t mip_3dm_pps_source;
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
-typedef uint8_t mip_3dm_supported_events_query;
+typedef uint8_t mip_3dm_event_support_query;
 /** Triggers. */
-#define MIP_3DM_SUPPORTED_EVENTS_QUERY_TRIGGER_TYPES 1
+#define MIP_3DM_EVENT_SUPPORT_QUERY_TRIGGER_TYPES 1
 /** Actions. */
-#define MIP_3DM_SUPPORTED_EVENTS_QUERY_ACTION_TYPES 2
+#define MIP_3DM_EVENT_SUPPORT_QUERY_ACTION_TYPES 2
 
 /**
  * How many instances of one trigger or action type a device can have.
  *
  * - 3dm-cv7-gnss-ins: Info
  */
-struct mip_3dm_supported_event_info {
+struct mip_3dm_event_support_info {
     /** A value of event_trigger_type if triggers were asked about, else of event_action_type. */
     uint8_t type;
     /** Instances of this type at most. Unit: 1. */
     uint8_t count;
 };
 
-void mip_3dm_supported_event_info_read(struct mip_reader *r,
-                                       struct mip_3dm_supported_event_info *v);
-void mip_3dm_supported_event_info_write(struct mip_writer *w,
-                                        const struct mip_3dm_supported_event_info *v);
+void mip_3dm_event_support_info_read(struct mip_reader *r, struct mip_3dm_event_support_info *v);
+void mip_3dm_event_support_info_write(struct mip_writer *w,
+                                      const struct mip_3dm_event_support_info *v);
 
 /**
  * Type and state of one trigger.
@@ -228,7 +227,7 @@ typedef uint8_t mip_3dm_sensor_range_type;
 /** Magnetometer; gauss. */
 #define MIP_3DM_SENSOR_RANGE_TYPE_MAG 3
 /** Pressure sensor; hectopascals, that is millibars. */
-#define MIP_3DM_SENSOR_RANGE_TYPE_PRESS 4
+#define MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE 4
 
 /**
  * A range that a sensor supports.
@@ -364,7 +363,7 @@ struct mip_3dm_poll_gnss_data mip_3dm_poll_gnss_data_make(
  *
  * - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
  */
-struct mip_3dm_poll_estimation_filter_data {
+struct mip_3dm_poll_filter_data {
     /** Send no acknowledge. */
     mip_bool suppress_ack;
     /** Number of fields. The number of elements of descriptors. */
@@ -373,16 +372,16 @@ struct mip_3dm_poll_estimation_filter_data {
     struct mip_3dm_poll_entry descriptors[83];
 };
 
-#define MIP_3DM_POLL_ESTIMATION_FILTER_DATA_DESCRIPTOR 0x03
-#define MIP_3DM_POLL_ESTIMATION_FILTER_DATA_NAME "3dm.poll_estimation_filter_data"
+#define MIP_3DM_POLL_FILTER_DATA_DESCRIPTOR 0x03
+#define MIP_3DM_POLL_FILTER_DATA_NAME "3dm.poll_filter_data"
 
-extern const struct mip_codec mip_3dm_poll_estimation_filter_data_codec;
-mip_error mip_3dm_poll_estimation_filter_data_decode(
-    struct mip_3dm_poll_estimation_filter_data *value, const struct mip_field *field);
-mip_error mip_3dm_poll_estimation_filter_data_encode(
-    const struct mip_3dm_poll_estimation_filter_data *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_poll_filter_data_codec;
+mip_error mip_3dm_poll_filter_data_decode(struct mip_3dm_poll_filter_data *value,
+                                          const struct mip_field *field);
+mip_error mip_3dm_poll_filter_data_encode(const struct mip_3dm_poll_filter_data *value,
+                                          struct mip_builder *builder);
 /** Poll Estimation Filter Data. */
-struct mip_3dm_poll_estimation_filter_data mip_3dm_poll_estimation_filter_data_make(
+struct mip_3dm_poll_filter_data mip_3dm_poll_filter_data_make(
     mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]);
 
 /**
@@ -428,90 +427,90 @@ struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
  *
  * Asks for the rate that the decimations of the IMU message format divide.
  *
- * Also called `imu_get_base_rate`. Answered by mip_3dm_get_imu_data_base_rate_response. Supported
- * by 3DM-GX5-15.
- *
- * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
- */
-struct mip_3dm_get_imu_data_base_rate {
-    /** Not used: there are no parameters. */
-    uint8_t empty;
-};
-
-#define MIP_3DM_GET_IMU_DATA_BASE_RATE_DESCRIPTOR 0x06
-#define MIP_3DM_GET_IMU_DATA_BASE_RATE_NAME "3dm.get_imu_data_base_rate"
-
-extern const struct mip_codec mip_3dm_get_imu_data_base_rate_codec;
-mip_error mip_3dm_get_imu_data_base_rate_decode(struct mip_3dm_get_imu_data_base_rate *value,
-                                                const struct mip_field *field);
-mip_error mip_3dm_get_imu_data_base_rate_encode(const struct mip_3dm_get_imu_data_base_rate *value,
-                                                struct mip_builder *builder);
-
-/**
- * Get IMU Data Base Rate response: response (0x0C,0x83).
- *
- * Also called `imu_get_base_rate_response`. Answers mip_3dm_get_imu_data_base_rate. Supported by
+ * Also called `imu_get_base_rate`. Answered by mip_3dm_get_imu_base_rate_response. Supported by
  * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
-struct mip_3dm_get_imu_data_base_rate_response {
+struct mip_3dm_get_imu_base_rate {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_3DM_GET_IMU_BASE_RATE_DESCRIPTOR 0x06
+#define MIP_3DM_GET_IMU_BASE_RATE_NAME "3dm.get_imu_base_rate"
+
+extern const struct mip_codec mip_3dm_get_imu_base_rate_codec;
+mip_error mip_3dm_get_imu_base_rate_decode(struct mip_3dm_get_imu_base_rate *value,
+                                           const struct mip_field *field);
+mip_error mip_3dm_get_imu_base_rate_encode(const struct mip_3dm_get_imu_base_rate *value,
+                                           struct mip_builder *builder);
+
+/**
+ * Get IMU Data Base Rate response: response (0x0C,0x83).
+ *
+ * Also called `imu_get_base_rate_response`. Answers mip_3dm_get_imu_base_rate. Supported by
+ * 3DM-GX5-15.
+ *
+ * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
+ */
+struct mip_3dm_get_imu_base_rate_response {
     /** Base rate of the sensor data. Unit: Hz. */
     uint16_t rate;
 };
 
-#define MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_DESCRIPTOR 0x83
-#define MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_NAME "3dm.get_imu_data_base_rate_response"
+#define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_DESCRIPTOR 0x83
+#define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_NAME "3dm.get_imu_base_rate_response"
 
-extern const struct mip_codec mip_3dm_get_imu_data_base_rate_response_codec;
-mip_error mip_3dm_get_imu_data_base_rate_response_decode(
-    struct mip_3dm_get_imu_data_base_rate_response *value, const struct mip_field *field);
-mip_error mip_3dm_get_imu_data_base_rate_response_encode(
-    const struct mip_3dm_get_imu_data_base_rate_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_imu_base_rate_response_codec;
+mip_error mip_3dm_get_imu_base_rate_response_decode(
+    struct mip_3dm_get_imu_base_rate_response *value, const struct mip_field *field);
+mip_error mip_3dm_get_imu_base_rate_response_encode(
+    const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder);
 
 /**
  * Get GNSS Data Base Rate: command (0x0C,0x07).
  *
  * Asks for the rate that the decimations of the GNSS message format divide.
  *
- * Also called `gnss_get_base_rate`. Answered by mip_3dm_get_gnss_data_base_rate_response.
+ * Also called `gnss_get_base_rate`. Answered by mip_3dm_get_gnss_base_rate_response.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
-struct mip_3dm_get_gnss_data_base_rate {
+struct mip_3dm_get_gnss_base_rate {
     /** Not used: there are no parameters. */
     uint8_t empty;
 };
 
-#define MIP_3DM_GET_GNSS_DATA_BASE_RATE_DESCRIPTOR 0x07
-#define MIP_3DM_GET_GNSS_DATA_BASE_RATE_NAME "3dm.get_gnss_data_base_rate"
+#define MIP_3DM_GET_GNSS_BASE_RATE_DESCRIPTOR 0x07
+#define MIP_3DM_GET_GNSS_BASE_RATE_NAME "3dm.get_gnss_base_rate"
 
-extern const struct mip_codec mip_3dm_get_gnss_data_base_rate_codec;
-mip_error mip_3dm_get_gnss_data_base_rate_decode(struct mip_3dm_get_gnss_data_base_rate *value,
-                                                 const struct mip_field *field);
-mip_error mip_3dm_get_gnss_data_base_rate_encode(
-    const struct mip_3dm_get_gnss_data_base_rate *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_gnss_base_rate_codec;
+mip_error mip_3dm_get_gnss_base_rate_decode(struct mip_3dm_get_gnss_base_rate *value,
+                                            const struct mip_field *field);
+mip_error mip_3dm_get_gnss_base_rate_encode(const struct mip_3dm_get_gnss_base_rate *value,
+                                            struct mip_builder *builder);
 
 /**
  * Get GNSS Data Base Rate response: response (0x0C,0x84).
  *
- * Also called `gnss_get_base_rate_response`. Answers mip_3dm_get_gnss_data_base_rate.
+ * Also called `gnss_get_base_rate_response`. Answers mip_3dm_get_gnss_base_rate.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
-struct mip_3dm_get_gnss_data_base_rate_response {
+struct mip_3dm_get_gnss_base_rate_response {
     /** Base rate of the GNSS data. Unit: Hz. */
     uint16_t rate;
 };
 
-#define MIP_3DM_GET_GNSS_DATA_BASE_RATE_RESPONSE_DESCRIPTOR 0x84
-#define MIP_3DM_GET_GNSS_DATA_BASE_RATE_RESPONSE_NAME "3dm.get_gnss_data_base_rate_response"
+#define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_DESCRIPTOR 0x84
+#define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_NAME "3dm.get_gnss_base_rate_response"
 
-extern const struct mip_codec mip_3dm_get_gnss_data_base_rate_response_codec;
-mip_error mip_3dm_get_gnss_data_base_rate_response_decode(
-    struct mip_3dm_get_gnss_data_base_rate_response *value, const struct mip_field *field);
-mip_error mip_3dm_get_gnss_data_base_rate_response_encode(
-    const struct mip_3dm_get_gnss_data_base_rate_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec;
+mip_error mip_3dm_get_gnss_base_rate_response_decode(
+    struct mip_3dm_get_gnss_base_rate_response *value, const struct mip_field *field);
+mip_error mip_3dm_get_gnss_base_rate_response_encode(
+    const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder);
 
 /**
  * IMU Message Format: command (0x0C,0x08).
@@ -658,8 +657,8 @@ mip_error mip_3dm_gnss_message_format_response_encode(
  *
  * Fields of the filter data packets (0x82), in order, with their decimations.
  *
- * Also called `filter_message_format`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_estimation_filter_message_format_response. Supported by 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_filter_message_format_response. Supported by 3DM-GX5-15.
  *
  * The decimation is the base rate, as the get estimation filter data base rate command reports it,
  * divided by the wanted rate.
@@ -669,7 +668,7 @@ mip_error mip_3dm_gnss_message_format_response_encode(
  *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
-struct mip_3dm_estimation_filter_message_format {
+struct mip_3dm_filter_message_format {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -680,101 +679,94 @@ struct mip_3dm_estimation_filter_message_format {
     struct mip_descriptor_rate descriptors[83];
 };
 
-#define MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_DESCRIPTOR 0x0A
-#define MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_NAME "3dm.estimation_filter_message_format"
+#define MIP_3DM_FILTER_MESSAGE_FORMAT_DESCRIPTOR 0x0A
+#define MIP_3DM_FILTER_MESSAGE_FORMAT_NAME "3dm.filter_message_format"
 
-extern const struct mip_codec mip_3dm_estimation_filter_message_format_codec;
-mip_error mip_3dm_estimation_filter_message_format_decode(
-    struct mip_3dm_estimation_filter_message_format *value, const struct mip_field *field);
-mip_error mip_3dm_estimation_filter_message_format_encode(
-    const struct mip_3dm_estimation_filter_message_format *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_filter_message_format_codec;
+mip_error mip_3dm_filter_message_format_decode(struct mip_3dm_filter_message_format *value,
+                                               const struct mip_field *field);
+mip_error mip_3dm_filter_message_format_encode(const struct mip_3dm_filter_message_format *value,
+                                               struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_estimation_filter_message_format mip_3dm_estimation_filter_message_format_write(
+struct mip_3dm_filter_message_format mip_3dm_filter_message_format_write(
     uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]);
 /** Send the current setting back in a response. */
-struct mip_3dm_estimation_filter_message_format mip_3dm_estimation_filter_message_format_read(void);
+struct mip_3dm_filter_message_format mip_3dm_filter_message_format_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_estimation_filter_message_format mip_3dm_estimation_filter_message_format_save(void);
+struct mip_3dm_filter_message_format mip_3dm_filter_message_format_save(void);
 /** Load the saved setting. */
-struct mip_3dm_estimation_filter_message_format mip_3dm_estimation_filter_message_format_load(void);
+struct mip_3dm_filter_message_format mip_3dm_filter_message_format_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_estimation_filter_message_format
-mip_3dm_estimation_filter_message_format_default(void);
+struct mip_3dm_filter_message_format mip_3dm_filter_message_format_default(void);
 
 /**
  * Estimation Filter Message Format response: response (0x0C,0x82).
  *
- * Also called `filter_message_format_response`. Answers mip_3dm_estimation_filter_message_format.
- * Supported by 3DM-GX5-15.
+ * Answers mip_3dm_filter_message_format. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
-struct mip_3dm_estimation_filter_message_format_response {
+struct mip_3dm_filter_message_format_response {
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields and decimations. */
     struct mip_descriptor_rate descriptors[84];
 };
 
-#define MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x82
-#define MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_NAME \
-    "3dm.estimation_filter_message_format_response"
+#define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x82
+#define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_NAME "3dm.filter_message_format_response"
 
-extern const struct mip_codec mip_3dm_estimation_filter_message_format_response_codec;
-mip_error mip_3dm_estimation_filter_message_format_response_decode(
-    struct mip_3dm_estimation_filter_message_format_response *value, const struct mip_field *field);
-mip_error mip_3dm_estimation_filter_message_format_response_encode(
-    const struct mip_3dm_estimation_filter_message_format_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_filter_message_format_response_codec;
+mip_error mip_3dm_filter_message_format_response_decode(
+    struct mip_3dm_filter_message_format_response *value, const struct mip_field *field);
+mip_error mip_3dm_filter_message_format_response_encode(
+    const struct mip_3dm_filter_message_format_response *value, struct mip_builder *builder);
 
 /**
  * Get Estimation Filter Data Base Rate: command (0x0C,0x0B).
  *
  * Asks for the rate that the decimations of the estimation filter message format divide.
  *
- * Also called `filter_get_base_rate`. Answered by
- * mip_3dm_get_estimation_filter_data_base_rate_response. Supported by 3DM-GX5-15.
+ * Also called `filter_get_base_rate`. Answered by mip_3dm_get_filter_base_rate_response. Supported
+ * by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
-struct mip_3dm_get_estimation_filter_data_base_rate {
+struct mip_3dm_get_filter_base_rate {
     /** Not used: there are no parameters. */
     uint8_t empty;
 };
 
-#define MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_DESCRIPTOR 0x0B
-#define MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_NAME "3dm.get_estimation_filter_data_base_rate"
+#define MIP_3DM_GET_FILTER_BASE_RATE_DESCRIPTOR 0x0B
+#define MIP_3DM_GET_FILTER_BASE_RATE_NAME "3dm.get_filter_base_rate"
 
-extern const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_codec;
-mip_error mip_3dm_get_estimation_filter_data_base_rate_decode(
-    struct mip_3dm_get_estimation_filter_data_base_rate *value, const struct mip_field *field);
-mip_error mip_3dm_get_estimation_filter_data_base_rate_encode(
-    const struct mip_3dm_get_estimation_filter_data_base_rate *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_filter_base_rate_codec;
+mip_error mip_3dm_get_filter_base_rate_decode(struct mip_3dm_get_filter_base_rate *value,
+                                              const struct mip_field *field);
+mip_error mip_3dm_get_filter_base_rate_encode(const struct mip_3dm_get_filter_base_rate *value,
+                                              struct mip_builder *builder);
 
 /**
  * Get Estimation Filter Data Base Rate response: response (0x0C,0x8A).
  *
- * Also called `filter_get_base_rate_response`. Answers
- * mip_3dm_get_estimation_filter_data_base_rate. Supported by 3DM-GX5-15.
+ * Also called `filter_get_base_rate_response`. Answers mip_3dm_get_filter_base_rate. Supported by
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
-struct mip_3dm_get_estimation_filter_data_base_rate_response {
+struct mip_3dm_get_filter_base_rate_response {
     /** Base rate of the filter data. Unit: Hz. */
     uint16_t rate;
 };
 
-#define MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_DESCRIPTOR 0x8A
-#define MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_NAME \
-    "3dm.get_estimation_filter_data_base_rate_response"
+#define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_DESCRIPTOR 0x8A
+#define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_NAME "3dm.get_filter_base_rate_response"
 
-extern const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_response_codec;
-mip_error mip_3dm_get_estimation_filter_data_base_rate_response_decode(
-    struct mip_3dm_get_estimation_filter_data_base_rate_response *value,
-    const struct mip_field *field);
-mip_error mip_3dm_get_estimation_filter_data_base_rate_response_encode(
-    const struct mip_3dm_get_estimation_filter_data_base_rate_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_filter_base_rate_response_codec;
+mip_error mip_3dm_get_filter_base_rate_response_decode(
+    struct mip_3dm_get_filter_base_rate_response *value, const struct mip_field *field);
+mip_error mip_3dm_get_filter_base_rate_response_encode(
+    const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder);
 
 /**
  * NMEA Message Format: command (0x0C,0x0C).
@@ -863,7 +855,7 @@ mip_error mip_3dm_nmea_message_format_response_encode(
  */
 struct mip_3dm_poll_data {
     /** Data descriptor set. Range: 128 to 254. */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /** Send no acknowledge. */
     mip_bool suppress_ack;
     /** Number of fields. The number of elements of descriptors. */
@@ -880,7 +872,7 @@ mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value, const struct
 mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
                                    struct mip_builder *builder);
 /** Poll Data. */
-struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t desc_set, mip_bool suppress_ack,
+struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t descriptor_set, mip_bool suppress_ack,
                                                 uint8_t num_descriptors,
                                                 const uint8_t descriptors[]);
 
@@ -889,50 +881,48 @@ struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t desc_set, mip_bool suppr
  *
  * Asks for the rate that the decimations of a descriptor set divide.
  *
- * Also called `get_base_rate`. Answered by mip_3dm_get_data_base_rate_response. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Answered by mip_3dm_get_base_rate_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
-struct mip_3dm_get_data_base_rate {
+struct mip_3dm_get_base_rate {
     /** Data descriptor set. Range: 128 to 254. */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
 };
 
-#define MIP_3DM_GET_DATA_BASE_RATE_DESCRIPTOR 0x0E
-#define MIP_3DM_GET_DATA_BASE_RATE_NAME "3dm.get_data_base_rate"
+#define MIP_3DM_GET_BASE_RATE_DESCRIPTOR 0x0E
+#define MIP_3DM_GET_BASE_RATE_NAME "3dm.get_base_rate"
 
-extern const struct mip_codec mip_3dm_get_data_base_rate_codec;
-mip_error mip_3dm_get_data_base_rate_decode(struct mip_3dm_get_data_base_rate *value,
-                                            const struct mip_field *field);
-mip_error mip_3dm_get_data_base_rate_encode(const struct mip_3dm_get_data_base_rate *value,
-                                            struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_base_rate_codec;
+mip_error mip_3dm_get_base_rate_decode(struct mip_3dm_get_base_rate *value,
+                                       const struct mip_field *field);
+mip_error mip_3dm_get_base_rate_encode(const struct mip_3dm_get_base_rate *value,
+                                       struct mip_builder *builder);
 /** Get Data Base Rate. */
-struct mip_3dm_get_data_base_rate mip_3dm_get_data_base_rate_make(uint8_t desc_set);
+struct mip_3dm_get_base_rate mip_3dm_get_base_rate_make(uint8_t descriptor_set);
 
 /**
  * Get Data Base Rate response: response (0x0C,0x8E).
  *
- * Also called `get_base_rate_response`. Answers mip_3dm_get_data_base_rate. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_get_base_rate. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
-struct mip_3dm_get_data_base_rate_response {
+struct mip_3dm_get_base_rate_response {
     /** Data descriptor set of the command. */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /** Base rate; 0 if the rate is variable or unknown and data is sent as it comes. Unit: Hz. */
     uint16_t rate;
 };
 
-#define MIP_3DM_GET_DATA_BASE_RATE_RESPONSE_DESCRIPTOR 0x8E
-#define MIP_3DM_GET_DATA_BASE_RATE_RESPONSE_NAME "3dm.get_data_base_rate_response"
+#define MIP_3DM_GET_BASE_RATE_RESPONSE_DESCRIPTOR 0x8E
+#define MIP_3DM_GET_BASE_RATE_RESPONSE_NAME "3dm.get_base_rate_response"
 
-extern const struct mip_codec mip_3dm_get_data_base_rate_response_codec;
-mip_error mip_3dm_get_data_base_rate_response_decode(
-    struct mip_3dm_get_data_base_rate_response *value, const struct mip_field *field);
-mip_error mip_3dm_get_data_base_rate_response_encode(
-    const struct mip_3dm_get_data_base_rate_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_base_rate_response_codec;
+mip_error mip_3dm_get_base_rate_response_decode(struct mip_3dm_get_base_rate_response *value,
+                                                const struct mip_field *field);
+mip_error mip_3dm_get_base_rate_response_encode(const struct mip_3dm_get_base_rate_response *value,
+                                                struct mip_builder *builder);
 
 /**
  * Message Format: command (0x0C,0x0F).
@@ -956,7 +946,7 @@ struct mip_3dm_message_format {
     /** What to do with the setting. */
     mip_function_selector function;
     /** Data descriptor set; 0 means all of them (save, load, default). */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
     /** Fields and decimations. Required for write. */
@@ -972,16 +962,17 @@ mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
 mip_error mip_3dm_message_format_encode(const struct mip_3dm_message_format *value,
                                         struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_message_format mip_3dm_message_format_write(
-    uint8_t desc_set, uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]);
+struct mip_3dm_message_format
+mip_3dm_message_format_write(uint8_t descriptor_set, uint8_t num_descriptors,
+                             const struct mip_descriptor_rate descriptors[]);
 /** Send the current setting back in a response. */
-struct mip_3dm_message_format mip_3dm_message_format_read(uint8_t desc_set);
+struct mip_3dm_message_format mip_3dm_message_format_read(uint8_t descriptor_set);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_message_format mip_3dm_message_format_save(uint8_t desc_set);
+struct mip_3dm_message_format mip_3dm_message_format_save(uint8_t descriptor_set);
 /** Load the saved setting. */
-struct mip_3dm_message_format mip_3dm_message_format_load(uint8_t desc_set);
+struct mip_3dm_message_format mip_3dm_message_format_load(uint8_t descriptor_set);
 /** Load the factory default setting. */
-struct mip_3dm_message_format mip_3dm_message_format_default(uint8_t desc_set);
+struct mip_3dm_message_format mip_3dm_message_format_default(uint8_t descriptor_set);
 
 /**
  * Message Format response: response (0x0C,0x8F).
@@ -992,7 +983,7 @@ struct mip_3dm_message_format mip_3dm_message_format_default(uint8_t desc_set);
  */
 struct mip_3dm_message_format_response {
     /** Data descriptor set; 0 means all of them (save, load, default). */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields and decimations. */
@@ -1059,7 +1050,7 @@ struct mip_3dm_data_stream_control {
      * Data descriptor set; 0 means all streams (save, load, default). On the 3DM-GX5-15: values of
      * mip_3dm_legacy_data_stream.
      */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /** Whether the stream is sent. Default: true. Required for write. */
     mip_bool enable;
 };
@@ -1073,16 +1064,16 @@ mip_error mip_3dm_data_stream_control_decode(struct mip_3dm_data_stream_control 
 mip_error mip_3dm_data_stream_control_encode(const struct mip_3dm_data_stream_control *value,
                                              struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_write(uint8_t desc_set,
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_write(uint8_t descriptor_set,
                                                                      mip_bool enable);
 /** Send the current setting back in a response. */
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_read(uint8_t desc_set);
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_read(uint8_t descriptor_set);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_save(uint8_t desc_set);
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_save(uint8_t descriptor_set);
 /** Load the saved setting. */
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_load(uint8_t desc_set);
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_load(uint8_t descriptor_set);
 /** Load the factory default setting. */
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_default(uint8_t desc_set);
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_default(uint8_t descriptor_set);
 
 /**
  * Data Stream Control response: response (0x0C,0x85).
@@ -1095,7 +1086,7 @@ struct mip_3dm_data_stream_control mip_3dm_data_stream_control_default(uint8_t d
  */
 struct mip_3dm_data_stream_control_response {
     /** Stream of the command. On the 3DM-GX5-15: values of mip_3dm_legacy_data_stream. */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /** Whether the stream is sent. */
     mip_bool enabled;
 };
@@ -1485,55 +1476,52 @@ mip_error mip_3dm_pps_source_control_response_encode(
  *
  * Asks which types of event triggers or actions there are and how many of each.
  *
- * Also called `get_event_support`. Answered by mip_3dm_get_supported_events_response. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Answered by mip_3dm_get_event_support_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
-struct mip_3dm_get_supported_events {
+struct mip_3dm_get_event_support {
     /** Triggers or actions. */
-    mip_3dm_supported_events_query query;
+    mip_3dm_event_support_query query;
 };
 
-#define MIP_3DM_GET_SUPPORTED_EVENTS_DESCRIPTOR 0x2A
-#define MIP_3DM_GET_SUPPORTED_EVENTS_NAME "3dm.get_supported_events"
+#define MIP_3DM_GET_EVENT_SUPPORT_DESCRIPTOR 0x2A
+#define MIP_3DM_GET_EVENT_SUPPORT_NAME "3dm.get_event_support"
 
-extern const struct mip_codec mip_3dm_get_supported_events_codec;
-mip_error mip_3dm_get_supported_events_decode(struct mip_3dm_get_supported_events *value,
-                                              const struct mip_field *field);
-mip_error mip_3dm_get_supported_events_encode(const struct mip_3dm_get_supported_events *value,
-                                              struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_event_support_codec;
+mip_error mip_3dm_get_event_support_decode(struct mip_3dm_get_event_support *value,
+                                           const struct mip_field *field);
+mip_error mip_3dm_get_event_support_encode(const struct mip_3dm_get_event_support *value,
+                                           struct mip_builder *builder);
 /** Get Supported Events. */
-struct mip_3dm_get_supported_events
-mip_3dm_get_supported_events_make(mip_3dm_supported_events_query query);
+struct mip_3dm_get_event_support mip_3dm_get_event_support_make(mip_3dm_event_support_query query);
 
 /**
  * Get Supported Events response: response (0x0C,0xB4).
  *
- * Also called `get_event_support_response`. Answers mip_3dm_get_supported_events. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_get_event_support. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
-struct mip_3dm_get_supported_events_response {
+struct mip_3dm_get_event_support_response {
     /** Query of the command. */
-    mip_3dm_supported_events_query query;
+    mip_3dm_event_support_query query;
     /** Number of slots; instances go from 1 to this. Unit: 1. */
     uint8_t max_instances;
     /** Number of types. The number of elements of entries. */
     uint8_t num_entries;
     /** The types. */
-    struct mip_3dm_supported_event_info entries[125];
+    struct mip_3dm_event_support_info entries[125];
 };
 
-#define MIP_3DM_GET_SUPPORTED_EVENTS_RESPONSE_DESCRIPTOR 0xB4
-#define MIP_3DM_GET_SUPPORTED_EVENTS_RESPONSE_NAME "3dm.get_supported_events_response"
+#define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_DESCRIPTOR 0xB4
+#define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_NAME "3dm.get_event_support_response"
 
-extern const struct mip_codec mip_3dm_get_supported_events_response_codec;
-mip_error mip_3dm_get_supported_events_response_decode(
-    struct mip_3dm_get_supported_events_response *value, const struct mip_field *field);
-mip_error mip_3dm_get_supported_events_response_encode(
-    const struct mip_3dm_get_supported_events_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_get_event_support_response_codec;
+mip_error mip_3dm_get_event_support_response_decode(
+    struct mip_3dm_get_event_support_response *value, const struct mip_field *field);
+mip_error mip_3dm_get_event_support_response_encode(
+    const struct mip_3dm_get_event_support_response *value, struct mip_builder *builder);
 
 /**
  * Event Control: command (0x0C,0x2B).
@@ -1711,8 +1699,8 @@ mip_error mip_3dm_get_event_action_status_response_decode(
 mip_error mip_3dm_get_event_action_status_response_encode(
     const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder);
 
-/** The member of mip_3dm_event_trigger_configuration that `type` selects. */
-union mip_3dm_event_trigger_configuration_parameters {
+/** The member of mip_3dm_event_trigger_config that `type` selects. */
+union mip_3dm_event_trigger_config_parameters {
     /** If type is MIP_EVENT_TRIGGER_TYPE_GPIO. Watches a GPIO pin. */
     struct mip_event_trigger_gpio gpio;
     /**
@@ -1733,7 +1721,7 @@ union mip_3dm_event_trigger_configuration_parameters {
  * Kind and condition of an event trigger.
  *
  * Also called `event_trigger`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_event_trigger_configuration_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_event_trigger_config_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The trigger is disabled afterwards; the event control command enables it.
  *
@@ -1741,7 +1729,7 @@ union mip_3dm_event_trigger_configuration_parameters {
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
-struct mip_3dm_event_trigger_configuration {
+struct mip_3dm_event_trigger_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -1754,36 +1742,32 @@ struct mip_3dm_event_trigger_configuration {
      * The condition. Selected by type. Required for write. Empty if type is
      * MIP_EVENT_TRIGGER_TYPE_NONE.
      */
-    union mip_3dm_event_trigger_configuration_parameters parameters;
+    union mip_3dm_event_trigger_config_parameters parameters;
 };
 
-#define MIP_3DM_EVENT_TRIGGER_CONFIGURATION_DESCRIPTOR 0x2E
-#define MIP_3DM_EVENT_TRIGGER_CONFIGURATION_NAME "3dm.event_trigger_configuration"
+#define MIP_3DM_EVENT_TRIGGER_CONFIG_DESCRIPTOR 0x2E
+#define MIP_3DM_EVENT_TRIGGER_CONFIG_NAME "3dm.event_trigger_config"
 
-extern const struct mip_codec mip_3dm_event_trigger_configuration_codec;
-mip_error mip_3dm_event_trigger_configuration_decode(
-    struct mip_3dm_event_trigger_configuration *value, const struct mip_field *field);
-mip_error mip_3dm_event_trigger_configuration_encode(
-    const struct mip_3dm_event_trigger_configuration *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_event_trigger_config_codec;
+mip_error mip_3dm_event_trigger_config_decode(struct mip_3dm_event_trigger_config *value,
+                                              const struct mip_field *field);
+mip_error mip_3dm_event_trigger_config_encode(const struct mip_3dm_event_trigger_config *value,
+                                              struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_write(
-    uint8_t instance, mip_event_trigger_type type,
-    const union mip_3dm_event_trigger_configuration_parameters *parameters);
+struct mip_3dm_event_trigger_config
+mip_3dm_event_trigger_config_write(uint8_t instance, mip_event_trigger_type type,
+                                   const union mip_3dm_event_trigger_config_parameters *parameters);
 /** Send the current setting back in a response. */
-struct mip_3dm_event_trigger_configuration
-mip_3dm_event_trigger_configuration_read(uint8_t instance);
+struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_read(uint8_t instance);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_event_trigger_configuration
-mip_3dm_event_trigger_configuration_save(uint8_t instance);
+struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_save(uint8_t instance);
 /** Load the saved setting. */
-struct mip_3dm_event_trigger_configuration
-mip_3dm_event_trigger_configuration_load(uint8_t instance);
+struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_load(uint8_t instance);
 /** Load the factory default setting. */
-struct mip_3dm_event_trigger_configuration
-mip_3dm_event_trigger_configuration_default(uint8_t instance);
+struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_default(uint8_t instance);
 
-/** The member of mip_3dm_event_trigger_configuration_response that `type` selects. */
-union mip_3dm_event_trigger_configuration_response_parameters {
+/** The member of mip_3dm_event_trigger_config_response that `type` selects. */
+union mip_3dm_event_trigger_config_response_parameters {
     /** If type is MIP_EVENT_TRIGGER_TYPE_GPIO. Watches a GPIO pin. */
     struct mip_event_trigger_gpio gpio;
     /**
@@ -1801,31 +1785,31 @@ union mip_3dm_event_trigger_configuration_response_parameters {
 /**
  * Event Trigger Configuration response: response (0x0C,0xB8).
  *
- * Also called `event_trigger_response`. Answers mip_3dm_event_trigger_configuration. Supported by
+ * Also called `event_trigger_response`. Answers mip_3dm_event_trigger_config. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
-struct mip_3dm_event_trigger_configuration_response {
+struct mip_3dm_event_trigger_config_response {
     /** Trigger instance; 0 means all (save, load, default). */
     uint8_t instance;
     /** Kind of trigger. Default: MIP_EVENT_TRIGGER_TYPE_NONE. */
     mip_event_trigger_type type;
     /** The condition. Selected by type. Empty if type is MIP_EVENT_TRIGGER_TYPE_NONE. */
-    union mip_3dm_event_trigger_configuration_response_parameters parameters;
+    union mip_3dm_event_trigger_config_response_parameters parameters;
 };
 
-#define MIP_3DM_EVENT_TRIGGER_CONFIGURATION_RESPONSE_DESCRIPTOR 0xB8
-#define MIP_3DM_EVENT_TRIGGER_CONFIGURATION_RESPONSE_NAME "3dm.event_trigger_configuration_response"
+#define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_DESCRIPTOR 0xB8
+#define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_NAME "3dm.event_trigger_config_response"
 
-extern const struct mip_codec mip_3dm_event_trigger_configuration_response_codec;
-mip_error mip_3dm_event_trigger_configuration_response_decode(
-    struct mip_3dm_event_trigger_configuration_response *value, const struct mip_field *field);
-mip_error mip_3dm_event_trigger_configuration_response_encode(
-    const struct mip_3dm_event_trigger_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_event_trigger_config_response_codec;
+mip_error mip_3dm_event_trigger_config_response_decode(
+    struct mip_3dm_event_trigger_config_response *value, const struct mip_field *field);
+mip_error mip_3dm_event_trigger_config_response_encode(
+    const struct mip_3dm_event_trigger_config_response *value, struct mip_builder *builder);
 
-/** The member of mip_3dm_event_action_configuration that `type` selects. */
-union mip_3dm_event_action_configuration_parameters {
+/** The member of mip_3dm_event_action_config that `type` selects. */
+union mip_3dm_event_action_config_parameters {
     /** If type is MIP_EVENT_ACTION_TYPE_GPIO. Controls a GPIO pin. */
     struct mip_event_action_gpio gpio;
     /** If type is MIP_EVENT_ACTION_TYPE_MESSAGE. Sends a data packet. */
@@ -1838,7 +1822,7 @@ union mip_3dm_event_action_configuration_parameters {
  * Trigger and effect of an event action.
  *
  * Also called `event_action`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_event_action_configuration_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_event_action_config_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * A packet holds one descriptor set; for several sets use several actions with the same trigger.
  *
@@ -1846,7 +1830,7 @@ union mip_3dm_event_action_configuration_parameters {
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  */
-struct mip_3dm_event_action_configuration {
+struct mip_3dm_event_action_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -1861,33 +1845,32 @@ struct mip_3dm_event_action_configuration {
      * The effect. Selected by type. Required for write. Empty if type is
      * MIP_EVENT_ACTION_TYPE_NONE.
      */
-    union mip_3dm_event_action_configuration_parameters parameters;
+    union mip_3dm_event_action_config_parameters parameters;
 };
 
-#define MIP_3DM_EVENT_ACTION_CONFIGURATION_DESCRIPTOR 0x2F
-#define MIP_3DM_EVENT_ACTION_CONFIGURATION_NAME "3dm.event_action_configuration"
+#define MIP_3DM_EVENT_ACTION_CONFIG_DESCRIPTOR 0x2F
+#define MIP_3DM_EVENT_ACTION_CONFIG_NAME "3dm.event_action_config"
 
-extern const struct mip_codec mip_3dm_event_action_configuration_codec;
-mip_error mip_3dm_event_action_configuration_decode(
-    struct mip_3dm_event_action_configuration *value, const struct mip_field *field);
-mip_error mip_3dm_event_action_configuration_encode(
-    const struct mip_3dm_event_action_configuration *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_event_action_config_codec;
+mip_error mip_3dm_event_action_config_decode(struct mip_3dm_event_action_config *value,
+                                             const struct mip_field *field);
+mip_error mip_3dm_event_action_config_encode(const struct mip_3dm_event_action_config *value,
+                                             struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_write(
-    uint8_t instance, uint8_t trigger, mip_event_action_type type,
-    const union mip_3dm_event_action_configuration_parameters *parameters);
+struct mip_3dm_event_action_config
+mip_3dm_event_action_config_write(uint8_t instance, uint8_t trigger, mip_event_action_type type,
+                                  const union mip_3dm_event_action_config_parameters *parameters);
 /** Send the current setting back in a response. */
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_read(uint8_t instance);
+struct mip_3dm_event_action_config mip_3dm_event_action_config_read(uint8_t instance);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_save(uint8_t instance);
+struct mip_3dm_event_action_config mip_3dm_event_action_config_save(uint8_t instance);
 /** Load the saved setting. */
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_load(uint8_t instance);
+struct mip_3dm_event_action_config mip_3dm_event_action_config_load(uint8_t instance);
 /** Load the factory default setting. */
-struct mip_3dm_event_action_configuration
-mip_3dm_event_action_configuration_default(uint8_t instance);
+struct mip_3dm_event_action_config mip_3dm_event_action_config_default(uint8_t instance);
 
-/** The member of mip_3dm_event_action_configuration_response that `type` selects. */
-union mip_3dm_event_action_configuration_response_parameters {
+/** The member of mip_3dm_event_action_config_response that `type` selects. */
+union mip_3dm_event_action_config_response_parameters {
     /** If type is MIP_EVENT_ACTION_TYPE_GPIO. Controls a GPIO pin. */
     struct mip_event_action_gpio gpio;
     /** If type is MIP_EVENT_ACTION_TYPE_MESSAGE. Sends a data packet. */
@@ -1897,12 +1880,12 @@ union mip_3dm_event_action_configuration_response_parameters {
 /**
  * Event Action Configuration response: response (0x0C,0xB9).
  *
- * Also called `event_action_response`. Answers mip_3dm_event_action_configuration. Supported by
+ * Also called `event_action_response`. Answers mip_3dm_event_action_config. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  */
-struct mip_3dm_event_action_configuration_response {
+struct mip_3dm_event_action_config_response {
     /** Action instance; 0 means all (save, load, default). */
     uint8_t instance;
     /** Trigger instance that the action follows. */
@@ -1910,50 +1893,50 @@ struct mip_3dm_event_action_configuration_response {
     /** Kind of action. Default: MIP_EVENT_ACTION_TYPE_NONE. */
     mip_event_action_type type;
     /** The effect. Selected by type. Empty if type is MIP_EVENT_ACTION_TYPE_NONE. */
-    union mip_3dm_event_action_configuration_response_parameters parameters;
+    union mip_3dm_event_action_config_response_parameters parameters;
 };
 
-#define MIP_3DM_EVENT_ACTION_CONFIGURATION_RESPONSE_DESCRIPTOR 0xB9
-#define MIP_3DM_EVENT_ACTION_CONFIGURATION_RESPONSE_NAME "3dm.event_action_configuration_response"
+#define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_DESCRIPTOR 0xB9
+#define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_NAME "3dm.event_action_config_response"
 
-extern const struct mip_codec mip_3dm_event_action_configuration_response_codec;
-mip_error mip_3dm_event_action_configuration_response_decode(
-    struct mip_3dm_event_action_configuration_response *value, const struct mip_field *field);
-mip_error mip_3dm_event_action_configuration_response_encode(
-    const struct mip_3dm_event_action_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_event_action_config_response_codec;
+mip_error mip_3dm_event_action_config_response_decode(
+    struct mip_3dm_event_action_config_response *value, const struct mip_field *field);
+mip_error mip_3dm_event_action_config_response_encode(
+    const struct mip_3dm_event_action_config_response *value, struct mip_builder *builder);
 
 /**
  * Device Start Up Settings: command (0x0C,0x30).
  *
  * Saves, loads or resets all settings of the device at once.
  *
- * Also called `device_settings`. Functions: save, load and default. The device may take 1 s to
- * answer. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Functions: save, load and default. The device may take 1 s to answer. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * A save may disturb the data output for a short time.
  *
  * - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
  * - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
  */
-struct mip_3dm_device_start_up_settings {
+struct mip_3dm_device_settings {
     /** What to do with the setting. */
     mip_function_selector function;
 };
 
-#define MIP_3DM_DEVICE_START_UP_SETTINGS_DESCRIPTOR 0x30
-#define MIP_3DM_DEVICE_START_UP_SETTINGS_NAME "3dm.device_start_up_settings"
+#define MIP_3DM_DEVICE_SETTINGS_DESCRIPTOR 0x30
+#define MIP_3DM_DEVICE_SETTINGS_NAME "3dm.device_settings"
 
-extern const struct mip_codec mip_3dm_device_start_up_settings_codec;
-mip_error mip_3dm_device_start_up_settings_decode(struct mip_3dm_device_start_up_settings *value,
-                                                  const struct mip_field *field);
-mip_error mip_3dm_device_start_up_settings_encode(
-    const struct mip_3dm_device_start_up_settings *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_device_settings_codec;
+mip_error mip_3dm_device_settings_decode(struct mip_3dm_device_settings *value,
+                                         const struct mip_field *field);
+mip_error mip_3dm_device_settings_encode(const struct mip_3dm_device_settings *value,
+                                         struct mip_builder *builder);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_save(void);
+struct mip_3dm_device_settings mip_3dm_device_settings_save(void);
 /** Load the saved setting. */
-struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_load(void);
+struct mip_3dm_device_settings mip_3dm_device_settings_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_default(void);
+struct mip_3dm_device_settings mip_3dm_device_settings_default(void);
 
 /**
  * Sensor-to-Vehicle Frame Transformation Euler: command (0x0C,0x31).
@@ -1961,8 +1944,7 @@ struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_default
  * Mounting of the sensor in the vehicle as Euler angles.
  *
  * Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and default.
- * Answered by mip_3dm_sensor_to_vehicle_frame_transformation_euler_response. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Answered by mip_3dm_sensor_to_vehicle_transform_euler_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
@@ -1981,7 +1963,7 @@ struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_default
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler {
+struct mip_3dm_sensor_to_vehicle_transform_euler {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -1994,42 +1976,39 @@ struct mip_3dm_sensor_to_vehicle_frame_transformation_euler {
     float yaw;
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_DESCRIPTOR 0x31
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_NAME \
-    "3dm.sensor_to_vehicle_frame_transformation_euler"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_DESCRIPTOR 0x31
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_NAME "3dm.sensor_to_vehicle_transform_euler"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_codec;
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *value,
-    const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec;
+mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *value, const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_transform_euler_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_euler *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
-mip_3dm_sensor_to_vehicle_frame_transformation_euler_write(float roll, float pitch, float yaw);
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_write(float roll, float pitch, float yaw);
 /** Send the current setting back in a response. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
-mip_3dm_sensor_to_vehicle_frame_transformation_euler_read(void);
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
-mip_3dm_sensor_to_vehicle_frame_transformation_euler_save(void);
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_save(void);
 /** Load the saved setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
-mip_3dm_sensor_to_vehicle_frame_transformation_euler_load(void);
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
-mip_3dm_sensor_to_vehicle_frame_transformation_euler_default(void);
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_default(void);
 
 /**
  * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
  *
  * Also called `sensor_2_vehicle_transform_euler_response`. Answers
- * mip_3dm_sensor_to_vehicle_frame_transformation_euler. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_sensor_to_vehicle_transform_euler. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response {
+struct mip_3dm_sensor_to_vehicle_transform_euler_response {
     /** Rotation about the x axis. Unit: rad. */
     float roll;
     /** Rotation about the y axis. Unit: rad. */
@@ -2038,16 +2017,16 @@ struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response {
     float yaw;
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_DESCRIPTOR 0xB1
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_NAME \
-    "3dm.sensor_to_vehicle_frame_transformation_euler_response"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_DESCRIPTOR 0xB1
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_NAME \
+    "3dm.sensor_to_vehicle_transform_euler_response"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_codec;
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *value,
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec;
+mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
     const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *value,
+mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
     struct mip_builder *builder);
 
 /**
@@ -2056,8 +2035,8 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_encode(
  * Mounting of the sensor in the vehicle as a quaternion.
  *
  * Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
- * default. Answered by mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * default. Answered by mip_3dm_sensor_to_vehicle_transform_quaternion_response. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
@@ -2066,7 +2045,7 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_encode(
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion {
+struct mip_3dm_sensor_to_vehicle_transform_quaternion {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2078,42 +2057,41 @@ struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion {
     float q[4];
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_DESCRIPTOR 0x32
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_NAME \
-    "3dm.sensor_to_vehicle_frame_transformation_quaternion"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_DESCRIPTOR 0x32
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_NAME \
+    "3dm.sensor_to_vehicle_transform_quaternion"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_codec;
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *value,
-    const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *value,
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec;
+mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *value, const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *value,
     struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
-mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_write(const float q[4]);
+struct mip_3dm_sensor_to_vehicle_transform_quaternion
+mip_3dm_sensor_to_vehicle_transform_quaternion_write(const float q[4]);
 /** Send the current setting back in a response. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
-mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_read(void);
+struct mip_3dm_sensor_to_vehicle_transform_quaternion
+mip_3dm_sensor_to_vehicle_transform_quaternion_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
-mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_save(void);
+struct mip_3dm_sensor_to_vehicle_transform_quaternion
+mip_3dm_sensor_to_vehicle_transform_quaternion_save(void);
 /** Load the saved setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
-mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_load(void);
+struct mip_3dm_sensor_to_vehicle_transform_quaternion
+mip_3dm_sensor_to_vehicle_transform_quaternion_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
-mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_default(void);
+struct mip_3dm_sensor_to_vehicle_transform_quaternion
+mip_3dm_sensor_to_vehicle_transform_quaternion_default(void);
 
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion response: response (0x0C,0xB2).
  *
  * Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
- * mip_3dm_sensor_to_vehicle_frame_transformation_quaternion. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_sensor_to_vehicle_transform_quaternion. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response {
+struct mip_3dm_sensor_to_vehicle_transform_quaternion_response {
     /**
      * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
      * w, x, y, z. Unit: 1.
@@ -2121,17 +2099,16 @@ struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response {
     float q[4];
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_NAME \
-    "3dm.sensor_to_vehicle_frame_transformation_quaternion_response"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_NAME \
+    "3dm.sensor_to_vehicle_transform_quaternion_response"
 
-extern const struct mip_codec
-    mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_codec;
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *value,
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec;
+mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
     const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *value,
+mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
     struct mip_builder *builder);
 
 /**
@@ -2140,8 +2117,7 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_enc
  * Mounting of the sensor in the vehicle as a direction cosine matrix.
  *
  * Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and default.
- * Answered by mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answered by mip_3dm_sensor_to_vehicle_transform_dcm_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
@@ -2152,7 +2128,7 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_enc
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix {
+struct mip_3dm_sensor_to_vehicle_transform_dcm {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2164,44 +2140,36 @@ struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix {
     float dcm[9];
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR 0x33
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_NAME \
-    "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_DESCRIPTOR 0x33
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_NAME "3dm.sensor_to_vehicle_transform_dcm"
 
-extern const struct mip_codec
-    mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_codec;
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *value,
-    const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec;
+mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *value, const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_transform_dcm_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_write(const float dcm[9]);
+struct mip_3dm_sensor_to_vehicle_transform_dcm
+mip_3dm_sensor_to_vehicle_transform_dcm_write(const float dcm[9]);
 /** Send the current setting back in a response. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_read(void);
+struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_save(void);
+struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_save(void);
 /** Load the saved setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_load(void);
+struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_default(void);
+struct mip_3dm_sensor_to_vehicle_transform_dcm
+mip_3dm_sensor_to_vehicle_transform_dcm_default(void);
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response: response (0x0C,0xB3).
  *
  * Also called `sensor_2_vehicle_transform_dcm_response`. Answers
- * mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix. Supported by
- * 3DM-CV7-GNSS/INS.
+ * mip_3dm_sensor_to_vehicle_transform_dcm. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
-struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response {
+struct mip_3dm_sensor_to_vehicle_transform_dcm_response {
     /**
      * The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
      * 1.
@@ -2209,19 +2177,15 @@ struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_re
     float dcm[9];
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_DESCRIPTOR \
-    0xB3
-#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_NAME \
-    "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response"
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_DESCRIPTOR 0xB3
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_NAME \
+    "3dm.sensor_to_vehicle_transform_dcm_response"
 
-extern const struct mip_codec
-    mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec;
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_decode(
-    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *value,
-    const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response
-        *value,
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec;
+mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
     struct mip_builder *builder);
 
 /**
@@ -2229,15 +2193,14 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
  *
  * Bias that is subtracted from the scaled acceleration.
  *
- * For advanced use. Also called `accel_bias`. Functions: write, read, save, load, default and
- * apply. Answered by mip_3dm_accelerometer_bias_configuration_response. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS: write, read, save, load and default
- * only.
+ * For advanced use. Functions: write, read, save, load, default and apply. Answered by
+ * mip_3dm_accel_bias_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+ * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
  */
-struct mip_3dm_accelerometer_bias_configuration {
+struct mip_3dm_accel_bias {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2248,68 +2211,62 @@ struct mip_3dm_accelerometer_bias_configuration {
     float bias[3];
 };
 
-#define MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_DESCRIPTOR 0x37
-#define MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_NAME "3dm.accelerometer_bias_configuration"
+#define MIP_3DM_ACCEL_BIAS_DESCRIPTOR 0x37
+#define MIP_3DM_ACCEL_BIAS_NAME "3dm.accel_bias"
 
-extern const struct mip_codec mip_3dm_accelerometer_bias_configuration_codec;
-mip_error mip_3dm_accelerometer_bias_configuration_decode(
-    struct mip_3dm_accelerometer_bias_configuration *value, const struct mip_field *field);
-mip_error mip_3dm_accelerometer_bias_configuration_encode(
-    const struct mip_3dm_accelerometer_bias_configuration *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_accel_bias_codec;
+mip_error mip_3dm_accel_bias_decode(struct mip_3dm_accel_bias *value,
+                                    const struct mip_field *field);
+mip_error mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bias *value,
+                                    struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_accelerometer_bias_configuration
-mip_3dm_accelerometer_bias_configuration_write(const float bias[3]);
+struct mip_3dm_accel_bias mip_3dm_accel_bias_write(const float bias[3]);
 /** Send the current setting back in a response. */
-struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_read(void);
+struct mip_3dm_accel_bias mip_3dm_accel_bias_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_save(void);
+struct mip_3dm_accel_bias mip_3dm_accel_bias_save(void);
 /** Load the saved setting. */
-struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_load(void);
+struct mip_3dm_accel_bias mip_3dm_accel_bias_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_accelerometer_bias_configuration
-mip_3dm_accelerometer_bias_configuration_default(void);
+struct mip_3dm_accel_bias mip_3dm_accel_bias_default(void);
 /** Apply the new setting and send no acknowledge (5-series devices). */
-struct mip_3dm_accelerometer_bias_configuration
-mip_3dm_accelerometer_bias_configuration_apply(const float bias[3]);
+struct mip_3dm_accel_bias mip_3dm_accel_bias_apply(const float bias[3]);
 
 /**
  * Accelerometer Bias Configuration response: response (0x0C,0x9A).
  *
- * Also called `accel_bias_response`. Answers mip_3dm_accelerometer_bias_configuration. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_3dm_accel_bias. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
  */
-struct mip_3dm_accelerometer_bias_configuration_response {
+struct mip_3dm_accel_bias_response {
     /** Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. */
     float bias[3];
 };
 
-#define MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR 0x9A
-#define MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_NAME \
-    "3dm.accelerometer_bias_configuration_response"
+#define MIP_3DM_ACCEL_BIAS_RESPONSE_DESCRIPTOR 0x9A
+#define MIP_3DM_ACCEL_BIAS_RESPONSE_NAME "3dm.accel_bias_response"
 
-extern const struct mip_codec mip_3dm_accelerometer_bias_configuration_response_codec;
-mip_error mip_3dm_accelerometer_bias_configuration_response_decode(
-    struct mip_3dm_accelerometer_bias_configuration_response *value, const struct mip_field *field);
-mip_error mip_3dm_accelerometer_bias_configuration_response_encode(
-    const struct mip_3dm_accelerometer_bias_configuration_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_accel_bias_response_codec;
+mip_error mip_3dm_accel_bias_response_decode(struct mip_3dm_accel_bias_response *value,
+                                             const struct mip_field *field);
+mip_error mip_3dm_accel_bias_response_encode(const struct mip_3dm_accel_bias_response *value,
+                                             struct mip_builder *builder);
 
 /**
  * Gyroscope Bias Configuration: command (0x0C,0x38).
  *
  * Bias that is subtracted from the scaled angular rate.
  *
- * For advanced use. Also called `gyro_bias`. Functions: write, read, save, load, default and apply.
- * Answered by mip_3dm_gyroscope_bias_configuration_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * For advanced use. Functions: write, read, save, load, default and apply. Answered by
+ * mip_3dm_gyro_bias_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+ * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
  */
-struct mip_3dm_gyroscope_bias_configuration {
+struct mip_3dm_gyro_bias {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2320,63 +2277,58 @@ struct mip_3dm_gyroscope_bias_configuration {
     float bias[3];
 };
 
-#define MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_DESCRIPTOR 0x38
-#define MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_NAME "3dm.gyroscope_bias_configuration"
+#define MIP_3DM_GYRO_BIAS_DESCRIPTOR 0x38
+#define MIP_3DM_GYRO_BIAS_NAME "3dm.gyro_bias"
 
-extern const struct mip_codec mip_3dm_gyroscope_bias_configuration_codec;
-mip_error mip_3dm_gyroscope_bias_configuration_decode(
-    struct mip_3dm_gyroscope_bias_configuration *value, const struct mip_field *field);
-mip_error mip_3dm_gyroscope_bias_configuration_encode(
-    const struct mip_3dm_gyroscope_bias_configuration *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_gyro_bias_codec;
+mip_error mip_3dm_gyro_bias_decode(struct mip_3dm_gyro_bias *value, const struct mip_field *field);
+mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias *value,
+                                   struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_gyroscope_bias_configuration
-mip_3dm_gyroscope_bias_configuration_write(const float bias[3]);
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_write(const float bias[3]);
 /** Send the current setting back in a response. */
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_read(void);
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_save(void);
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_save(void);
 /** Load the saved setting. */
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_load(void);
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_default(void);
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_default(void);
 /** Apply the new setting and send no acknowledge (5-series devices). */
-struct mip_3dm_gyroscope_bias_configuration
-mip_3dm_gyroscope_bias_configuration_apply(const float bias[3]);
+struct mip_3dm_gyro_bias mip_3dm_gyro_bias_apply(const float bias[3]);
 
 /**
  * Gyroscope Bias Configuration response: response (0x0C,0x9B).
  *
  * The bias in use.
  *
- * Also called `gyro_bias_response` and `capture_gyro_bias_response`. Answers
- * mip_3dm_gyroscope_bias_configuration and mip_3dm_capture_gyroscope_bias. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `capture_gyro_bias_response`. Answers mip_3dm_gyro_bias and
+ * mip_3dm_capture_gyro_bias. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
  */
-struct mip_3dm_gyroscope_bias_configuration_response {
+struct mip_3dm_gyro_bias_response {
     /** Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. */
     float bias[3];
 };
 
-#define MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR 0x9B
-#define MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_NAME \
-    "3dm.gyroscope_bias_configuration_response"
+#define MIP_3DM_GYRO_BIAS_RESPONSE_DESCRIPTOR 0x9B
+#define MIP_3DM_GYRO_BIAS_RESPONSE_NAME "3dm.gyro_bias_response"
 
-extern const struct mip_codec mip_3dm_gyroscope_bias_configuration_response_codec;
-mip_error mip_3dm_gyroscope_bias_configuration_response_decode(
-    struct mip_3dm_gyroscope_bias_configuration_response *value, const struct mip_field *field);
-mip_error mip_3dm_gyroscope_bias_configuration_response_encode(
-    const struct mip_3dm_gyroscope_bias_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_gyro_bias_response_codec;
+mip_error mip_3dm_gyro_bias_response_decode(struct mip_3dm_gyro_bias_response *value,
+                                            const struct mip_field *field);
+mip_error mip_3dm_gyro_bias_response_encode(const struct mip_3dm_gyro_bias_response *value,
+                                            struct mip_builder *builder);
 
 /**
  * Capture Gyroscope Bias: command (0x0C,0x39).
  *
  * Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
  *
- * Also called `capture_gyro_bias`. Answered by mip_3dm_gyroscope_bias_configuration_response. The
- * device may take 31 s to answer. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answered by mip_3dm_gyro_bias_response. The device may take 31 s to answer. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The device must stand still, with as little vibration as possible, for the whole time.
  *
@@ -2389,36 +2341,35 @@ mip_error mip_3dm_gyroscope_bias_configuration_response_encode(
  * - 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
  * - 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
  */
-struct mip_3dm_capture_gyroscope_bias {
+struct mip_3dm_capture_gyro_bias {
     /** Time to average over. Unit: ms. Range: 1000 to 30000. */
     uint16_t averaging_time_ms;
 };
 
-#define MIP_3DM_CAPTURE_GYROSCOPE_BIAS_DESCRIPTOR 0x39
-#define MIP_3DM_CAPTURE_GYROSCOPE_BIAS_NAME "3dm.capture_gyroscope_bias"
+#define MIP_3DM_CAPTURE_GYRO_BIAS_DESCRIPTOR 0x39
+#define MIP_3DM_CAPTURE_GYRO_BIAS_NAME "3dm.capture_gyro_bias"
 
-extern const struct mip_codec mip_3dm_capture_gyroscope_bias_codec;
-mip_error mip_3dm_capture_gyroscope_bias_decode(struct mip_3dm_capture_gyroscope_bias *value,
-                                                const struct mip_field *field);
-mip_error mip_3dm_capture_gyroscope_bias_encode(const struct mip_3dm_capture_gyroscope_bias *value,
-                                                struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_capture_gyro_bias_codec;
+mip_error mip_3dm_capture_gyro_bias_decode(struct mip_3dm_capture_gyro_bias *value,
+                                           const struct mip_field *field);
+mip_error mip_3dm_capture_gyro_bias_encode(const struct mip_3dm_capture_gyro_bias *value,
+                                           struct mip_builder *builder);
 /** Capture Gyroscope Bias. */
-struct mip_3dm_capture_gyroscope_bias
-mip_3dm_capture_gyroscope_bias_make(uint16_t averaging_time_ms);
+struct mip_3dm_capture_gyro_bias mip_3dm_capture_gyro_bias_make(uint16_t averaging_time_ms);
 
 /**
  * Magnetometer Hard Iron Offset: command (0x0C,0x3A).
  *
  * Offset that corrects the scaled magnetic field for hard iron.
  *
- * Also called `mag_hard_iron_offset`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_magnetometer_hard_iron_offset_response. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_mag_hard_iron_offset_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The values come from a calibration of the device as it is installed.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  */
-struct mip_3dm_magnetometer_hard_iron_offset {
+struct mip_3dm_mag_hard_iron_offset {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2427,63 +2378,59 @@ struct mip_3dm_magnetometer_hard_iron_offset {
     float offset[3];
 };
 
-#define MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_DESCRIPTOR 0x3A
-#define MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_NAME "3dm.magnetometer_hard_iron_offset"
+#define MIP_3DM_MAG_HARD_IRON_OFFSET_DESCRIPTOR 0x3A
+#define MIP_3DM_MAG_HARD_IRON_OFFSET_NAME "3dm.mag_hard_iron_offset"
 
-extern const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_codec;
-mip_error mip_3dm_magnetometer_hard_iron_offset_decode(
-    struct mip_3dm_magnetometer_hard_iron_offset *value, const struct mip_field *field);
-mip_error mip_3dm_magnetometer_hard_iron_offset_encode(
-    const struct mip_3dm_magnetometer_hard_iron_offset *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_mag_hard_iron_offset_codec;
+mip_error mip_3dm_mag_hard_iron_offset_decode(struct mip_3dm_mag_hard_iron_offset *value,
+                                              const struct mip_field *field);
+mip_error mip_3dm_mag_hard_iron_offset_encode(const struct mip_3dm_mag_hard_iron_offset *value,
+                                              struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_magnetometer_hard_iron_offset
-mip_3dm_magnetometer_hard_iron_offset_write(const float offset[3]);
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_write(const float offset[3]);
 /** Send the current setting back in a response. */
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_read(void);
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_save(void);
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_save(void);
 /** Load the saved setting. */
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_load(void);
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_default(void);
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_default(void);
 
 /**
  * Magnetometer Hard Iron Offset response: response (0x0C,0x9C).
  *
- * Also called `mag_hard_iron_offset_response`. Answers mip_3dm_magnetometer_hard_iron_offset.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_mag_hard_iron_offset. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  */
-struct mip_3dm_magnetometer_hard_iron_offset_response {
+struct mip_3dm_mag_hard_iron_offset_response {
     /** Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. */
     float offset[3];
 };
 
-#define MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR 0x9C
-#define MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_NAME \
-    "3dm.magnetometer_hard_iron_offset_response"
+#define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR 0x9C
+#define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_NAME "3dm.mag_hard_iron_offset_response"
 
-extern const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_response_codec;
-mip_error mip_3dm_magnetometer_hard_iron_offset_response_decode(
-    struct mip_3dm_magnetometer_hard_iron_offset_response *value, const struct mip_field *field);
-mip_error mip_3dm_magnetometer_hard_iron_offset_response_encode(
-    const struct mip_3dm_magnetometer_hard_iron_offset_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec;
+mip_error mip_3dm_mag_hard_iron_offset_response_decode(
+    struct mip_3dm_mag_hard_iron_offset_response *value, const struct mip_field *field);
+mip_error mip_3dm_mag_hard_iron_offset_response_encode(
+    const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder);
 
 /**
  * Magnetometer Soft Iron Matrix: command (0x0C,0x3B).
  *
  * Matrix that corrects the scaled magnetic field for soft iron.
  *
- * Also called `mag_soft_iron_matrix`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_magnetometer_soft_iron_matrix_response. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_mag_soft_iron_matrix_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The values come from a calibration of the device as it is installed.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  */
-struct mip_3dm_magnetometer_soft_iron_matrix {
+struct mip_3dm_mag_soft_iron_matrix {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2492,67 +2439,63 @@ struct mip_3dm_magnetometer_soft_iron_matrix {
      * Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
      * Unit: 1. Frame: sensor. Required for write.
      */
-    float offset[9];
+    float matrix[9];
 };
 
-#define MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_DESCRIPTOR 0x3B
-#define MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_NAME "3dm.magnetometer_soft_iron_matrix"
+#define MIP_3DM_MAG_SOFT_IRON_MATRIX_DESCRIPTOR 0x3B
+#define MIP_3DM_MAG_SOFT_IRON_MATRIX_NAME "3dm.mag_soft_iron_matrix"
 
-extern const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_codec;
-mip_error mip_3dm_magnetometer_soft_iron_matrix_decode(
-    struct mip_3dm_magnetometer_soft_iron_matrix *value, const struct mip_field *field);
-mip_error mip_3dm_magnetometer_soft_iron_matrix_encode(
-    const struct mip_3dm_magnetometer_soft_iron_matrix *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec;
+mip_error mip_3dm_mag_soft_iron_matrix_decode(struct mip_3dm_mag_soft_iron_matrix *value,
+                                              const struct mip_field *field);
+mip_error mip_3dm_mag_soft_iron_matrix_encode(const struct mip_3dm_mag_soft_iron_matrix *value,
+                                              struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_magnetometer_soft_iron_matrix
-mip_3dm_magnetometer_soft_iron_matrix_write(const float offset[9]);
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_write(const float matrix[9]);
 /** Send the current setting back in a response. */
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_read(void);
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_save(void);
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_save(void);
 /** Load the saved setting. */
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_load(void);
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_default(void);
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_default(void);
 
 /**
  * Magnetometer Soft Iron Matrix response: response (0x0C,0x9D).
  *
- * Also called `mag_soft_iron_matrix_response`. Answers mip_3dm_magnetometer_soft_iron_matrix.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_mag_soft_iron_matrix. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  */
-struct mip_3dm_magnetometer_soft_iron_matrix_response {
+struct mip_3dm_mag_soft_iron_matrix_response {
     /**
      * Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
      * Unit: 1. Frame: sensor.
      */
-    float offset[9];
+    float matrix[9];
 };
 
-#define MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR 0x9D
-#define MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_NAME \
-    "3dm.magnetometer_soft_iron_matrix_response"
+#define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR 0x9D
+#define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_NAME "3dm.mag_soft_iron_matrix_response"
 
-extern const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_response_codec;
-mip_error mip_3dm_magnetometer_soft_iron_matrix_response_decode(
-    struct mip_3dm_magnetometer_soft_iron_matrix_response *value, const struct mip_field *field);
-mip_error mip_3dm_magnetometer_soft_iron_matrix_response_encode(
-    const struct mip_3dm_magnetometer_soft_iron_matrix_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec;
+mip_error mip_3dm_mag_soft_iron_matrix_response_decode(
+    struct mip_3dm_mag_soft_iron_matrix_response *value, const struct mip_field *field);
+mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
+    const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder);
 
 /**
  * Coning and Sculling Enable: command (0x0C,0x3E).
  *
  * Switches the compensation of coning and sculling on or off.
  *
- * Also called `coning_sculling_enable`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_coning_and_sculling_enable_response. Supported by 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_coning_sculling_enable_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
-struct mip_3dm_coning_and_sculling_enable {
+struct mip_3dm_coning_sculling_enable {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2561,46 +2504,45 @@ struct mip_3dm_coning_and_sculling_enable {
     mip_bool enable;
 };
 
-#define MIP_3DM_CONING_AND_SCULLING_ENABLE_DESCRIPTOR 0x3E
-#define MIP_3DM_CONING_AND_SCULLING_ENABLE_NAME "3dm.coning_and_sculling_enable"
+#define MIP_3DM_CONING_SCULLING_ENABLE_DESCRIPTOR 0x3E
+#define MIP_3DM_CONING_SCULLING_ENABLE_NAME "3dm.coning_sculling_enable"
 
-extern const struct mip_codec mip_3dm_coning_and_sculling_enable_codec;
-mip_error mip_3dm_coning_and_sculling_enable_decode(
-    struct mip_3dm_coning_and_sculling_enable *value, const struct mip_field *field);
-mip_error mip_3dm_coning_and_sculling_enable_encode(
-    const struct mip_3dm_coning_and_sculling_enable *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_coning_sculling_enable_codec;
+mip_error mip_3dm_coning_sculling_enable_decode(struct mip_3dm_coning_sculling_enable *value,
+                                                const struct mip_field *field);
+mip_error mip_3dm_coning_sculling_enable_encode(const struct mip_3dm_coning_sculling_enable *value,
+                                                struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_write(mip_bool enable);
+struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_write(mip_bool enable);
 /** Send the current setting back in a response. */
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_read(void);
+struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_save(void);
+struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_save(void);
 /** Load the saved setting. */
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_load(void);
+struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_default(void);
+struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_default(void);
 
 /**
  * Coning and Sculling Enable response: response (0x0C,0x9E).
  *
- * Also called `coning_sculling_enable_response`. Answers mip_3dm_coning_and_sculling_enable.
- * Supported by 3DM-GX5-15.
+ * Answers mip_3dm_coning_sculling_enable. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
-struct mip_3dm_coning_and_sculling_enable_response {
+struct mip_3dm_coning_sculling_enable_response {
     /** Whether the compensation is on. Default: true. */
     mip_bool enable;
 };
 
-#define MIP_3DM_CONING_AND_SCULLING_ENABLE_RESPONSE_DESCRIPTOR 0x9E
-#define MIP_3DM_CONING_AND_SCULLING_ENABLE_RESPONSE_NAME "3dm.coning_and_sculling_enable_response"
+#define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_DESCRIPTOR 0x9E
+#define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_NAME "3dm.coning_sculling_enable_response"
 
-extern const struct mip_codec mip_3dm_coning_and_sculling_enable_response_codec;
-mip_error mip_3dm_coning_and_sculling_enable_response_decode(
-    struct mip_3dm_coning_and_sculling_enable_response *value, const struct mip_field *field);
-mip_error mip_3dm_coning_and_sculling_enable_response_encode(
-    const struct mip_3dm_coning_and_sculling_enable_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_coning_sculling_enable_response_codec;
+mip_error mip_3dm_coning_sculling_enable_response_decode(
+    struct mip_3dm_coning_sculling_enable_response *value, const struct mip_field *field);
+mip_error mip_3dm_coning_sculling_enable_response_encode(
+    const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder);
 
 /**
  * UART Baud Rate: command (0x0C,0x40).
@@ -2676,8 +2618,8 @@ mip_error mip_3dm_uart_baud_rate_response_encode(
  *
  * What a GPIO pin is used for.
  *
- * Also called `gpio_config`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_gpio_configuration_response. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_config_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * Not every pin has every feature.
  *
@@ -2691,7 +2633,7 @@ mip_error mip_3dm_uart_baud_rate_response_encode(
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
-struct mip_3dm_gpio_configuration {
+struct mip_3dm_gpio_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2714,37 +2656,34 @@ struct mip_3dm_gpio_configuration {
     mip_gpio_pin_mode pin_mode;
 };
 
-#define MIP_3DM_GPIO_CONFIGURATION_DESCRIPTOR 0x41
-#define MIP_3DM_GPIO_CONFIGURATION_NAME "3dm.gpio_configuration"
+#define MIP_3DM_GPIO_CONFIG_DESCRIPTOR 0x41
+#define MIP_3DM_GPIO_CONFIG_NAME "3dm.gpio_config"
 
-extern const struct mip_codec mip_3dm_gpio_configuration_codec;
-mip_error mip_3dm_gpio_configuration_decode(struct mip_3dm_gpio_configuration *value,
-                                            const struct mip_field *field);
-mip_error mip_3dm_gpio_configuration_encode(const struct mip_3dm_gpio_configuration *value,
-                                            struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_gpio_config_codec;
+mip_error mip_3dm_gpio_config_decode(struct mip_3dm_gpio_config *value,
+                                     const struct mip_field *field);
+mip_error mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_config *value,
+                                     struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_write(uint8_t pin,
-                                                                   mip_gpio_feature feature,
-                                                                   uint8_t behavior,
-                                                                   mip_gpio_pin_mode pin_mode);
+struct mip_3dm_gpio_config mip_3dm_gpio_config_write(uint8_t pin, mip_gpio_feature feature,
+                                                     uint8_t behavior, mip_gpio_pin_mode pin_mode);
 /** Send the current setting back in a response. */
-struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_read(uint8_t pin);
+struct mip_3dm_gpio_config mip_3dm_gpio_config_read(uint8_t pin);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_save(uint8_t pin);
+struct mip_3dm_gpio_config mip_3dm_gpio_config_save(uint8_t pin);
 /** Load the saved setting. */
-struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_load(uint8_t pin);
+struct mip_3dm_gpio_config mip_3dm_gpio_config_load(uint8_t pin);
 /** Load the factory default setting. */
-struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_default(uint8_t pin);
+struct mip_3dm_gpio_config mip_3dm_gpio_config_default(uint8_t pin);
 
 /**
  * GPIO Configuration response: response (0x0C,0xC1).
  *
- * Also called `gpio_config_response`. Answers mip_3dm_gpio_configuration. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_gpio_config. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
-struct mip_3dm_gpio_configuration_response {
+struct mip_3dm_gpio_config_response {
     /** GPIO pin, counted from 1; 0 means all pins (save, load, default). */
     uint8_t pin;
     /** Use of the pin. Default: MIP_GPIO_FEATURE_UNUSED. */
@@ -2763,14 +2702,14 @@ struct mip_3dm_gpio_configuration_response {
     mip_gpio_pin_mode pin_mode;
 };
 
-#define MIP_3DM_GPIO_CONFIGURATION_RESPONSE_DESCRIPTOR 0xC1
-#define MIP_3DM_GPIO_CONFIGURATION_RESPONSE_NAME "3dm.gpio_configuration_response"
+#define MIP_3DM_GPIO_CONFIG_RESPONSE_DESCRIPTOR 0xC1
+#define MIP_3DM_GPIO_CONFIG_RESPONSE_NAME "3dm.gpio_config_response"
 
-extern const struct mip_codec mip_3dm_gpio_configuration_response_codec;
-mip_error mip_3dm_gpio_configuration_response_decode(
-    struct mip_3dm_gpio_configuration_response *value, const struct mip_field *field);
-mip_error mip_3dm_gpio_configuration_response_encode(
-    const struct mip_3dm_gpio_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_gpio_config_response_codec;
+mip_error mip_3dm_gpio_config_response_decode(struct mip_3dm_gpio_config_response *value,
+                                              const struct mip_field *field);
+mip_error mip_3dm_gpio_config_response_encode(const struct mip_3dm_gpio_config_response *value,
+                                              struct mip_builder *builder);
 
 /**
  * GPIO State: command (0x0C,0x42).
@@ -2845,11 +2784,11 @@ mip_error mip_3dm_gpio_state_response_encode(const struct mip_3dm_gpio_state_res
  * Input from a wheel encoder.
  *
  * Also called `odometer`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_odometer_configuration_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_odometer_config_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
-struct mip_3dm_odometer_configuration {
+struct mip_3dm_odometer_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2867,35 +2806,34 @@ struct mip_3dm_odometer_configuration {
     float uncertainty;
 };
 
-#define MIP_3DM_ODOMETER_CONFIGURATION_DESCRIPTOR 0x43
-#define MIP_3DM_ODOMETER_CONFIGURATION_NAME "3dm.odometer_configuration"
+#define MIP_3DM_ODOMETER_CONFIG_DESCRIPTOR 0x43
+#define MIP_3DM_ODOMETER_CONFIG_NAME "3dm.odometer_config"
 
-extern const struct mip_codec mip_3dm_odometer_configuration_codec;
-mip_error mip_3dm_odometer_configuration_decode(struct mip_3dm_odometer_configuration *value,
-                                                const struct mip_field *field);
-mip_error mip_3dm_odometer_configuration_encode(const struct mip_3dm_odometer_configuration *value,
-                                                struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_odometer_config_codec;
+mip_error mip_3dm_odometer_config_decode(struct mip_3dm_odometer_config *value,
+                                         const struct mip_field *field);
+mip_error mip_3dm_odometer_config_encode(const struct mip_3dm_odometer_config *value,
+                                         struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_odometer_configuration
-mip_3dm_odometer_configuration_write(mip_3dm_odometer_mode mode, float scaling, float uncertainty);
+struct mip_3dm_odometer_config mip_3dm_odometer_config_write(mip_3dm_odometer_mode mode,
+                                                             float scaling, float uncertainty);
 /** Send the current setting back in a response. */
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_read(void);
+struct mip_3dm_odometer_config mip_3dm_odometer_config_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_save(void);
+struct mip_3dm_odometer_config mip_3dm_odometer_config_save(void);
 /** Load the saved setting. */
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_load(void);
+struct mip_3dm_odometer_config mip_3dm_odometer_config_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_default(void);
+struct mip_3dm_odometer_config mip_3dm_odometer_config_default(void);
 
 /**
  * Odometer Configuration response: response (0x0C,0xC3).
  *
- * Also called `odometer_response`. Answers mip_3dm_odometer_configuration. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Also called `odometer_response`. Answers mip_3dm_odometer_config. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
-struct mip_3dm_odometer_configuration_response {
+struct mip_3dm_odometer_config_response {
     /** How the input works. */
     mip_3dm_odometer_mode mode;
     /**
@@ -2908,23 +2846,23 @@ struct mip_3dm_odometer_configuration_response {
     float uncertainty;
 };
 
-#define MIP_3DM_ODOMETER_CONFIGURATION_RESPONSE_DESCRIPTOR 0xC3
-#define MIP_3DM_ODOMETER_CONFIGURATION_RESPONSE_NAME "3dm.odometer_configuration_response"
+#define MIP_3DM_ODOMETER_CONFIG_RESPONSE_DESCRIPTOR 0xC3
+#define MIP_3DM_ODOMETER_CONFIG_RESPONSE_NAME "3dm.odometer_config_response"
 
-extern const struct mip_codec mip_3dm_odometer_configuration_response_codec;
-mip_error mip_3dm_odometer_configuration_response_decode(
-    struct mip_3dm_odometer_configuration_response *value, const struct mip_field *field);
-mip_error mip_3dm_odometer_configuration_response_encode(
-    const struct mip_3dm_odometer_configuration_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_odometer_config_response_codec;
+mip_error mip_3dm_odometer_config_response_decode(struct mip_3dm_odometer_config_response *value,
+                                                  const struct mip_field *field);
+mip_error mip_3dm_odometer_config_response_encode(
+    const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder);
 
 /**
  * Advanced Low-Pass Filter Settings: command (0x0C,0x50).
  *
  * Low-pass filter of one quantity of the sensor data.
  *
- * Deprecated: use mip_3dm_low_pass_anti_aliasing_filter where the device has it. For advanced use.
- * Also called `imu_lowpass_filter`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_advanced_low_pass_filter_settings_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Deprecated: use mip_3dm_low_pass_filter where the device has it. For advanced use. Also called
+ * `imu_lowpass_filter`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_imu_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The filter has one pole. By default it is on and its cutoff is half the rate of the message
  * format.
@@ -2932,7 +2870,7 @@ mip_error mip_3dm_odometer_configuration_response_encode(
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
  */
-struct mip_3dm_advanced_low_pass_filter_settings {
+struct mip_3dm_imu_low_pass_filter {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2960,40 +2898,38 @@ struct mip_3dm_advanced_low_pass_filter_settings {
     uint8_t reserved;
 };
 
-#define MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_DESCRIPTOR 0x50
-#define MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_NAME "3dm.advanced_low_pass_filter_settings"
+#define MIP_3DM_IMU_LOW_PASS_FILTER_DESCRIPTOR 0x50
+#define MIP_3DM_IMU_LOW_PASS_FILTER_NAME "3dm.imu_low_pass_filter"
 
-extern const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_codec;
-mip_error mip_3dm_advanced_low_pass_filter_settings_decode(
-    struct mip_3dm_advanced_low_pass_filter_settings *value, const struct mip_field *field);
-mip_error mip_3dm_advanced_low_pass_filter_settings_encode(
-    const struct mip_3dm_advanced_low_pass_filter_settings *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_imu_low_pass_filter_codec;
+mip_error mip_3dm_imu_low_pass_filter_decode(struct mip_3dm_imu_low_pass_filter *value,
+                                             const struct mip_field *field);
+mip_error mip_3dm_imu_low_pass_filter_encode(const struct mip_3dm_imu_low_pass_filter *value,
+                                             struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_write(
-    uint8_t target_descriptor, mip_bool enable, mip_bool manual, uint16_t frequency);
+struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_write(uint8_t target_descriptor,
+                                                                     mip_bool enable,
+                                                                     mip_bool manual,
+                                                                     uint16_t frequency);
 /** Send the current setting back in a response. */
-struct mip_3dm_advanced_low_pass_filter_settings
-mip_3dm_advanced_low_pass_filter_settings_read(uint8_t target_descriptor);
+struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_read(uint8_t target_descriptor);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_advanced_low_pass_filter_settings
-mip_3dm_advanced_low_pass_filter_settings_save(uint8_t target_descriptor);
+struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_save(uint8_t target_descriptor);
 /** Load the saved setting. */
-struct mip_3dm_advanced_low_pass_filter_settings
-mip_3dm_advanced_low_pass_filter_settings_load(uint8_t target_descriptor);
+struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_load(uint8_t target_descriptor);
 /** Load the factory default setting. */
-struct mip_3dm_advanced_low_pass_filter_settings
-mip_3dm_advanced_low_pass_filter_settings_default(uint8_t target_descriptor);
+struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_default(uint8_t target_descriptor);
 
 /**
  * Advanced Low-Pass Filter Settings response: response (0x0C,0x8B).
  *
- * Also called `imu_lowpass_filter_response`. Answers mip_3dm_advanced_low_pass_filter_settings.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `imu_lowpass_filter_response`. Answers mip_3dm_imu_low_pass_filter. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
  */
-struct mip_3dm_advanced_low_pass_filter_settings_response {
+struct mip_3dm_imu_low_pass_filter_response {
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
      * magnetic field 0x06 or pressure 0x17.
@@ -3011,26 +2947,22 @@ struct mip_3dm_advanced_low_pass_filter_settings_response {
     uint8_t reserved;
 };
 
-#define MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_DESCRIPTOR 0x8B
-#define MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_NAME \
-    "3dm.advanced_low_pass_filter_settings_response"
+#define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR 0x8B
+#define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_NAME "3dm.imu_low_pass_filter_response"
 
-extern const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_response_codec;
-mip_error mip_3dm_advanced_low_pass_filter_settings_response_decode(
-    struct mip_3dm_advanced_low_pass_filter_settings_response *value,
-    const struct mip_field *field);
-mip_error mip_3dm_advanced_low_pass_filter_settings_response_encode(
-    const struct mip_3dm_advanced_low_pass_filter_settings_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec;
+mip_error mip_3dm_imu_low_pass_filter_response_decode(
+    struct mip_3dm_imu_low_pass_filter_response *value, const struct mip_field *field);
+mip_error mip_3dm_imu_low_pass_filter_response_encode(
+    const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder);
 
 /**
  * Complementary Filter Configuration: command (0x0C,0x51).
  *
  * Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
  *
- * Also called `complementary_filter`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_complementary_filter_configuration_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_complementary_filter_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
  *
@@ -3043,7 +2975,7 @@ mip_error mip_3dm_advanced_low_pass_filter_settings_response_encode(
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
  */
-struct mip_3dm_complementary_filter_configuration {
+struct mip_3dm_complementary_filter {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -3070,41 +3002,36 @@ struct mip_3dm_complementary_filter_configuration {
     float heading_time_constant;
 };
 
-#define MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_DESCRIPTOR 0x51
-#define MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_NAME "3dm.complementary_filter_configuration"
+#define MIP_3DM_COMPLEMENTARY_FILTER_DESCRIPTOR 0x51
+#define MIP_3DM_COMPLEMENTARY_FILTER_NAME "3dm.complementary_filter"
 
-extern const struct mip_codec mip_3dm_complementary_filter_configuration_codec;
-mip_error mip_3dm_complementary_filter_configuration_decode(
-    struct mip_3dm_complementary_filter_configuration *value, const struct mip_field *field);
-mip_error mip_3dm_complementary_filter_configuration_encode(
-    const struct mip_3dm_complementary_filter_configuration *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_complementary_filter_codec;
+mip_error mip_3dm_complementary_filter_decode(struct mip_3dm_complementary_filter *value,
+                                              const struct mip_field *field);
+mip_error mip_3dm_complementary_filter_encode(const struct mip_3dm_complementary_filter *value,
+                                              struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_complementary_filter_configuration mip_3dm_complementary_filter_configuration_write(
-    mip_bool pitch_roll_enable, mip_bool heading_enable, float pitch_roll_time_constant,
-    float heading_time_constant);
+struct mip_3dm_complementary_filter
+mip_3dm_complementary_filter_write(mip_bool pitch_roll_enable, mip_bool heading_enable,
+                                   float pitch_roll_time_constant, float heading_time_constant);
 /** Send the current setting back in a response. */
-struct mip_3dm_complementary_filter_configuration
-mip_3dm_complementary_filter_configuration_read(void);
+struct mip_3dm_complementary_filter mip_3dm_complementary_filter_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_complementary_filter_configuration
-mip_3dm_complementary_filter_configuration_save(void);
+struct mip_3dm_complementary_filter mip_3dm_complementary_filter_save(void);
 /** Load the saved setting. */
-struct mip_3dm_complementary_filter_configuration
-mip_3dm_complementary_filter_configuration_load(void);
+struct mip_3dm_complementary_filter mip_3dm_complementary_filter_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_complementary_filter_configuration
-mip_3dm_complementary_filter_configuration_default(void);
+struct mip_3dm_complementary_filter mip_3dm_complementary_filter_default(void);
 
 /**
  * Complementary Filter Configuration response: response (0x0C,0x97).
  *
- * Also called `complementary_filter_response`. Answers mip_3dm_complementary_filter_configuration.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_3dm_complementary_filter. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
  */
-struct mip_3dm_complementary_filter_configuration_response {
+struct mip_3dm_complementary_filter_response {
     /** Corrects pitch and roll (up, in terms of the 5-series). */
     mip_bool pitch_roll_enable;
     /** Corrects the heading (north, in terms of the 5-series). */
@@ -3117,17 +3044,14 @@ struct mip_3dm_complementary_filter_configuration_response {
     float heading_time_constant;
 };
 
-#define MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_DESCRIPTOR 0x97
-#define MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_NAME \
-    "3dm.complementary_filter_configuration_response"
+#define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_DESCRIPTOR 0x97
+#define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_NAME "3dm.complementary_filter_response"
 
-extern const struct mip_codec mip_3dm_complementary_filter_configuration_response_codec;
-mip_error mip_3dm_complementary_filter_configuration_response_decode(
-    struct mip_3dm_complementary_filter_configuration_response *value,
-    const struct mip_field *field);
-mip_error mip_3dm_complementary_filter_configuration_response_encode(
-    const struct mip_3dm_complementary_filter_configuration_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_complementary_filter_response_codec;
+mip_error mip_3dm_complementary_filter_response_decode(
+    struct mip_3dm_complementary_filter_response *value, const struct mip_field *field);
+mip_error mip_3dm_complementary_filter_response_encode(
+    const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder);
 
 /**
  * Sensor Range: command (0x0C,0x52).
@@ -3256,21 +3180,21 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
  * Low-pass filter of a data field.
  *
  * Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_low_pass_anti_aliasing_filter_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
-struct mip_3dm_low_pass_anti_aliasing_filter {
+struct mip_3dm_low_pass_filter {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Descriptor set of the field. */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /** Field descriptor; 0 if the set is 0. */
-    uint8_t field_desc;
+    uint8_t field_descriptor;
     /** Whether the field is filtered. Required for write. */
     mip_bool enable;
     /**
@@ -3285,43 +3209,45 @@ struct mip_3dm_low_pass_anti_aliasing_filter {
     float frequency;
 };
 
-#define MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_DESCRIPTOR 0x54
-#define MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_NAME "3dm.low_pass_anti_aliasing_filter"
+#define MIP_3DM_LOW_PASS_FILTER_DESCRIPTOR 0x54
+#define MIP_3DM_LOW_PASS_FILTER_NAME "3dm.low_pass_filter"
 
-extern const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_codec;
-mip_error mip_3dm_low_pass_anti_aliasing_filter_decode(
-    struct mip_3dm_low_pass_anti_aliasing_filter *value, const struct mip_field *field);
-mip_error mip_3dm_low_pass_anti_aliasing_filter_encode(
-    const struct mip_3dm_low_pass_anti_aliasing_filter *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_low_pass_filter_codec;
+mip_error mip_3dm_low_pass_filter_decode(struct mip_3dm_low_pass_filter *value,
+                                         const struct mip_field *field);
+mip_error mip_3dm_low_pass_filter_encode(const struct mip_3dm_low_pass_filter *value,
+                                         struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_write(
-    uint8_t desc_set, uint8_t field_desc, mip_bool enable, mip_bool manual, float frequency);
+struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_write(uint8_t descriptor_set,
+                                                             uint8_t field_descriptor,
+                                                             mip_bool enable, mip_bool manual,
+                                                             float frequency);
 /** Send the current setting back in a response. */
-struct mip_3dm_low_pass_anti_aliasing_filter
-mip_3dm_low_pass_anti_aliasing_filter_read(uint8_t desc_set, uint8_t field_desc);
+struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_read(uint8_t descriptor_set,
+                                                            uint8_t field_descriptor);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_low_pass_anti_aliasing_filter
-mip_3dm_low_pass_anti_aliasing_filter_save(uint8_t desc_set, uint8_t field_desc);
+struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_save(uint8_t descriptor_set,
+                                                            uint8_t field_descriptor);
 /** Load the saved setting. */
-struct mip_3dm_low_pass_anti_aliasing_filter
-mip_3dm_low_pass_anti_aliasing_filter_load(uint8_t desc_set, uint8_t field_desc);
+struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_load(uint8_t descriptor_set,
+                                                            uint8_t field_descriptor);
 /** Load the factory default setting. */
-struct mip_3dm_low_pass_anti_aliasing_filter
-mip_3dm_low_pass_anti_aliasing_filter_default(uint8_t desc_set, uint8_t field_desc);
+struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_default(uint8_t descriptor_set,
+                                                               uint8_t field_descriptor);
 
 /**
  * Low-Pass Anti-Aliasing Filter response: response (0x0C,0xD4).
  *
- * Also called `lowpass_filter_response`. Answers mip_3dm_low_pass_anti_aliasing_filter. Supported
- * by 3DM-CV7-GNSS/INS.
+ * Also called `lowpass_filter_response`. Answers mip_3dm_low_pass_filter. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
-struct mip_3dm_low_pass_anti_aliasing_filter_response {
+struct mip_3dm_low_pass_filter_response {
     /** Descriptor set of the field. */
-    uint8_t desc_set;
+    uint8_t descriptor_set;
     /** Field descriptor; 0 if the set is 0. */
-    uint8_t field_desc;
+    uint8_t field_descriptor;
     /** Whether the field is filtered. */
     mip_bool enable;
     /** True uses the frequency; false follows half the rate of the field in the message format. */
@@ -3330,16 +3256,14 @@ struct mip_3dm_low_pass_anti_aliasing_filter_response {
     float frequency;
 };
 
-#define MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_DESCRIPTOR 0xD4
-#define MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_NAME \
-    "3dm.low_pass_anti_aliasing_filter_response"
+#define MIP_3DM_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR 0xD4
+#define MIP_3DM_LOW_PASS_FILTER_RESPONSE_NAME "3dm.low_pass_filter_response"
 
-extern const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_response_codec;
-mip_error mip_3dm_low_pass_anti_aliasing_filter_response_decode(
-    struct mip_3dm_low_pass_anti_aliasing_filter_response *value, const struct mip_field *field);
-mip_error mip_3dm_low_pass_anti_aliasing_filter_response_encode(
-    const struct mip_3dm_low_pass_anti_aliasing_filter_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_low_pass_filter_response_codec;
+mip_error mip_3dm_low_pass_filter_response_decode(struct mip_3dm_low_pass_filter_response *value,
+                                                  const struct mip_field *field);
+mip_error mip_3dm_low_pass_filter_response_encode(
+    const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder);
 
 /**
  * Device Status: command (0x0C,0x64).
@@ -3494,13 +3418,13 @@ struct mip_3dm_device_status_diagnostic_response {
     /** Filter data packets that were not sent. Unit: 1. */
     uint32_t filter_dropped_packets;
     /** Bytes written to the port. Unit: byte. */
-    uint32_t com_port_bytes_written;
+    uint32_t comm_port_bytes_written;
     /** Bytes read from the port. Unit: byte. */
-    uint32_t com_port_bytes_read;
+    uint32_t comm_port_bytes_read;
     /** Overruns while writing to the port. Unit: 1. */
-    uint32_t com_port_write_overruns;
+    uint32_t comm_port_write_overruns;
     /** Overruns while reading from the port. Unit: 1. */
-    uint32_t com_port_read_overruns;
+    uint32_t comm_port_read_overruns;
     /** Messages of the IMU that could not be parsed. Unit: 1. */
     uint32_t imu_parser_errors;
     /** Messages of the IMU that were read. Unit: 1. */
@@ -3568,13 +3492,13 @@ struct mip_3dm_device_status_diagnostic_gnss_response {
     /** Filter data packets that were not sent. Unit: 1. */
     uint32_t filter_dropped_packets;
     /** Bytes written to the port. Unit: byte. */
-    uint32_t com_port_bytes_written;
+    uint32_t comm_port_bytes_written;
     /** Bytes read from the port. Unit: byte. */
-    uint32_t com_port_bytes_read;
+    uint32_t comm_port_bytes_read;
     /** Overruns while writing to the port. Unit: 1. */
-    uint32_t com_port_write_overruns;
+    uint32_t comm_port_write_overruns;
     /** Overruns while reading from the port. Unit: 1. */
-    uint32_t com_port_read_overruns;
+    uint32_t comm_port_read_overruns;
     /** Messages of the IMU that could not be parsed. Unit: 1. */
     uint32_t imu_parser_errors;
     /** Messages of the IMU that were read. Unit: 1. */
@@ -3648,13 +3572,13 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
     /** Filter data packets that were not sent. Unit: 1. */
     uint32_t filter_dropped_packets;
     /** Bytes written to the port. Unit: byte. */
-    uint32_t com_port_bytes_written;
+    uint32_t comm_port_bytes_written;
     /** Bytes read from the port. Unit: byte. */
-    uint32_t com_port_bytes_read;
+    uint32_t comm_port_bytes_read;
     /** Overruns while writing to the port. Unit: 1. */
-    uint32_t com_port_write_overruns;
+    uint32_t comm_port_write_overruns;
     /** Overruns while reading from the port. Unit: 1. */
-    uint32_t com_port_read_overruns;
+    uint32_t comm_port_read_overruns;
     /** Messages of the IMU that could not be parsed. Unit: 1. */
     uint32_t imu_parser_errors;
     /** Messages of the IMU that were read. Unit: 1. */
@@ -3668,7 +3592,7 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
     /** System timer at the last message of the receiver. Unit: ms. */
     uint32_t gnss_last_message_time;
     /** Whether the magnetometer could not be started. */
-    mip_bool magnetometer_init_failed;
+    mip_bool mag_init_failed;
     /** Whether the pressure sensor could not be started. */
     mip_bool pressure_init_failed;
     /** Whether the GNSS receiver could not be started. */
@@ -3740,13 +3664,13 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
     /** Filter data packets that were not sent. Unit: 1. */
     uint32_t filter_dropped_packets;
     /** Bytes written to the port. Unit: byte. */
-    uint32_t com_port_bytes_written;
+    uint32_t comm_port_bytes_written;
     /** Bytes read from the port. Unit: byte. */
-    uint32_t com_port_bytes_read;
+    uint32_t comm_port_bytes_read;
     /** Overruns while writing to the port. Unit: 1. */
-    uint32_t com_port_write_overruns;
+    uint32_t comm_port_write_overruns;
     /** Overruns while reading from the port. Unit: 1. */
-    uint32_t com_port_read_overruns;
+    uint32_t comm_port_read_overruns;
     /** Messages of the IMU that could not be parsed. Unit: 1. */
     uint32_t imu_parser_errors;
     /** Messages of the IMU that were read. Unit: 1. */
@@ -3814,13 +3738,13 @@ struct mip_3dm_device_status_diagnostic_gx4_response {
     /** Filter data packets that were not sent. Unit: 1. */
     uint32_t filter_dropped_packets;
     /** Bytes written to the port. Unit: byte. */
-    uint32_t com_port_bytes_written;
+    uint32_t comm_port_bytes_written;
     /** Bytes read from the port. Unit: byte. */
-    uint32_t com_port_bytes_read;
+    uint32_t comm_port_bytes_read;
     /** Overruns while writing to the port. Unit: 1. */
-    uint32_t com_port_write_overruns;
+    uint32_t comm_port_write_overruns;
     /** Overruns while reading from the port. Unit: 1. */
-    uint32_t com_port_read_overruns;
+    uint32_t comm_port_read_overruns;
     /** Bytes written to USB. Unit: byte. */
     uint32_t usb_bytes_written;
     /** Bytes read from USB. Unit: byte. */
@@ -3877,7 +3801,7 @@ struct mip_3dm_device_status_diagnostic_imu_response {
     /** Time since start-up. Unit: ms. */
     uint32_t system_timer;
     /** Whether it has a magnetometer. */
-    mip_bool has_magnetometer;
+    mip_bool has_mag;
     /** Whether it has a pressure sensor. */
     mip_bool has_pressure;
     /** Power state of the sensors. */
@@ -3903,13 +3827,13 @@ struct mip_3dm_device_status_diagnostic_imu_response {
     /** Sensor data packets that were not sent. Unit: 1. */
     uint32_t imu_dropped_packets;
     /** Bytes written to the port. Unit: byte. */
-    uint32_t com_port_bytes_written;
+    uint32_t comm_port_bytes_written;
     /** Bytes read from the port. Unit: byte. */
-    uint32_t com_port_bytes_read;
+    uint32_t comm_port_bytes_read;
     /** Overruns while writing to the port. Unit: 1. */
-    uint32_t com_port_write_overruns;
+    uint32_t comm_port_write_overruns;
     /** Overruns while reading from the port. Unit: 1. */
-    uint32_t com_port_read_overruns;
+    uint32_t comm_port_read_overruns;
 };
 
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_DESCRIPTOR 0x90

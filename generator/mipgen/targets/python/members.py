@@ -145,16 +145,17 @@ def answered(f: m.Field) -> str:
     return " and ".join(tests)
 
 
-def expected(f: m.Field, model: m.Model) -> dict[str, list[str]]:
-    """The responses of a command by the condition under which they are sent; none if there are no conditions."""
-    found: dict[str, list[str]] = {}
+def expected(f: m.Field, model: m.Model) -> list[tuple[str, list[str]]]:
+    """The layouts of each response of a command, with the condition under which it is sent; none if there are no
+    conditions."""
+    found = []
     for reply in model.replies(f):
         functions = [f"self.function == FunctionSelector.{constant(x.name)}" for x in reply.functions]
         tests = [" or ".join(functions)] if functions else []
         tests += [f"self.{member(c.parameter)} == {c.value}" for c in reply.when]
         condition = " and ".join(f"({t})" if " or " in t and len(tests) > 1 else t for t in tests)
-        found.setdefault(condition or "True", []).append(reference(reply.response, home(f)))
-    return {} if list(found) == ["True"] else found
+        found.append((condition or "True", [reference(layout, home(f)) for layout in reply.layouts]))
+    return found if any(condition != "True" for condition, _ in found) else []
 
 
 def matches(f: m.Field, model: m.Model) -> str:

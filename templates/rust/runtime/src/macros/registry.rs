@@ -92,7 +92,7 @@ macro_rules! registry {
         pub(super) fn index(field: &RawField<'_>) -> Option<Index> {
             Some(match (field.set, field.descriptor) {
                 $(($first..=$last, $descriptor)
-                    if $layouts == 1 || field.has_constants_of::<$type>() => Index::$variant,)*
+                    if $layouts == 1 || field.has_layout_of::<$type>() => Index::$variant,)*
                 _ => return None,
             })
         }

@@ -371,10 +371,10 @@ responses! {
 record! {
     /// Status (0x01,0x04).
     ///
-    /// Two layouts of one response, told apart by constants.
+    /// Layouts of one response, told apart by constants and by size.
     ///
-    /// For advanced use. Answered by [`StatusShort`] or [`StatusLong`]. The device may take 2.5 s
-    /// to answer. Supported by Model A and Model B.
+    /// For advanced use. Answered by [`StatusShort`], [`StatusLong`], [`StatusOld`] or
+    /// [`StatusFull`]. The device may take 2.5 s to answer. Supported by Model A and Model B.
     ///
     /// On the wire there is also `model`: The model that the layouts belong to. Always 4711.
     ///
@@ -406,7 +406,7 @@ field! {
 command! {
     Status -> StatusResponses;
     responds StatusShort, if selector = 1;
-    responds StatusLong, if selector = 2;
+    responds StatusLong | StatusOld | StatusFull, if selector = 2;
     timeout 2500;
 }
 
@@ -417,6 +417,10 @@ responses! {
         Short(StatusShort),
         /// The response [`StatusLong`].
         Long(StatusLong),
+        /// The response [`StatusOld`].
+        Old(StatusOld),
+        /// The response [`StatusFull`].
+        Full(StatusFull),
     }
 }
 
@@ -1095,7 +1099,8 @@ field! {
 record! {
     /// Status response (0x01,0x90).
     ///
-    /// Answers [`Status`]. Sent if `selector` is 2. Supported by Model A and Model B.
+    /// Answers [`Status`]. Told from [`StatusOld`] and [`StatusFull`] by the size of its data. Sent
+    /// if `selector` is 2. Supported by Model A and Model B.
     ///
     /// On the wire there is also `model`: The model. Always 4711.
     ///
@@ -1141,7 +1146,73 @@ impl StatusLong {
 }
 
 field! {
-    StatusLong: 0x01, 0x90, "tools.status_long", constants [0: 18 103] [2: 2], answers Status
+    StatusLong: 0x01, 0x90, "tools.status_long", constants [0: 18 103] [2: 2], sizes 15..=15, answers Status
+}
+
+record! {
+    /// Status response (0x01,0x90).
+    ///
+    /// The long layout of old devices. Its size tells it from the others.
+    ///
+    /// Answers [`Status`]. Told from [`StatusLong`] and [`StatusFull`] by the size of its data.
+    /// Sent if `selector` is 2. Supported by Model A and Model B.
+    ///
+    /// On the wire there is also `model`: The model. Always 4711.
+    ///
+    /// On the wire there is also `selector`: The long layout. Always 2.
+    ///
+    /// Source: guide: Status.
+    #[derive(Default)]
+    pub struct StatusOld {
+        /// Since start.
+        ///
+        /// Unit: s.
+        pub uptime: u32,
+    }
+    wire 7 {
+        [model: u16 = 4711]
+        [selector: u8 = 2]
+        [uptime]
+    }
+}
+
+field! {
+    StatusOld: 0x01, 0x90, "tools.status_old", constants [0: 18 103] [2: 2], sizes 0..=14, answers Status
+}
+
+record! {
+    /// Status response (0x01,0x90).
+    ///
+    /// Answers [`Status`]. Told from [`StatusLong`] and [`StatusOld`] by the size of its data. Sent
+    /// if `selector` is 2. Supported by Model A and Model B.
+    ///
+    /// On the wire there is also `model`: The model. Always 4711.
+    ///
+    /// On the wire there is also `selector`: The long layout. Always 2.
+    ///
+    /// Source: guide: Status.
+    #[derive(Default)]
+    pub struct StatusFull {
+        /// Where it is.
+        pub place: types::Point,
+        /// Since start.
+        ///
+        /// Unit: s.
+        pub uptime: u64,
+        /// What it does.
+        pub mode: types::Mode,
+    }
+    wire 16 {
+        [model: u16 = 4711]
+        [selector: u8 = 2]
+        [place]
+        [uptime]
+        [mode]
+    }
+}
+
+field! {
+    StatusFull: 0x01, 0x90, "tools.status_full", constants [0: 18 103] [2: 2], sizes 16..=usize::MAX, answers Status
 }
 
 record! {
