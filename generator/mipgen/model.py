@@ -233,6 +233,11 @@ class Variant:
     minimum: float | int | None = None
     maximum: float | int | None = None
     default: object = None
+    valid: tuple[str, ...] | None = None  # as of a parameter; empty: nothing says that it is valid
+    constant: int | None = None  # it always has this value
+    only: tuple[EnumValue | Bits, ...] = ()  # of the values or bits that its type names, those that there are
+    deprecated: bool | None = None
+    unknown: bool = False  # nobody knows what its values are
     description: str = ""
 
     @property
@@ -593,6 +598,8 @@ class Support:
 
     field: Field
     functions: tuple[Function, ...]
+    evidence: str | None = None  # why the device is believed to support it; None if that is certain
+    deprecated: str | None = None  # what to use instead on the device
 
     @property
     def differs(self) -> bool:
@@ -632,17 +639,28 @@ class Device:
     id: str
     name: str
     title: str
-    manual: str
     description: str
-    model_number: int | None
-    supports: tuple[Support, ...]  # by set and descriptor
-    base_rates: tuple[Rate, ...]
-    ports: tuple[Port, ...]
-    limits: tuple[Limit, ...]
-    notes: tuple[Note, ...]
-    variants: tuple[DeviceVariant, ...]
-    ack_codes: tuple[int, ...]
+    also: tuple[str, ...] = ()  # what others call it
+    model_number: int | None = None
+    generation: int | None = None
+    manual: str | None = None
+    sources: tuple[Source, ...] = ()
+    like: str | None = None  # the device that it is like
+    supports: tuple[Support, ...] = ()  # by set and descriptor, those that are not certain included
+    base_rates: tuple[Rate, ...] = ()
+    ports: tuple[Port, ...] = ()
+    limits: tuple[Limit, ...] = ()
+    notes: tuple[Note, ...] = ()
+    variants: tuple[DeviceVariant, ...] = ()
+    ack_codes: tuple[int, ...] = ()
+    incomplete: tuple[str, ...] = ()  # what is not known; more may be supported than is listed
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
+
+    @property
+    def certain(self) -> tuple[Support, ...]:
+        """What it supports without a doubt."""
+        return tuple(s for s in self.supports if s.evidence is None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -821,16 +839,17 @@ class Model:
         return self._repeats.get(f.full_name, ())
 
     def supports(self, f: Field) -> tuple[tuple[Device, Support], ...]:
-        """The devices that support a command or data field."""
+        """The devices that support a command or data field, those of which it is not certain included."""
         return self._supports.get(f.full_name, ())
 
-    def devices_of(self, f: Field) -> tuple[Device, ...]:
-        """The devices that support a field; a response where one of its commands asks for it."""
+    def devices_of(self, f: Field, certain: bool = True) -> tuple[Device, ...]:
+        """The devices that support a field, or may support it; a response where one of its commands asks for it."""
         if f.role == RESPONSE:
             found = [(d, s) for c in self.commands(f) for d, s in self.supports(c) if s.responds]
         else:
             found = list(self.supports(f))
-        names = {d.id for d, _ in found}
+        known = {d.id for d, s in found if s.evidence is None}
+        names = known if certain else {d.id for d, _ in found} - known
         return tuple(d for d in self.devices if d.id in names)
 
     def device(self, id: str) -> Device | None:

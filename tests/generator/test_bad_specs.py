@@ -20,7 +20,7 @@ from mipgen.resolve import load_model
 
 GENERATOR = Path(mipgen.__file__).parent
 MODULES = (
-    "loader", "nodes", "syntax", "vocabulary", "layout", "meaning", "variation", "resolve", "sets", "devices",
+    "loader", "nodes", "syntax", "vocabulary", "layout", "meaning", "variation", "resolve", "sets", "devices", "inheritance",
     "evidence", "checks", "naming",
 )  # fmt: skip
 

@@ -695,10 +695,16 @@ class GpsTimestamp(Data):
     tow: float
     """GPS time of week. Unit: s. Valid if `types.SensorGpsTimestampFlags.TOW_VALID` of
     `valid_flags` is set.
+
+    - On the 3DM-GX5-15: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of
+      `valid_flags` is set.
     """
     week_number: int
     """GPS week number. Unit: week. Valid if `types.SensorGpsTimestampFlags.WEEK_NUMBER_VALID` of
     `valid_flags` is set.
+
+    - On the 3DM-GX5-15: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of
+      `valid_flags` is set.
     """
     valid_flags: types.SensorGpsTimestampFlags
     """State of the time.

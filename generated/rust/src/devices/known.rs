@@ -784,6 +784,16 @@ pub static GX5_15: Device = Device {
             difference: "Between NED and the sensor frame",
         },
         Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set",
+        },
+        Variant {
             parameter: "sensor.gps_timestamp.valid_flags",
             read_as: Some("gx5_sensor_gps_timestamp_flags"),
             difference: "values of gx5_sensor_gps_timestamp_flags",

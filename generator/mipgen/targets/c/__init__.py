@@ -112,4 +112,5 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "case_doc": docs.case,
         "value_doc": docs.value,
         "bits_doc": docs.bits,
+        "device_doc": docs.device,
     }

@@ -107,6 +107,10 @@ class Comments:
         place, *facts = describe.bits(b, self.model)
         return _paragraphs([*said([place]), *self._prose(b.description)], facts)
 
+    def device(self, d: m.Device) -> list[str]:
+        facts = said(describe.device(d, self.model))
+        return [" ".join([f"{d.title}:", *self._prose(d.description)]), " ".join(facts), *_cited(d)]
+
     def _prose(self, text: str) -> list[str]:
         """A text of the specification, if there is one."""
         return [describe.say(describe.prose(text, self.model), reference)] if text else []
@@ -135,6 +139,6 @@ def _paragraphs(texts: list[str], facts: Sequence[describe.Fact]) -> list[str]:
     return [*([first] if first else []), *said(notes)]
 
 
-def _cited(thing: m.Field | m.Enum | m.Bitfield | m.Struct) -> list[str]:
+def _cited(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.Device) -> list[str]:
     found = describe.sources(thing)
     return ["\n".join(f"- {source}" for source in found)] if found else []

@@ -61,6 +61,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "field_doc": partial(docs.of_field, model=model),
         "type_doc": partial(docs.of_type, model=model),
         "function_doc": docs.of_function,
+        "device_doc": partial(docs.of_device, model=model),
         "member_doc": partial(docs.of_member, model=model),
         "value_doc": partial(docs.of_value, model=model),
         "bits_doc": partial(docs.of_bits, model=model),

@@ -81,9 +81,8 @@ class Docs:
         return [self._variants(c.reading, c.record, "types")]
 
     def _variants(self, r: Reading, record: Record, here: str) -> str:
-        p = r.member.parameter
-        facts = describe.topics(describe.parameter(p, record, self.model), "variant")
-        return self._facts([f for v, f in zip(p.variants, facts, strict=True) if v in r.variants], here)[0]
+        told = describe.variants(r.member.parameter, record, self.model)
+        return self._facts([fact for group, fact in told if any(v in r.variants for v in group)], here)[0]
 
     # ------------------------------------------------------------------ devices
 
@@ -97,9 +96,8 @@ class Docs:
 
     def difference(self, v: m.DeviceVariant) -> str:
         """What is different on a device, as plain text."""
-        facts = describe.topics(describe.parameter(v.parameter, v.field, self.model), "variant")
-        fact = facts[v.parameter.variants.index(v.variant)]
-        return describe.say(fact.value, lambda r: r.words)
+        said = describe.difference(v.variant, v.parameter, v.field, self.model)
+        return describe.say(said, lambda r: r.words)
 
     # ------------------------------------------------------------------ texts of the specification
 

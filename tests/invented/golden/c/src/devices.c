@@ -6,29 +6,29 @@
 /* Model A. */
 
 static const struct mip_device_field model_a_fields[] = {
-    {0x01, 0x01, ""},       /* tools.ping */
-    {0x01, 0x02, "WRSLDA"}, /* tools.settings */
-    {0x01, 0x03, "WRA"},    /* tools.set_time */
-    {0x01, 0x04, ""},       /* tools.status */
-    {0x01, 0x05, "WRSLD"},  /* tools.bias */
-    {0x01, 0x06, ""},       /* tools.capture_bias */
-    {0x01, 0x07, ""},       /* tools.formats */
-    {0x01, 0x08, "WR"},     /* tools.choice */
-    {0x01, 0x09, "WRS"},    /* tools.list */
-    {0x01, 0x0A, ""},       /* tools.inventory */
-    {0x01, 0x0B, "WR"},     /* tools.pin */
-    {0x0C, 0x10, ""},       /* 3d.default */
-    {0x80, 0x01, ""},       /* measurements.accel */
-    {0x80, 0x02, ""},       /* measurements.numbers */
-    {0x80, 0x03, ""},       /* measurements.strings */
-    {0x80, 0x04, ""},       /* measurements.health */
-    {0x80, 0x05, ""},       /* measurements.arrays */
-    {0x80, 0x06, ""},       /* measurements.growing */
-    {0x80, 0x08, ""},       /* measurements.cloud */
-    {0x81, 0x01, ""},       /* more.accel */
-    {0x81, 0x03, ""},       /* more.strings */
-    {0x81, 0x07, ""},       /* more.own */
-    {0xFF, 0xD3, ""},       /* shared.timestamp */
+    {0x01, 0x01, "", NULL},       /* tools.ping */
+    {0x01, 0x02, "WRSLDA", NULL}, /* tools.settings */
+    {0x01, 0x03, "WRA", NULL},    /* tools.set_time */
+    {0x01, 0x04, "", NULL},       /* tools.status */
+    {0x01, 0x05, "WRSLD", NULL},  /* tools.bias */
+    {0x01, 0x06, "", NULL},       /* tools.capture_bias */
+    {0x01, 0x07, "", NULL},       /* tools.formats */
+    {0x01, 0x08, "WR", NULL},     /* tools.choice */
+    {0x01, 0x09, "WRS", NULL},    /* tools.list */
+    {0x01, 0x0A, "", NULL},       /* tools.inventory */
+    {0x01, 0x0B, "WR", NULL},     /* tools.pin */
+    {0x0C, 0x10, "", NULL},       /* 3d.default */
+    {0x80, 0x01, "", NULL},       /* measurements.accel */
+    {0x80, 0x02, "", NULL},       /* measurements.numbers */
+    {0x80, 0x03, "", NULL},       /* measurements.strings */
+    {0x80, 0x04, "", NULL},       /* measurements.health */
+    {0x80, 0x05, "", NULL},       /* measurements.arrays */
+    {0x80, 0x06, "", NULL},       /* measurements.growing */
+    {0x80, 0x08, "", NULL},       /* measurements.cloud */
+    {0x81, 0x01, "", NULL},       /* more.accel */
+    {0x81, 0x03, "", NULL},       /* more.strings */
+    {0x81, 0x07, "", NULL},       /* more.own */
+    {0xFF, 0xD3, "", NULL},       /* shared.timestamp */
 };
 
 static const struct mip_device_rate model_a_rates[] = {
@@ -71,6 +71,9 @@ const struct mip_device mip_device_model_a = {
     "guide",
     "Supports nearly everything.",
     4711, /* model number */
+    0,    /* generation */
+    0,    /* other names */
+    0,    /* what is not known */
     23,   /* fields */
     2,    /* base rates */
     2,    /* ports */
@@ -78,6 +81,8 @@ const struct mip_device mip_device_model_a = {
     1,    /* notes */
     2,    /* readings */
     3,    /* acknowledge codes */
+    NULL,
+    NULL,
     model_a_fields,
     model_a_rates,
     model_a_ports,
@@ -90,10 +95,10 @@ const struct mip_device mip_device_model_a = {
 /* Model B. */
 
 static const struct mip_device_field model_b_fields[] = {
-    {0x01, 0x01, ""},   /* tools.ping */
-    {0x01, 0x02, "WR"}, /* tools.settings */
-    {0x01, 0x04, ""},   /* tools.status */
-    {0x80, 0x01, ""},   /* measurements.accel */
+    {0x01, 0x01, "", NULL},   /* tools.ping */
+    {0x01, 0x02, "WR", NULL}, /* tools.settings */
+    {0x01, 0x04, "", NULL},   /* tools.status */
+    {0x80, 0x01, "", NULL},   /* measurements.accel */
 };
 
 static const struct mip_device_rate model_b_rates[] = {
@@ -114,6 +119,9 @@ const struct mip_device mip_device_model_b = {
     "leaflet",
     "Small, and reads the acknowledge code in its own way.",
     0, /* model number */
+    0, /* generation */
+    0, /* other names */
+    0, /* what is not known */
     4, /* fields */
     1, /* base rates */
     0, /* ports */
@@ -121,6 +129,8 @@ const struct mip_device mip_device_model_b = {
     0, /* notes */
     3, /* readings */
     2, /* acknowledge codes */
+    NULL,
+    NULL,
     model_b_fields,
     model_b_rates,
     NULL,

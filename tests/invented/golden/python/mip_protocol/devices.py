@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from . import tools, types
-from .profile import Device, Limit, Note, Port
+from .profile import Device, DeviceInfo, Limit, Note, Port, model_number
 
 MODEL_A = Device(
     id="model-a",
@@ -54,7 +54,14 @@ MODEL_A = Device(
         "tools.status_long.flags": tools.ModelAFaults,
     },
     ack_codes=frozenset([0, 1, 3]),
+    perhaps={},
+    incomplete=(),
+    also=(),
+    generation=None,
+    manual="guide",
 )
+"""Supports nearly everything. Model number 4711. Manual: A guide to devices that do not exist, 1.
+"""
 
 MODEL_B = Device(
     id="model-b",
@@ -80,9 +87,45 @@ MODEL_B = Device(
         "tools.status_long.flags": tools.ModelBFaults,
     },
     ack_codes=frozenset([0, 1]),
+    perhaps={},
+    incomplete=(),
+    also=(),
+    generation=None,
+    manual="leaflet",
 )
+"""Small, and reads the acknowledge code in its own way. Manual: A leaflet about one of them, 2."""
 
 #: All devices by id.
 DEVICES: dict[str, Device] = {"model-a": MODEL_A, "model-b": MODEL_B}
 
-__all__ = ["DEVICES", "Device", "Limit", "Note", "Port", "MODEL_A", "MODEL_B"]
+
+def find(name: str) -> Device | None:
+    """A device by its id, its title or another name."""
+    return next((d for d in DEVICES.values() if name in (d.id, d.title, *d.also)), None)
+
+
+def by_model(number: int) -> Device | None:
+    """A device by its model number; None if it is unknown, as newer ones are."""
+    return next((d for d in DEVICES.values() if d.model_number == number), None)
+
+
+def identify(info: DeviceInfo) -> Device | None:
+    """The device that the device information is of; None if it is unknown."""
+    number = model_number(info.model_number) or model_number(info.serial_number)
+    return by_model(number) if number else None
+
+
+__all__ = [
+    "DEVICES",
+    "Device",
+    "DeviceInfo",
+    "Limit",
+    "Note",
+    "Port",
+    "by_model",
+    "find",
+    "identify",
+    "model_number",
+    "MODEL_A",
+    "MODEL_B",
+]

@@ -16,10 +16,18 @@
 extern "C" {
 #endif
 
-/** Model A: Supports nearly everything. */
+/**
+ * Model A: Supports nearly everything.
+ *
+ * Model number 4711. Manual: A guide to devices that do not exist, 1.
+ */
 extern const struct mip_device mip_device_model_a;
 
-/** Model B: Small, and reads the acknowledge code in its own way. */
+/**
+ * Model B: Small, and reads the acknowledge code in its own way.
+ *
+ * Manual: A leaflet about one of them, 2.
+ */
 extern const struct mip_device mip_device_model_b;
 
 #ifdef __cplusplus
