@@ -83,6 +83,10 @@ test-all: tools-all test ## these, and those that need other compilers, machines
 quick: $(VENV)/development.stamp ## run the tests of the generator alone, in less than a minute
 	@$(PYTEST) -m "not heavy" tests/generator
 
+.PHONY: mutate
+mutate: $(VENV)/development.stamp ## change the project at random and report what no test sees: make mutate COUNT=5 PART=c SEED=2
+	@$(RUN) tests/mutate.py $(addprefix --count ,$(COUNT)) $(addprefix --part ,$(PART)) $(addprefix --seed ,$(SEED)) $(addprefix --path ,$(FILE))
+
 .PHONY: check
 check: tools-check $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
 	@$(MIPGEN) check --spec $(SPEC) --out $(OUT)

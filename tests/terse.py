@@ -22,6 +22,8 @@ def filled(text: str) -> str:
             if isinstance(value, dict):
                 value.setdefault("description", "D.")
         fill(kind.get("struct", ()))
+    for part in tree.get("parts", {}).values():
+        fill(part)
     for field in tree.get("fields", ()):
         for owner in (field, *field.get("responses", ())):
             if isinstance(owner.get("parameters"), list):
@@ -30,7 +32,7 @@ def filled(text: str) -> str:
 
 
 def fill(parameters: Any) -> None:
-    for parameter in parameters:
+    for parameter in (p for p in parameters if "include" not in p):
         for value in (parameter, *(case for case in parameter.get("cases", {}).values() if case)):
             value.setdefault("description", "D.")
             if value.get("type") in FLOATS:

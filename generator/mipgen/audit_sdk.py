@@ -291,7 +291,9 @@ def _letters(p: m.Parameter) -> str:
 
 
 def _range(p: m.Parameter) -> str:
-    """The bounds, apart from those that the type or the room in a field gives."""
+    """The bounds, apart from those that the type or the room in a field gives; of a vector's length, for each element."""
+    if p.magnitude[1] is not None and p.minimum is p.maximum is None:
+        return f">= {-p.magnitude[1]} <= {p.magnitude[1]}"
     low = f"> {p.above}" if p.above is not None else f">= {p.minimum}" if p.minimum is not None else ""
     high = f"< {p.below}" if p.below is not None else f"<= {p.maximum}" if p.maximum is not None else ""
     return f"{low} {high}".strip()

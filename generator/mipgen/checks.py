@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from pathlib import PurePath
 
 from . import codec
 from . import model as m
@@ -110,12 +111,14 @@ def names(model: m.Model, problems: Problems) -> None:
 
 
 def words(model: m.Model, problems: Problems) -> None:
-    """Names say the same thing by the same word, that of the vocabulary."""
-    usual = {other: usage.word for usage in model.protocol.vocabulary for other in usage.instead_of}
-    if not usual:
-        return
+    """Names say the same thing by the same word, that of the vocabulary; those of an overlay are free."""
+    vocabulary = model.protocol.vocabulary
+    usual = {other: usage.word for usage in vocabulary for other in usage.instead_of}
+    folders = {PurePath(usage.position.file).parent for usage in vocabulary if usage.position}
     unusual = re.compile(rf"(?<![^_])({'|'.join(map(re.escape, usual))})(?![^_])")
-    for name, place in _all_names(model):
+    for name, place in _all_names(model) if usual else ():
+        if place is not None and not any(PurePath(place.file).is_relative_to(folder) for folder in folders):
+            continue
         for found in unusual.finditer(name):
             right = usual[found[1]]
             problems.add(place, f"the name '{name}': the vocabulary has '{right}' for '{found[1]}'; write '{right}'")

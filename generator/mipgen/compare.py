@@ -26,7 +26,7 @@ VERDICTS: Final[tuple[Verdict, ...]] = ("same", "compatible", "source", "wire")
 @dataclass(frozen=True, slots=True)
 class Change:
     verdict: Verdict
-    subject: str  # "3dm.gyroscope_bias_configuration", "ack_code.ok", "3dm-gx5-15"
+    subject: str  # "3dm.gyro_bias", "ack_code.ok", "3dm-gx5-15"
     what: str
 
     def __str__(self) -> str:

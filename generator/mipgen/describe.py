@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from . import model as m
+from .checks import computed_length
+from .references import DESCRIPTOR
 
 Record = m.Field | m.Struct
 Thing = (
@@ -24,6 +26,7 @@ Thing = (
     | m.Parameter
     | m.Function
     | m.Device
+    | m.Manual
     | m.Word
 )
 
@@ -106,9 +109,20 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
     perhaps = model.devices_of(f, certain=False)
     if perhaps:
         found.append(_fact("perhaps", joined([(_device(d),) for d in perhaps]), "May be supported by {}."))
+    if model.devices and f.role != m.RESPONSE and not devices and not perhaps:
+        found.append(_fact("devices", (), "No device profile lists it."))
     found += [_deprecation(d, s.deprecated, model) for d, s in model.supports(f) if s.deprecated]
     found += [_support(d, s) for d, s in model.supports(f) if s.differs]
+    found += _evidence(f, model)
     return [*found, *_remarks(f, model)]
+
+
+def _evidence(f: m.Field, model: m.Model) -> Iterator[Fact]:
+    """Where no manual describes it: what else knows it."""
+    names = {s.manual for s in f.sources}
+    cited = [x for x in model.protocol.manuals if x.id in names]
+    if cited and all(x.kind == "sdk" for x in cited):
+        yield _fact("evidence", joined([(Ref(x, x.title),) for x in cited]), "Known from the {} only.")
 
 
 def _remarks(of: m.Field | m.Parameter, model: m.Model) -> Iterator[Fact]:
@@ -193,8 +207,11 @@ def _measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> It
         word = next(w for w in model.protocol.frames if w.symbol == of.frame)
         yield _fact("frame", (Ref(word, word.symbol),), "Frame: {}.")
     above, below = (of.above, of.below) if isinstance(of, m.Parameter) else (None, None)
-    if any(bound is not None for bound in (of.minimum, of.maximum, above, below)):
-        yield _fact("range", (limits(of.minimum, of.maximum, above, below),), "Range: {}.")
+    bounds = limits(of.minimum, of.maximum, above, below)
+    if isinstance(of, m.Parameter) and of.magnitude != (None, None):
+        bounds = ", ".join(filter(None, (bounds, f"magnitude {limits(*of.magnitude)}")))
+    if bounds:
+        yield _fact("range", (bounds,), "Range: {}.")
     if of.default is not None:
         yield _fact("default", default(of.default, p), "Default: {}.")
 
@@ -285,7 +302,10 @@ def variants(p: m.Parameter, record: Record, model: m.Model) -> list[tuple[tuple
 
 
 def difference(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Text:
-    """What a variant says, in words."""
+    """What a variant says, in words; it may be about a member of a structure."""
+    within = p.element if v.member and isinstance(p.element, m.Struct) else None
+    if within is not None:
+        p = next(q for q in within.parameters if q.name == v.member)
     parts: list[Text] = []
     if v.unknown:
         parts.append(("values that are not known",))
@@ -304,6 +324,8 @@ def difference(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> 
     if v.deprecated is not None:
         parts.append(("deprecated" if v.deprecated else "not deprecated",))
     said = _interleaved(parts, "; ")
+    if within is not None:
+        said = (Ref(p, p.name, within), " has " if parts else ": ", *said)
     if v.description:
         said = (*said, *([". "] if parts else []), *prose(v.description.rstrip("."), model))
     return said
@@ -386,6 +408,21 @@ def device(d: m.Device, model: m.Model) -> list[Fact]:
     return found + uncertain(d, model)
 
 
+def lengths(manual: m.Manual, model: m.Model) -> Text:
+    """How a manual counts the lengths of fields that it prints, and for how many that makes a difference."""
+    if manual.lengths == "none":
+        return ("none",)
+    if manual.lengths == "wire":
+        return ("every byte",)
+    printed = [f for f in model.fields for s in f.sources if s.manual == manual.id and s.length is not None]
+    short = [f for f in printed if computed_length(f, "scalars") != computed_length(f, "wire") or _has_union(f)]
+    return (f"numbers and arrays of them only; {len(short)} leave out vectors, structures or unions",)
+
+
+def _has_union(f: m.Field) -> bool:
+    return any(p.cases for p in f.parameters)
+
+
 def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct | m.Device) -> list[str]:
     """Where manuals say it: "3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)"."""
     return [f"{s.manual}: {s.section}" for s in thing.sources]
@@ -393,32 +430,42 @@ def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct | m.Device) 
 
 # --------------------------------------------------------------------------- words
 
-_FIELD = re.compile(
-    r"`(?P<code>[^`]*)`"
-    r"|\(0x(?P<set>[0-9A-Fa-f]{2}),\s?0x(?P<descriptor>[0-9A-Fa-f]{2})\)"
-    r"|(?<![\w.])(?P<name>\w+\.\w+)(?![\w*])"
-)
+_CODE = re.compile(r"`([^`]*)`")
 
 
 def prose(text: str, model: m.Model) -> Text:
-    """A text of the specification. What it says of fields, as (0x0C,0x28), base.ping or `base.ping`, becomes a
-    reference; other text between backticks stays as it is."""
+    """A text of the specification. The name of a field or a type in backticks, `base.ping`, becomes a reference;
+    other text between backticks stays as it is."""
+
+    def named(match: re.Match[str]) -> Ref | None:
+        f, t = model.field(match[1]), model.type(match[1])
+        if f is not None:
+            return _field(f)
+        return None if t is None or isinstance(t, m.Vector) else Ref(t, t.name)
+
+    return _referring(text, _CODE, named)
+
+
+def quotation(text: str, model: m.Model) -> Text:
+    """What a manual prints; it names fields by their descriptors, as (0x0C,0x28)."""
+
+    def described(match: re.Match[str]) -> Ref | None:
+        found = model.candidates(int(match["set"], 16), int(match["descriptor"], 16))
+        return Ref(found[0], match[0]) if found else None
+
+    return _referring(text, DESCRIPTOR, described)
+
+
+def _referring(text: str, pattern: re.Pattern[str], refer: Callable[[re.Match[str]], Ref | None]) -> Text:
+    """The text with references in place of what they are made of."""
     found: list[str | Ref] = []
     at = 0
-    for match in _FIELD.finditer(text):
-        f = _named(match, model)
-        if f is not None:
-            found += [text[at : match.start()], Ref(f, match[0].strip("`"))]
+    for match in pattern.finditer(text):
+        ref = refer(match)
+        if ref is not None:
+            found += [text[at : match.start()], ref]
             at = match.end()
     return tuple(part for part in (*found, text[at:]) if part)
-
-
-def _named(match: re.Match[str], model: m.Model) -> m.Field | None:
-    name = match["code"] if match["code"] is not None else match["name"]
-    if name is not None:
-        return model.field(name)
-    candidates = model.candidates(int(match["set"], 16), int(match["descriptor"], 16))
-    return candidates[0] if candidates else None
 
 
 def number(value: object) -> str:

@@ -6,7 +6,7 @@ What the wire looks like is decided here: sizes, capacities, presence. Nothing d
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 
@@ -40,6 +40,8 @@ class Types:
     problems: Problems
     shared: dict[str, Node] = field(default_factory=dict)
     local: dict[str, dict[str, Node]] = field(default_factory=dict)
+    parts: dict[str, dict[str, Node]] = field(default_factory=dict)  # lists of parameters, by set
+    _included: set[tuple[str, str]] = field(default_factory=set)
     _done: dict[tuple[str | None, str], m.Type | None] = field(default_factory=dict)
     _open: list[str] = field(default_factory=list)
 
@@ -177,15 +179,43 @@ class Types:
     # ----------------------------------------------------------------------- records
 
     def record(
-        self, nodes: Sequence[Node], owner: str | None, functions: str = "", plain: bool = False, inside: bool = False
+        self,
+        nodes: Sequence[Node],
+        owner: str | None,
+        functions: str = "",
+        plain: bool = False,
+        inside: bool = False,
+        whole: Node | None = None,
     ) -> Record:
         """The layout of these parameters. `functions`: letters of a command that has a selector.
         `plain`: a response that repeats its command's parameters, where presence plays no part.
-        `inside`: a structure, whose parameters are always there."""
-        build = _Build(self, owner, functions, plain, inside)
-        for node in nodes:
+        `inside`: a structure, whose parameters are always there.
+        `whole`: the field, whose `valid` holds for all values that have none of their own."""
+        build = _Build(self, owner, functions, plain, inside, whole)
+        for node in self.included(nodes, owner):
             build.add(node)
         return build.finish()
+
+    def included(self, nodes: Sequence[Node], owner: str | None) -> Iterator[Node]:
+        """The parameters, with those of a part in place of its name."""
+        parts = self.parts.get(owner or "", {})
+        for node in nodes:
+            name = node.scalar("include")
+            if name is None:
+                yield node
+            elif name in parts:
+                self._included.add((owner or "", name))
+                yield from parts[name]
+            else:
+                near = nearest(name, parts) or "; define it under 'parts' of the set"
+                self.problems.add(node["include"].position, f"unknown part '{name}'{near}")
+
+    def unused(self) -> None:
+        """Reports the parts that nothing includes: their parameters are never looked at."""
+        for owner, parts in self.parts.items():
+            for name, node in parts.items():
+                if (owner, name) not in self._included:
+                    self.problems.add(node.position, f"no field includes the part '{name}'; include it, or remove it")
 
 
 @dataclass
@@ -197,6 +227,7 @@ class _Build:
     functions: str = ""
     plain: bool = False
     inside: bool = False
+    whole: Node | None = None  # the field, for what it says of all its values
     before: int = 0  # bytes of the record around it, of a union's case
     nodes: list[Node] = field(default_factory=list)
     done: list[m.Parameter] = field(default_factory=list)
@@ -346,7 +377,8 @@ class _Build:
         words = self.types.vocabulary
         low, high = meaning.limits(node, p, self.problem)
         above, below = meaning.open_limits(node, p, low, high, self.problem)
-        p = replace(p, minimum=low, maximum=high, above=above, below=below)
+        magnitude = meaning.magnitude(node, p, self.problem)
+        p = replace(p, minimum=low, maximum=high, above=above, below=below, magnitude=magnitude)
         p = replace(p, reserved=meaning.reserved(node, p, self.problem))
         return replace(
             p,
@@ -405,6 +437,8 @@ class _Build:
         for node, p in zip(self.nodes, self.done, strict=True):
             if p.valid:
                 meaning.valid_bits(node, p, self.done, self.problem)
+        if self.whole is not None and "valid" in self.whole:
+            self.vouch(self.whole)
         scope = self.types.scope(self.owner)
         self.done = [
             replace(p, variants=variation.by_sibling(node, p, self.done, scope))
@@ -432,6 +466,21 @@ class _Build:
             sum(size(o)[0] for o in always),
             min(m.MAX_FIELD_DATA, sum(size(p.operation)[1] for p in parameters)),
         )
+
+    def vouch(self, whole: Node) -> None:
+        """`valid` of the field: for each value that has none of its own, and is neither the flags nor derived."""
+        flags = whole["valid"].value.partition(".")[0]
+        concerned = [
+            i
+            for i, (node, p) in enumerate(zip(self.nodes, self.done, strict=True))
+            if not ("valid" in node or p.name == flags or p.derived or p.reserved is not None)
+        ]
+        for i in concerned:
+            self.done[i] = replace(self.done[i], valid=meaning.valid(whole))
+        if concerned:
+            meaning.valid_bits(whole, self.done[concerned[0]], self.done, self.problem)
+        else:
+            self.problem(whole.keys["valid"], "each value has a 'valid' of its own; remove that of the field")
 
     def with_selector(self, parameters: tuple[m.Parameter, ...]) -> Record:
         words = self.types.vocabulary

@@ -106,6 +106,19 @@ def open_limits(
     return above, below
 
 
+def magnitude(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None, Number | None]:
+    """The least and the most length of a vector."""
+    if "magnitude" not in node:
+        return None, None
+    given = node["magnitude"]
+    low, high = given.plain()
+    if not isinstance(p.element, m.Vector) or p.length is not None or isinstance(node.scalar("unit"), list):
+        problem(node.keys["magnitude"], f"'{p.name}' is not a vector of one unit, so it has no magnitude; remove it")
+    elif (low or 0) < 0 or (high is not None and high <= (low or 0)):
+        problem(given.position, f"no vector has the magnitude of '{p.name}'; write two numbers from 0 on, in order")
+    return low, high
+
+
 def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
     """The smallest and the largest number that a scalar holds.
 
@@ -181,6 +194,7 @@ class _Default:
                     return
                 for item in node:
                     self.number(item, element.scalar)
+                self.length(node)
             case m.Enum() if isinstance(value, str):
                 self.named(node, value, element.name, "value", [v.name for v in element.values])
             case m.Bitfield() if isinstance(value, list):
@@ -197,6 +211,13 @@ class _Default:
             case _:
                 self.wrong(node, "left out: a structure, a union or a wide bitfield has none")
 
+    def length(self, node: Node) -> None:
+        low, high = self.p.magnitude
+        numbers = [x for x in node.plain() if isinstance(x, (int, float))]
+        if not (low or 0) <= math.hypot(*numbers) <= (math.inf if high is None else high):
+            wrong = f"the magnitude {math.hypot(*numbers):g}, outside of [{_end(low)}, {_end(high)}]"
+            self.problem(node.position, f"the default of '{self.p.name}' has {wrong}")
+
     def named(self, node: Node, name: object, owner: str, what: str, known: list[str]) -> None:
         if name not in known:
             self.problem(node.position, f"'{owner}' has no {what} '{name}'{nearest(str(name), known)}")
@@ -211,12 +232,17 @@ class _Default:
         elif _fits(node, scalar, f"the default of '{p.name}'", self.problem):
             low, high = p.minimum, p.maximum
             if (low is not None and value < low) or (high is not None and value > high):
-                span = f"[{'~' if low is None else low}, {'~' if high is None else high}]"
+                span = f"[{_end(low)}, {_end(high)}]"
                 self.problem(node.position, f"the default of '{p.name}' is {value}, outside its range {span}")
             if p.above is not None and value <= p.above:
                 self.problem(node.position, f"the default of '{p.name}' is {value}, but must be greater than {p.above}")
             if p.below is not None and value >= p.below:
                 self.problem(node.position, f"the default of '{p.name}' is {value}, but must be less than {p.below}")
+
+
+def _end(bound: Number | None) -> str:
+    """The end of a range, as an author writes it."""
+    return "~" if bound is None else str(bound)
 
 
 def _fits(node: Node, scalar: m.Scalar, what: str, problem: Problem) -> bool:

@@ -227,6 +227,7 @@ class Variant:
     by: str  # "device", or the name of a parameter of the same record
     key: str  # a device id, or a value name of that parameter's enumeration
     value: int | None = None  # the number of that value; None if it is by device
+    member: str = ""  # of a structure: the member that differs, in place of the whole
     type: Enum | Bitfield | None = None  # names the values or bits of a plain number
     units: tuple[str, ...] = ()
     frame: str | None = None
@@ -265,6 +266,7 @@ class Parameter:
     maximum: float | int | None = None
     above: float | int | None = None  # open bounds: the value is greater than `above`, less than `below`
     below: float | int | None = None
+    magnitude: tuple[float | int | None, float | int | None] = (None, None)  # least and most length of a vector
     default: object = None
     valid: tuple[
         str, ...
@@ -291,8 +293,8 @@ class Parameter:
 
     @property
     def readings(self) -> tuple[Variant, ...]:
-        """The variants that name its values or bits."""
-        return tuple(v for v in self.variants if v.type is not None)
+        """The variants that name its values or bits; those that name the ones of a member are not among them."""
+        return tuple(v for v in self.variants if v.type is not None and not v.member)
 
 
 # --------------------------------------------------------------------------- operations
@@ -725,6 +727,7 @@ class Manual:
     document: str
     lengths: Literal["wire", "scalars", "none"]  # how it counts the field lengths that it prints
     sections: tuple[str, ...] = ()  # its headings that may be cited; none: any
+    kind: Literal["manual", "sdk"] = "manual"  # sdk: source code of the vendor, not a text for readers
 
 
 @dataclass(frozen=True, slots=True)
@@ -737,11 +740,21 @@ class Word:
 
 
 @dataclass(frozen=True, slots=True)
+class Chapter:
+    """What a programmer must know of the protocol beside its fields."""
+
+    title: str
+    text: tuple[str, ...]  # sentences that belong together, each
+    sources: tuple[Source, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Usage:
     """The word that names use for a thing, and those that they do not use."""
 
     word: str
     instead_of: tuple[str, ...]
+    position: Position | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -757,6 +770,7 @@ class Protocol:
     units: tuple[Word, ...]
     frames: tuple[Word, ...]
     manuals: tuple[Manual, ...]
+    notes: tuple[Chapter, ...] = ()
     vocabulary: tuple[Usage, ...] = ()
 
 
@@ -791,6 +805,10 @@ class Model:
 
     def field(self, full_name: str) -> Field | None:
         return self._fields.get(full_name)
+
+    def type(self, name: str) -> Type | None:
+        """A type by its full name: "set.type", or the name alone for one of spec/types."""
+        return self._types.get(name)
 
     def candidates(self, set_number: int, descriptor: int) -> tuple[Field, ...]:
         """The layouts that a descriptor may have inside a packet of that set."""
@@ -864,6 +882,11 @@ class Model:
     @cached_property
     def _fields(self) -> dict[str, Field]:
         return {f.full_name: f for f in (*self.fields, self.protocol.acknowledge)}
+
+    @cached_property
+    def _types(self) -> dict[str, Type]:
+        own = {f"{s.name}.{t.name}": t for s in self.sets for t in s.types}
+        return {**own, **{t.name: t for t in self.types}}
 
     @cached_property
     def _descriptors(self) -> dict[tuple[int, int], tuple[Field, ...]]:

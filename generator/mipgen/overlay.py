@@ -14,7 +14,7 @@ from .problems import Problems, nearest
 
 #: Kind of an extension -> kind of what it extends, the key that names that, and what may be added to it.
 EXTENSIONS = {
-    "set_extension": ("set", "name", ("types", "fields", "named")),
+    "set_extension": ("set", "name", ("types", "parts", "fields", "named")),
     "device_extension": (
         "device",
         "device",

@@ -6,13 +6,13 @@ from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
-from . import checks, devices, evidence, loader
+from . import checks, devices, evidence, loader, references
 from . import model as m
 from .layout import Types
 from .nodes import Node
 from .problems import Problems, nearest
 from .sets import Sets
-from .vocabulary import Vocabulary, sentences, sources
+from .vocabulary import Vocabulary, sources
 
 
 def load_model(spec: Path, *overlays: Path) -> m.Model:
@@ -34,6 +34,7 @@ def load_model(spec: Path, *overlays: Path) -> m.Model:
         errata = evidence.errata(roots["errata"], manuals, problems)
         model = replace(model, examples=examples, errata=errata)
         checks.check_evidence(model, problems)
+        references.check((root for found in roots.values() for root in found), model, problems)
     problems.raise_if_any()
     tastes = sorted(p for p in (spec / "taste").glob("*") if p.is_file())
     return replace(model, tastes=tuple((p.name, p.read_text("utf-8")) for p in tastes))
@@ -57,6 +58,7 @@ def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types
         types.define(None, node["types"])
     for node in roots["set"]:
         types.define(node["name"].value, node.get("types"))
+        types.parts[node["name"].value] = dict(node["parts"].value) if "parts" in node else {}
     shared = types.of(None)
     protocol = _protocol(root, types, functions, problems)
     sets = Sets(types, problems).resolve(roots["set"])
@@ -125,9 +127,11 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
         units=_words(root["units"]),
         frames=_words(root["frames"]),
         manuals=tuple(types.vocabulary.manuals.values()),
-        vocabulary=tuple(m.Usage(word, sentences(root["vocabulary"], word)) for word in root["vocabulary"].value)
-        if "vocabulary" in root
-        else (),
+        notes=tuple(
+            m.Chapter(n["title"].value, tuple(n["text"].plain()), sources(n, types.vocabulary, problems))
+            for n in root.get("notes") or ()
+        ),
+        vocabulary=_vocabulary(root.get("vocabulary")),
     )
 
 
@@ -139,8 +143,15 @@ def _manuals(nodes: list[Node], problems: Problems) -> list[m.Manual]:
         if name in found:
             problems.add(node["manual"].position, f"the manual '{name}' is defined twice; rename one")
         sections = tuple(node["sections"].plain()) if "sections" in node else ()
-        found[name] = m.Manual(name, node["title"].value, node["document"].value, node["lengths"].value, sections)
+        found[name] = m.Manual(
+            name, node["title"].value, node["document"].value, node["lengths"].value, sections,
+            node.scalar("kind", "manual"),
+        )  # fmt: skip
     return sorted(found.values(), key=lambda x: (x.document, x.id))
+
+
+def _vocabulary(node: Node | None) -> tuple[m.Usage, ...]:
+    return tuple(m.Usage(word, tuple(x.plain()), node.keys[word]) for word, x in node.items()) if node else ()
 
 
 def _words(node: Node) -> tuple[m.Word, ...]:

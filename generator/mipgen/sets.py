@@ -35,6 +35,7 @@ class Sets:
                 self.problems.add(node["name"].position, f"two sets are called '{name}'; rename one")
                 continue
             found[name] = self.set(node, found)
+        self.types.unused()
         return self.silenced(sorted(found.values(), key=lambda s: s.number))
 
     def set(self, node: Node, others: dict[str, m.Set]) -> m.Set:
@@ -71,7 +72,7 @@ class Sets:
             known = "".join(f.letter for f in self.types.vocabulary.functions)
             self.problems.add(node["functions"].position, f"no function has the letter {unknown[0]}; known: {known}")
             letters = "".join(c for c in letters if c not in unknown)
-        record = self.types.record(list(node.get("parameters") or ()), set_name, letters)
+        record = self.types.record(list(node.get("parameters") or ()), set_name, letters, whole=node)
         command = m.Field(
             set=number, set_name=set_name, name=node["name"].value, descriptor=node[role].value, role=role,
             title=node["title"].value, description=node["description"].value,
@@ -112,7 +113,7 @@ class Sets:
             self.problems.add(listed.position, f"parameters: '{listed.value}' is neither a list nor as_command")
             return None
         nodes = list((owner.get("parameters") or ()) if plain else (listed or ()))
-        record = self.types.record(nodes, command.set_name, plain=plain)
+        record = self.types.record(nodes, command.set_name, plain=plain, whole=node)
         lengths = node.get("lengths")
         for manual in lengths.value if lengths else ():
             known = [s.manual for s in command.sources]

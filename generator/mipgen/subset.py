@@ -167,7 +167,7 @@ def _types(fields: Iterable[m.Field]) -> set[Key]:
     def visit(p: m.Parameter) -> None:
         if p.element is not None and not isinstance(p.element, m.Scalar):
             need(p.element)
-        for v in p.readings:
+        for v in p.variants:
             if v.type is not None:
                 need(v.type)
         for c in p.cases:

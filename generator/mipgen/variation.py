@@ -2,7 +2,9 @@
 
 A variant says the same things as a parameter (unit, frame, range, default, description, ...). It may
 name the type that gives a plain number its meaning, or say which values there are, or that they are
-not known. Those by sibling are given in the set file, those by device in the device's file.
+not known. Those by sibling are given in the set file, those by device in the device's file. What
+differs may be a member of a structure: what is read by a parameter outside of it is said where the
+structure is used.
 """
 
 from __future__ import annotations
@@ -36,8 +38,9 @@ def differs_by_device(node: Node, p: m.Parameter, problem: Problem) -> bool:
     spec = node.get("varies")
     if spec is None or spec["by"].value != m.DEVICE:
         return False
-    if "cases" in spec:
-        problem(spec.keys["cases"], f"what '{p.name}' is on a device is said in the file of the device; remove cases")
+    for key in ("cases", "member"):
+        if key in spec:
+            problem(spec.keys[key], f"what '{p.name}' is on a device is said in the file of the device; remove {key}")
     return True
 
 
@@ -55,6 +58,9 @@ def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope:
     if "cases" not in spec:
         scope.problem(spec.position, f"'{p.name}' varies by '{by.value}', but no case says how; add cases")
         return ()
+    what = _concerned(spec, p, scope)
+    if what is None:
+        return ()
     found = []
     for key, case in spec["cases"].items():
         value = sibling.element.by_name(key)
@@ -62,9 +68,22 @@ def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope:
             near = nearest(key, [v.name for v in sibling.element.values])
             scope.problem(spec["cases"].keys[key], f"'{sibling.element.name}' has no value '{key}'{near}")
         if case.scalar("valid") is not None:
-            meaning.valid_bits(case, p, siblings.values(), scope.problem)
-        found.append(variant(case, p, by.value, key, value.value if value else None, scope))
+            meaning.valid_bits(case, what, siblings.values(), scope.problem)
+        one = variant(case, what, by.value, key, value.value if value else None, scope)
+        found.append(replace(one, member=spec.scalar("member", "")))
     return tuple(found)
+
+
+def _concerned(spec: Node, p: m.Parameter, scope: Scope) -> m.Parameter | None:
+    """The parameter that differs: itself, or a member of its structure."""
+    member = spec.get("member")
+    if member is None:
+        return p
+    members = {q.name: q for q in p.element.parameters} if isinstance(p.element, m.Struct) else {}
+    if member.value not in members:
+        near = nearest(member.value, members) if members else "; only a structure has members"
+        scope.problem(member.position, f"'{p.name}' has no member '{member.value}'{near}")
+    return members.get(member.value)
 
 
 def variant(node: Node, p: m.Parameter, by: str, key: str, value: int | None, scope: Scope) -> m.Variant:

@@ -20,8 +20,8 @@ from mipgen.resolve import load_model
 
 GENERATOR = Path(mipgen.__file__).parent
 MODULES = (
-    "loader", "nodes", "syntax", "vocabulary", "layout", "meaning", "variation", "resolve", "sets", "devices", "inheritance",
-    "evidence", "checks", "naming",
+    "loader", "nodes", "syntax", "vocabulary", "layout", "meaning", "variation", "resolve", "sets", "devices",
+    "inheritance", "evidence", "checks", "references", "naming",
 )  # fmt: skip
 
 #: What reports a problem: calls of these, `raise _Wrong(...)`, the faults that `syntax` returns, and the messages that

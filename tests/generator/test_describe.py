@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import pytest
 from mipgen import describe
 from mipgen import model as m
@@ -74,6 +76,46 @@ A, BOTH = "Supported by <Model A>.", "Supported by <Model A> and <Model B>."
                 "devices": A,
             },
         ),
+        (
+            "measurements.gust",
+            {
+                "devices": "No device profile lists it.",
+                "note": "`speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see <mode> and "
+                "<shape>.",
+            },
+        ),
+        ("measurements.gust:station", {}),
+        ("measurements.gust:height", {"unit": "Unit: m.", "valid": "Valid if <valid_flags.ready> is set."}),
+        ("measurements.gust:gap", {"constant": "Always 7."}),
+        ("measurements.gust:valid_flags", {}),
+        ("measurements.breeze:height", {"unit": "Unit: m."}),
+        (
+            "measurements.gust:speed",
+            {
+                "elements": "Elements: x, y, z.",
+                "unit": "Unit: m.",
+                "range": "Range: magnitude at most 40.",
+                "valid": "Valid if <valid_flags.ready> is set.",
+            },
+        ),
+        (
+            "measurements.breeze:turn",
+            {
+                "elements": "Elements: w, x, y, z.",
+                "unit": "Unit: 1.",
+                "range": "Range: -1 to 1, magnitude 0.5 to 1.5.",
+                "default": "Default: 1, 0, 0, 0.",
+            },
+        ),
+        (
+            "tools.hello_response",
+            {
+                "also": "Also called `keep_alive_response` and `welcome`.",
+                "commands": "Answers <tools.hello>.",
+                "evidence": "Known from the <Kit of names> only.",
+                "uncertain": "Uncertain: When it comes.",
+            },
+        ),
         ("tools.settings:port", {"range": "Range: 0 to 8."}),
         (
             "tools.settings:mode",
@@ -113,10 +155,58 @@ def test_variants_by_value_are_told_one_by_one() -> None:
     assert said == ["If <drive> is <pulse>: values of <pulse_use>.", "If <drive> is <serial>: values of <serial_use>."]
 
 
-def test_prose_refers_to_fields() -> None:
-    found = describe.prose("See tools.ping, (0x01,0x02), (0x01, 0x7F), 1.5 and e.g. no.such.", INVENTED)
-    assert plain(found) == "See <tools.ping>, <(0x01,0x02)>, (0x01, 0x7F), 1.5 and e.g. no.such."
-    assert plain(describe.prose("`tools.ping`, `a.b`", INVENTED)) == "<tools.ping>, `a.b`"
+def test_variants_of_a_member() -> None:
+    f = INVENTED.field("tools.readings_response")
+    assert f is not None
+    *_, readings, last = f.parameters
+    assert [plain(x.sentence) for x in describe.parameter(readings, f, INVENTED) if x.topic == "variant"] == [
+        "If <drive> is <pulse>: <kind> has values of <pulse_use>. Seldom 2.",
+        "If <drive> is <serial>: <kind> has values of <serial_use>.",
+    ]
+    assert [plain(x.sentence) for x in describe.parameter(last, f, INVENTED)] == [
+        "If <drive> is <pulse>: <value> has unit s; range 0 to 1.",
+        "If <drive> is <serial>: <value>: Nothing.",
+    ]
+    assert readings.readings == last.readings == ()
+
+
+def test_a_field_that_a_manual_describes_too_is_not_known_from_a_kit_only() -> None:
+    f = INVENTED.field("measurements.radio")
+    assert f is not None
+    cited = dataclasses.replace(f, sources=(*f.sources, m.Source("guide", "Radio")))
+    uncited = dataclasses.replace(f, sources=())
+    said = [[x for x in describe.field(g, INVENTED) if x.topic == "evidence"] for g in (f, cited, uncited)]
+    assert [len(x) for x in said] == [1, 0, 0]
+
+
+def test_without_devices_nothing_is_said_of_them() -> None:
+    f = INVENTED.field("measurements.gust")
+    assert f is not None
+    assert "devices" not in {x.topic for x in describe.field(f, dataclasses.replace(INVENTED, devices=()))}
+
+
+def test_prose_refers_to_fields_and_types() -> None:
+    found = describe.prose("See `tools.ping`, `tools.shape`, `mode`, `a.b`, `x` and `vector3f`; not mode.", INVENTED)
+    assert plain(found) == "See <tools.ping>, <shape>, <mode>, `a.b`, `x` and `vector3f`; not mode."
+    assert plain(describe.prose("tools.ping (0x01,0x02)", INVENTED)) == "tools.ping (0x01,0x02)"
+
+
+def test_a_quotation_refers_to_descriptors() -> None:
+    found = describe.quotation("See `tools.ping`, (0x01,0x02), (0x01, 0x03) and (0x01,0x7F).", INVENTED)
+    assert plain(found) == "See `tools.ping`, <(0x01,0x02)>, <(0x01, 0x03)> and (0x01,0x7F)."
+
+
+@pytest.mark.parametrize(
+    ("manual", "counts"),
+    [
+        ("guide", "every byte"),
+        ("leaflet", "numbers and arrays of them only; 3 leave out vectors, structures or unions"),
+        ("sheet", "none"),
+    ],
+)
+def test_how_a_manual_counts_lengths(manual: str, counts: str) -> None:
+    found = next(x for x in INVENTED.protocol.manuals if x.id == manual)
+    assert plain(describe.lengths(found, INVENTED)) == counts
 
 
 @pytest.mark.parametrize("own", [INVENTED, REAL], ids=["invented", "real"])

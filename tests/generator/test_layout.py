@@ -168,6 +168,68 @@ def test_what_a_parameter_means() -> None:
     assert (a.default, a.valid, a.notes, flags.default) == ([0, 1.5, 2], ("flags.ready",), ("One.",), ["ready"])
 
 
+def test_a_part_is_what_it_holds() -> None:
+    written = field(
+        "[{name: a, type: u8}, {name: n, type: u8, valid: flags.ready}, {name: x, type: u8, count: n},"
+        " {name: flags, type: flags}]",
+        role="data",
+    )
+    model = load(
+        """\
+        set: 0x90
+        name: it
+        title: It
+        description: It.
+        parts:
+          list: [{name: n, type: u8, valid: flags.ready}, {name: x, type: u8, count: n}]
+          unused_by_others: [{name: flags, type: flags}]
+        types:
+          both: {struct: [{include: list}, {include: unused_by_others}]}
+        fields:
+          - data: 0x01
+            name: it
+            title: It
+            description: It.
+            sources: [{manual: guide, section: It}]
+            parameters: [{name: a, type: u8}, {include: list}, {include: unused_by_others}]
+        """
+    )
+    assert model.field("it.it") == written
+    both = model.type("it.both")
+    assert isinstance(both, m.Struct) and both.parameters == written.parameters[1:]
+
+
+def test_one_valid_flag_for_a_whole_field() -> None:
+    f = invented("measurements.gust")
+    assert {p.name: p.valid for p in f.parameters if p.valid} == dict.fromkeys(
+        ("place", "height", "speed"), ("valid_flags.ready",)
+    )
+    radio = {p.name: p.valid for p in invented("measurements.radio").parameters}
+    assert radio == {"connected": (), "strength": ("connected",), "noise": ("connected",), "gap": (), "gaps": ()}
+
+
+def test_a_response_does_not_take_the_valid_flag_of_its_command() -> None:
+    text = """\
+        set: 0x05
+        name: it
+        title: It
+        description: It.
+        fields:
+          - command: 0x01
+            name: it
+            title: It
+            description: It.
+            sources: [{manual: guide, section: It}]
+            valid: flags.ready
+            parameters: [{name: a, type: u8}, {name: flags, type: flags}]
+            responses:
+              - {response: 0x81, parameters: as_command}
+              - {response: 0x82, name: other, parameters: as_command, valid: flags.ready}
+        """
+    valid = {f.name: f.parameters[0].valid for f in load(text).sets[1].fields}
+    assert valid == {"it": ("flags.ready",), "it_response": (), "other": ("flags.ready",)}
+
+
 def test_calls() -> None:
     write, read, *_, apply = invented("tools.settings").calls
     assert [p.name for p in write.required] == ["port", "mode", "baud"] == [p.name for p in apply.required]
@@ -186,6 +248,10 @@ def test_variants() -> None:
     ]  # fmt: skip
     use = invented("tools.pin").parameters[2]
     assert [(v.by, v.key, v.value) for v in use.readings] == [("drive", "pulse", 1), ("drive", "serial", 2)]
+    readings = invented("tools.readings_response").parameters[2]
+    assert not readings.readings and [(v.member, v.key, v.type and v.type.name) for v in readings.variants] == [
+        ("kind", "pulse", "pulse_use"), ("kind", "serial", "serial_use")
+    ]  # fmt: skip
     accel = invented("measurements.accel").parameters[0]
     assert [(v.key, v.units, v.frame, v.type) for v in accel.variants] == [("model-b", ("m", "m", "s"), "ned", None)]
     device = INVENTED.device("model-b")

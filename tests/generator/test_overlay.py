@@ -35,6 +35,14 @@ def test_the_specification_below_keeps_its_requirements(tmp_path: Path) -> None:
         load_model(tmp_path / "spec")
 
 
+def test_the_names_of_an_overlay_are_free(tmp_path: Path) -> None:
+    """The vocabulary binds the specification below alone."""
+    named = "extend: tools\nfields:\n  - {command: 0x70, name: gyroscope, title: Gyroscope, description: Turns.}\n"
+    (tmp_path / "mine/sets").mkdir(parents=True)
+    (tmp_path / "mine/sets/a.yaml").write_text(named, "utf-8")
+    assert load_model(BASE, tmp_path / "mine").field("tools.gyroscope") is not None
+
+
 A = "sets/a.yaml"
 DEVICE = "devices/a.yaml"
 PONG = "extend: tools\nfields:\n  - {command: 0x01, name: pong, title: Pong, description: Pongs.}\n"

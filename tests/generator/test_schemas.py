@@ -36,7 +36,7 @@ WORDED = {
 }  # fmt: skip
 SILENT = {
     "$schema", "$id", "$ref", "title", "description", "examples", "definitions", "properties", "items", "allOf", "if",
-    "then",
+    "then", "else",
 }  # fmt: skip
 
 

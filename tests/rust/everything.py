@@ -240,7 +240,7 @@ class _Writer:
             if counter is not None:
                 values[counter] = len(values[p.name])
             expression = as_member(p.operation, expression, values[p.name])
-            written.append(f"{x.name}: Some({expression})" if x.optional else f"{x.name}: {expression}")
+            written.append(f"{x.name}: Some({expression})" if x.may_be_absent else f"{x.name}: {expression}")
         return f"{path(record)} {{ {', '.join(written)} }}", values
 
     def value(self, op: m.Operation, record: rust.Record, values: codec.Values) -> tuple[str, Any]:

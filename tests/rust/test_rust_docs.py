@@ -80,7 +80,8 @@ class Expected:
     def all(self) -> Iterator[tuple[Item, str]]:
         for s in self.model.sets:
             module = names.module(s.name)
-            yield from (((module, "", ""), text) for text in (s.title, s.description, *describe.sources(s)))
+            texts = (s.title, self.prose(s.description, module), *describe.sources(s))
+            yield from (((module, "", ""), text) for text in texts)
             for f in s.fields:
                 yield from self.field(f)
             for f in s.own_fields:
@@ -93,12 +94,16 @@ class Expected:
             yield from self.union(u.record, u.name, u.operation)
         for d in self.model.devices:
             item = ("known", names.constant(d.name), "")
-            notes = [text for n in d.notes for text in (n.title, n.description, *(c for row in n.rows for c in row))]
-            yield from ((item, text) for text in (d.title, d.description, *notes))
+            prose = [self.prose(text, "devices") for text in (d.description, *(n.description for n in d.notes))]
+            words = [text for n in d.notes for text in (n.title, *(cell for row in n.rows for cell in row))]
+            yield from ((item, text) for text in (d.title, *prose, *words))
+
+    def prose(self, text: str, here: str) -> str:
+        return said(describe.prose(text, self.model), here)
 
     def field(self, f: m.Field) -> Iterator[tuple[Item, str]]:
         item = (names.home(f), names.type_name(f.name), "")
-        texts = [said(describe.prose(f.description, self.model), item[0]), *describe.sources(f)]
+        texts = [self.prose(f.description, item[0]), *describe.sources(f)]
         texts += [said(fact.sentence, item[0]) for fact in describe.field(f, self.model)]
         yield from ((item, text) for text in (f"{f.title} (0x{f.set:02X},0x{f.descriptor:02X})", *texts))
 
@@ -106,7 +111,7 @@ class Expected:
         """What no member holds is said at the record, behind its name."""
         here, owner = names.home(record), names.type_name(record.name)
         for p in record.parameters:
-            texts = [said(describe.prose(p.description, self.model), here), *self.facts(p, record)]
+            texts = [self.prose(p.description, here), *self.facts(p, record)]
             if p.derived:
                 yield (here, owner, ""), f"{p.name}: {' '.join(filter(None, texts))}"
             else:
@@ -118,24 +123,29 @@ class Expected:
     def union(self, record: names.Record, name: str, op: m.SwitchOp) -> Iterator[tuple[Item, str]]:
         here = names.home(record)
         for case in op.cases:
-            texts = [(case.parameter and case.parameter.description) or case.tag.description]
+            description = (case.parameter and case.parameter.description) or case.tag.description
+            texts = [self.prose(description, here)]
             texts += self.facts(case.parameter, record) if case.parameter else []
             yield from (((here, name, names.constant(case.tag.name)), text) for text in texts)
 
     def type(self, t: m.Type) -> Iterator[tuple[Item, str]]:
         here, owner = names.home(t), names.type_name(t.name)
         sources = [] if isinstance(t, m.Vector) else describe.sources(t)
-        yield from (((here, owner, ""), text) for text in (t.description, *sources))
+        yield from (((here, owner, ""), text) for text in (self.prose(t.description, here), *sources))
         match t:
             case m.Struct():
                 yield from self.parameters(t)
             case m.Enum():
                 for v in t.values:
-                    texts = [v.description, *(said(fact.sentence, here) for fact in describe.value(v, self.model))]
+                    texts = [
+                        self.prose(v.description, here),
+                        *(said(fact.sentence, here) for fact in describe.value(v, self.model)),
+                    ]
                     yield from (((here, owner, names.constant(v.name)), text) for text in texts)
             case m.Bitfield():
                 for b in t.bits:
-                    texts = [b.description, *(said(fact.sentence, here) for fact in describe.bits(b, self.model))]
+                    facts = describe.bits(b, self.model)
+                    texts = [self.prose(b.description, here), *(said(fact.sentence, here) for fact in facts)]
                     yield from (((here, owner, names.constant(b.name)), text) for text in texts)
 
 

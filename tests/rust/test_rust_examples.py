@@ -58,7 +58,7 @@ class _Writer:
                 written.append(f"{x.name}: None")
                 continue
             expression = self.value(p.operation, record, values[p.name], values)
-            written.append(f"{x.name}: Some({expression})" if x.optional else f"{x.name}: {expression}")
+            written.append(f"{x.name}: Some({expression})" if x.may_be_absent else f"{x.name}: {expression}")
         return f"{everything.path(record)} {{ {', '.join(written)} }}"
 
     def value(self, op: m.Operation, record: rust.Record, value: Any, siblings: dict[str, Any]) -> str:

@@ -438,8 +438,7 @@ static const struct mip_device_note cv7_gnss_ins_notes[] = {
      "polls go to the port that asked.",
      cv7_gnss_ins_ports_cells, 7, 3},
     {"anti_aliasing", "Anti-aliasing low-pass filter",
-     "Data that the low-pass anti-aliasing filter command (0x0C,0x54) can filter.",
-     cv7_gnss_ins_anti_aliasing_cells, 8, 3},
+     "Data that `3dm.low_pass_filter` can filter.", cv7_gnss_ins_anti_aliasing_cells, 8, 3},
     {"gpio_pins", "GPIO pins",
      "Features of each pin; all are unused by default. The encoder feature is not available. The "
      "manual marks PPS on pins 2 to 4 with an asterisk that it does not explain.",
@@ -450,9 +449,9 @@ static const struct mip_device_note cv7_gnss_ins_notes[] = {
      "push-pull.",
      cv7_gnss_ins_gpio_behaviors_cells, 14, 4},
     {"nmea_output", "NMEA output",
-     "Sentences of the NMEA message format (0x0C,0x0C). The talkers are GN (GNSS), GP (GPS), GA "
-     "(Galileo) and GL (GLONASS). A sentence is sent only while its data are valid. A GNSS source "
-     "has a base rate of 5 Hz, so its decimation must be 3 or more.",
+     "Sentences of `3dm.nmea_message_format`. The talkers are GN (GNSS), GP (GPS), GA (Galileo) "
+     "and GL (GLONASS). A sentence is sent only while its data are valid. A GNSS source has a base "
+     "rate of 5 Hz, so its decimation must be 3 or more.",
      cv7_gnss_ins_nmea_output_cells, 11, 4},
     {"nmea_input", "NMEA input",
      "Accepted from an external receiver, whatever the talker: RMC, ZDA, HDT, GGA, VTG, GLL and "
@@ -464,11 +463,11 @@ static const struct mip_device_note cv7_gnss_ins_notes[] = {
      cv7_gnss_ins_rtcm_input_cells, 9, 2},
     {"gnss_signals", "GNSS signals",
      "GPS or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused. Signals that can "
-     "be enabled together by (0x0E,0x02).",
+     "be enabled together by `gnss.signal_config`.",
      cv7_gnss_ins_gnss_signals_cells, 5, 2},
     {"sensor_ranges", "Sensor ranges",
-     "Settings of the sensor range command (0x0C,0x52). The manual prints them for sister models "
-     "and cuts the gyroscope column off; ask the device by (0x0C,0x53).",
+     "Settings of `3dm.sensor_range`. The manual prints them for sister models and cuts the "
+     "gyroscope column off; ask the device by `3dm.get_calibrated_sensor_ranges`.",
      cv7_gnss_ins_sensor_ranges_cells, 5, 3},
     {"pps", "Pulse per second",
      "Without a valid PPS the filter neither starts nor takes measurements in. A PPS output has a "
@@ -627,24 +626,23 @@ static const struct mip_device_note gx5_15_notes[] = {
      "before computing a decimation.",
      NULL, 0, 0},
     {"frames", "Frame of the sensor data",
-     "The sensor-to-vehicle transformation (0x0D,0x11) turns scaled acceleration and angular rate, "
-     "delta theta and delta velocity, as well as the outputs of the estimation filter other than "
-     "the gyroscope bias. Until it is set, they are in the sensor frame. It does not turn the "
-     "outputs of the complementary filter.",
+     "`filter.sensor_to_vehicle_rotation_euler` turns scaled acceleration and angular rate, delta "
+     "theta and delta velocity, as well as the outputs of the estimation filter other than the "
+     "gyroscope bias. Until it is set, they are in the sensor frame. It does not turn the outputs "
+     "of the complementary filter.",
      NULL, 0, 0},
-    {"low_pass_filter", "Low-pass filter",
-     "Data that the low-pass filter command (0x0C,0x50) can select.", gx5_15_low_pass_filter_cells,
-     4, 3},
+    {"low_pass_filter", "Low-pass filter", "Data that `3dm.imu_low_pass_filter` can select.",
+     gx5_15_low_pass_filter_cells, 4, 3},
     {"uart", "UART",
      "The default baud rate is 115200. There is no handshake; data that do not fit are dropped.",
      NULL, 0, 0},
     {"time", "Time synchronization",
-     "The pulse per second goes to pin 7 of the connector. Send the GPS time update (0x01,0x72) "
-     "once per second. The filter timestamp and the sensor timestamp follow it.",
+     "The pulse per second goes to pin 7 of the connector. Send `base.gps_time_update` once per "
+     "second. The filter timestamp and the sensor timestamp follow it.",
      NULL, 0, 0},
     {"direct_mode", "Direct mode",
-     "Communication mode (0x7F,0x10) connects the port to the inertial sensor inside. Only that "
-     "command and device status (0x0C,0x64) stay available meanwhile.",
+     "`system.comm_mode` connects the port to the inertial sensor inside. Only that command and "
+     "`3dm.device_status` stay available meanwhile.",
      NULL, 0, 0},
 };
 

@@ -242,9 +242,9 @@ class FrameConfig(Command):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FrameConfigResponse`.
     Supported by 3DM-CV7-GNSS/INS.
 
-    Aiding measurements name the frame by its number. p_vehicle = R * p_frame + t, with the rotation
-    R and the translation t. The rotation does not matter for GNSS positions and velocities; set it
-    to zero. A read names the format that the answer shall have.
+    Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the
+    rotation R and the translation t. The rotation does not matter for GNSS positions and
+    velocities; set it to zero. A read names the format that the answer shall have.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -510,9 +510,8 @@ class EcefPosition(Command):
     Also called `pos_ecef`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
-    Use only one form of position: ECEF or LLH. The uncertainty of a valid axis must be greater than
-    0. In mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back
-    in a response of unknown layout.
+    Use only one form of position: ECEF or LLH. In mode `response` of `EchoControl`, the device
+    sends the data back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Position
@@ -526,16 +525,16 @@ class EcefPosition(Command):
     time: MeasurementTime
     """When the measurement was taken."""
     frame_id: int
-    """Frame of the sensor. Range: 1 to 4."""
+    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     position: types.Vector3d
     """Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid by its bit: x by
     `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
     `valid_flags`.
     """
     uncertainty: types.Vector3f
-    """Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid
-    by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
-    `AxisFlags.Z` of `valid_flags`.
+    """Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range: greater than 0.
+    Each element is valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of
+    `valid_flags`, z by `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -576,9 +575,8 @@ class LlhPosition(Command):
     Also called `pos_llh`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
-    Use only one form of position: ECEF or LLH. The uncertainty of a valid axis must be greater than
-    0. In mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back
-    in a response of unknown layout.
+    Use only one form of position: ECEF or LLH. In mode `response` of `EchoControl`, the device
+    sends the data back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x13,0x22)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > LLH Position
@@ -592,7 +590,7 @@ class LlhPosition(Command):
     time: MeasurementTime
     """When the measurement was taken."""
     frame_id: int
-    """Frame of the sensor. Range: 1 to 4."""
+    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     latitude: float
     """Latitude. Unit: deg. Frame: llh. Valid if `LlhAxisFlags.LATITUDE` of `valid_flags` is set."""
     longitude: float
@@ -603,9 +601,9 @@ class LlhPosition(Command):
     `valid_flags` is set.
     """
     uncertainty: types.Vector3f
-    """Uncertainty along north, east and down. Elements: x, y, z. Unit: m. Frame: ned. Each element
-    is valid by its bit: x by `LlhAxisFlags.LATITUDE` of `valid_flags`, y by
-    `LlhAxisFlags.LONGITUDE` of `valid_flags`, z by `LlhAxisFlags.HEIGHT` of `valid_flags`.
+    """Uncertainty along north, east and down. Elements: x, y, z. Unit: m. Frame: ned. Range:
+    greater than 0. Each element is valid by its bit: x by `LlhAxisFlags.LATITUDE` of `valid_flags`,
+    y by `LlhAxisFlags.LONGITUDE` of `valid_flags`, z by `LlhAxisFlags.HEIGHT` of `valid_flags`.
     """
     valid_flags: LlhAxisFlags
     """Which coordinates are valid."""
@@ -648,8 +646,8 @@ class HeightAboveEllipsoid(Command):
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
     3DM-CV7-GNSS/INS.
 
-    In mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in
-    a response of unknown layout.
+    In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
+    layout.
 
     - 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23)
     """
@@ -662,7 +660,7 @@ class HeightAboveEllipsoid(Command):
     time: MeasurementTime
     """When the measurement was taken."""
     frame_id: int
-    """Frame of the sensor. Range: 1 to 4."""
+    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     height: float
     """Height above the ellipsoid. Unit: m. Frame: llh."""
     uncertainty: float
@@ -704,9 +702,8 @@ class EcefVelocity(Command):
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; that
-    takes body_frame_velocity. The uncertainty of a valid axis must be greater than 0. In mode
-    `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in a
-    response of unknown layout.
+    takes `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends the data back
+    in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
@@ -720,16 +717,16 @@ class EcefVelocity(Command):
     time: MeasurementTime
     """When the measurement was taken."""
     frame_id: int
-    """Frame of the sensor. Range: 1 to 4."""
+    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Vector3f
     """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid by its bit: x by
     `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
     `valid_flags`.
     """
     uncertainty: types.Vector3f
-    """Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid
-    by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
-    `AxisFlags.Z` of `valid_flags`.
+    """Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range: greater than
+    0. Each element is valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of
+    `valid_flags`, z by `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -771,9 +768,8 @@ class NedVelocity(Command):
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; that
-    takes body_frame_velocity. The uncertainty of a valid axis must be greater than 0. In mode
-    `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in a
-    response of unknown layout.
+    takes `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends the data back
+    in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity
@@ -787,16 +783,16 @@ class NedVelocity(Command):
     time: MeasurementTime
     """When the measurement was taken."""
     frame_id: int
-    """Frame of the sensor. Range: 1 to 4."""
+    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Vector3f
     """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid by its bit: x by
     `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
     `valid_flags`.
     """
     uncertainty: types.Vector3f
-    """Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid
-    by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
-    `AxisFlags.Z` of `valid_flags`.
+    """Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Range: greater than 0.
+    Each element is valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of
+    `valid_flags`, z by `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -837,11 +833,11 @@ class BodyFrameVelocity(Command):
     Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
-    An uncertainty of a valid axis that is not greater than 0 is refused as an invalid parameter.
     The device takes up to four sensors of this kind. A wheeled vehicle constraint is a velocity of
-    0 with y valid only, sent at least once in a second. A zero velocity update is a velocity of 0,
-    sent while the GNSS speed is below a threshold of the user. In mode `response` of echo control
-    `EchoControl` (0x13,0x1F), the device sends the data back in a response of unknown layout.
+    0 with y valid only, sent at least once in a second. With z valid too, and 0, the vehicle moves
+    in a plane only (2D mode). A zero velocity update is a velocity of 0, sent while the GNSS speed
+    is below a threshold of the user. In mode `response` of `EchoControl`, the device sends the data
+    back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > Body Frame Velocity
@@ -856,16 +852,16 @@ class BodyFrameVelocity(Command):
     time: MeasurementTime
     """When the measurement was taken."""
     frame_id: int
-    """Frame of the sensor. Range: 1 to 4."""
+    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity in the frame of the sensor. Elements: x, y, z. Unit: m/s. Each element is valid by
-    its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
-    `AxisFlags.Z` of `valid_flags`.
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element is valid by its bit: x by
+    `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
+    `valid_flags`.
     """
     uncertainty: types.Vector3f
-    """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Each element is valid by
-    its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
-    `AxisFlags.Z` of `valid_flags`.
+    """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Range:
+    greater than 0. Each element is valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by
+    `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -904,8 +900,7 @@ class TrueHeading(Command):
     Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
-    The uncertainty of a valid measurement must be greater than 0. In mode `response` of echo
-    control `EchoControl` (0x13,0x1F), the device sends the data back in a response of unknown
+    In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
     layout.
 
     - 3dm-cv7-gnss-ins: True Heading (0x13,0x31)
@@ -920,11 +915,11 @@ class TrueHeading(Command):
     time: MeasurementTime
     """When the measurement was taken."""
     frame_id: int
-    """Frame of the sensor. Range: 1 to 4."""
+    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     heading: float
     """Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
     uncertainty: float
-    """Uncertainty of the heading. Unit: rad."""
+    """Uncertainty of the heading. Unit: rad. Range: greater than 0."""
     valid_flags: int
     """Not 0: the measurement is valid."""
 
@@ -961,9 +956,8 @@ class MagneticField(Command):
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
     3DM-CV7-GNSS/INS.
 
-    The magnetometer must be calibrated. The uncertainty of a valid axis must be greater than 0. In
-    mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in a
-    response of unknown layout.
+    The magnetometer must be calibrated. In mode `response` of `EchoControl`, the device sends the
+    data back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Magnetometer
@@ -977,16 +971,16 @@ class MagneticField(Command):
     time: MeasurementTime
     """When the measurement was taken."""
     frame_id: int
-    """Frame of the sensor. Range: 1 to 4."""
+    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     magnetic_field: types.Vector3f
-    """Magnetic field in the frame of the sensor. Elements: x, y, z. Unit: gauss. Each element is
-    valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
+    """Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element is valid by its
+    bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
     `AxisFlags.Z` of `valid_flags`.
     """
     uncertainty: types.Vector3f
-    """Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Each element is
-    valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
-    `AxisFlags.Z` of `valid_flags`.
+    """Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding.
+    Range: greater than 0. Each element is valid by its bit: x by `AxisFlags.X` of `valid_flags`, y
+    by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -1025,8 +1019,7 @@ class Pressure(Command):
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
     3DM-CV7-GNSS/INS.
 
-    The uncertainty of a valid measurement must be greater than 0. In mode `response` of echo
-    control `EchoControl` (0x13,0x1F), the device sends the data back in a response of unknown
+    In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
     layout.
 
     - 3dm-cv7-gnss-ins: Pressure (0x13,0x33)
@@ -1041,11 +1034,11 @@ class Pressure(Command):
     time: MeasurementTime
     """When the measurement was taken."""
     frame_id: int
-    """Frame of the sensor. Range: 1 to 4."""
+    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     pressure: float
     """Air pressure. Unit: mbar."""
     uncertainty: float
-    """Standard deviation of the pressure. Unit: mbar."""
+    """Standard deviation of the pressure. Unit: mbar. Range: greater than 0."""
     valid_flags: int
     """Not 0: the measurement is valid."""
 

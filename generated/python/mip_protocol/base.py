@@ -155,6 +155,7 @@ class BuiltInTestResponse(Response):
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
     - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
+    - 3dm-cv7-gnss-ins: Commanded Built-in Test
     """
 
     SET = 0x01
@@ -454,8 +455,7 @@ class GetDeviceDescriptors(Command):
 
     Answered by `GetDeviceDescriptorsResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    When the list contains `GetExtendedDescriptors` (0x01,0x07), more descriptors come from the
-    extended command.
+    If the list contains the descriptor of `GetExtendedDescriptors`, that command gives more.
 
     - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -482,7 +482,8 @@ class BuiltInTest(Command):
     Runs the self test of the device and gets its result.
 
     Answered by `BuiltInTestResponse`. The device may take 10 s to answer. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: How long the test takes at most. The manual of the
+    3DM-CV7 says several seconds; 10 s leaves room for that.
 
     The test interrupts normal operation for up to several seconds; no data is available meanwhile.
     The device must be at rest; acceleration, rotation or vibration cause false failures. The
@@ -490,6 +491,7 @@ class BuiltInTest(Command):
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
     - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
+    - 3dm-cv7-gnss-ins: Commanded Built-in Test
     """
 
     SET = 0x01
@@ -542,7 +544,7 @@ class GetExtendedDescriptors(Command):
 
     Answered by `GetExtendedDescriptorsResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    Only supported if get device descriptors lists `GetExtendedDescriptors` (0x01,0x07).
+    Only supported if `GetDeviceDescriptors` lists it.
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -736,7 +738,7 @@ class GpsTimeUpdate(Command):
     field_id: GpsTimeField | None = None
     """What the value is."""
     value: int | None = None
-    """What field_id says. Required for `write` and `apply`.
+    """What `field_id` says. Required for `write` and `apply`.
 
     - If `field_id` is `GpsTimeField.WEEK_NUMBER`: unit week. GPS week number since 6 January 1980.
     - If `field_id` is `GpsTimeField.TOW`: unit s. Whole seconds of the GPS week.

@@ -281,7 +281,7 @@ CV7_GNSS_INS = Device(
         ),
         "anti_aliasing": Note(
             "Anti-aliasing low-pass filter",
-            "Data that the low-pass anti-aliasing filter command (0x0C,0x54) can filter.",
+            "Data that `3dm.low_pass_filter` can filter.",
             (
                 ("Set", "Descriptor", "Data"),
                 ("0x80", "0x04", "Scaled accel"),
@@ -326,7 +326,7 @@ CV7_GNSS_INS = Device(
         ),
         "nmea_output": Note(
             "NMEA output",
-            "Sentences of the NMEA message format (0x0C,0x0C). The talkers are GN (GNSS), GP (GPS), GA (Galileo) and GL (GLONASS). A sentence is sent only while its data are valid. A GNSS source has a base rate of 5 Hz, so its decimation must be 3 or more.",
+            "Sentences of `3dm.nmea_message_format`. The talkers are GN (GNSS), GP (GPS), GA (Galileo) and GL (GLONASS). A sentence is sent only while its data are valid. A GNSS source has a base rate of 5 Hz, so its decimation must be 3 or more.",
             (
                 ("Sentence", "Contents", "Talkers", "Sources"),
                 ("GGA", "GNSS fix", "GN, GP, GA, GL", "GNSS, filter"),
@@ -363,7 +363,7 @@ CV7_GNSS_INS = Device(
         ),
         "gnss_signals": Note(
             "GNSS signals",
-            "GPS or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused. Signals that can be enabled together by (0x0E,0x02).",
+            "GPS or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused. Signals that can be enabled together by `gnss.signal_config`.",
             (
                 ("Constellation", "Choices"),
                 ("GPS", "none, L1, L1 + L5"),
@@ -374,7 +374,7 @@ CV7_GNSS_INS = Device(
         ),
         "sensor_ranges": Note(
             "Sensor ranges",
-            "Settings of the sensor range command (0x0C,0x52). The manual prints them for sister models and cuts the gyroscope column off; ask the device by (0x0C,0x53).",
+            "Settings of `3dm.sensor_range`. The manual prints them for sister models and cuts the gyroscope column off; ask the device by `3dm.get_calibrated_sensor_ranges`.",
             (
                 ("Sensor", "Setting", "Range"),
                 ("Accelerometer", "2", "4 g"),
@@ -516,12 +516,12 @@ GX5_15 = Device(
         ),
         "frames": Note(
             "Frame of the sensor data",
-            "The sensor-to-vehicle transformation (0x0D,0x11) turns scaled acceleration and angular rate, delta theta and delta velocity, as well as the outputs of the estimation filter other than the gyroscope bias. Until it is set, they are in the sensor frame. It does not turn the outputs of the complementary filter.",
+            "`filter.sensor_to_vehicle_rotation_euler` turns scaled acceleration and angular rate, delta theta and delta velocity, as well as the outputs of the estimation filter other than the gyroscope bias. Until it is set, they are in the sensor frame. It does not turn the outputs of the complementary filter.",
             (),
         ),
         "low_pass_filter": Note(
             "Low-pass filter",
-            "Data that the low-pass filter command (0x0C,0x50) can select.",
+            "Data that `3dm.imu_low_pass_filter` can select.",
             (
                 ("Set", "Descriptor", "Data"),
                 ("0x80", "0x04", "Scaled accel"),
@@ -536,12 +536,12 @@ GX5_15 = Device(
         ),
         "time": Note(
             "Time synchronization",
-            "The pulse per second goes to pin 7 of the connector. Send the GPS time update (0x01,0x72) once per second. The filter timestamp and the sensor timestamp follow it.",
+            "The pulse per second goes to pin 7 of the connector. Send `base.gps_time_update` once per second. The filter timestamp and the sensor timestamp follow it.",
             (),
         ),
         "direct_mode": Note(
             "Direct mode",
-            "Communication mode (0x7F,0x10) connects the port to the inertial sensor inside. Only that command and device status (0x0C,0x64) stay available meanwhile.",
+            "`system.comm_mode` connects the port to the inertial sensor inside. Only that command and `3dm.device_status` stay available meanwhile.",
             (),
         ),
     },
@@ -581,8 +581,8 @@ def by_model(number: int) -> Device | None:
 
 def identify(info: DeviceInfo) -> Device | None:
     """The device that the device information is of; None if it is unknown."""
-    numbers = (model_number(text) for text in (info.model_number, info.serial_number))
-    return next((d for n in numbers if n is not None and (d := by_model(n))), None)
+    number = model_number(info.model_number) or model_number(info.serial_number)
+    return by_model(number) if number else None
 
 
 __all__ = [

@@ -19,8 +19,8 @@ from .protocol import FunctionSelector
 
 class DynamicsMode(codec.OpenEnum):
     """Kind of vehicle that the filter is tuned for. Uncertain: The SDK names the modes only; the
-    descriptions follow from the names. Uncertain: The filter status `filter_data.Status`
-    (0x82,0x10) reports a mode too, but is known to have the values 1 to 3 only.
+    descriptions follow from the names. Uncertain: `filter_data.Status` reports a mode too, but is
+    known to have the values 1 to 3 only.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -274,7 +274,7 @@ _VEHICLE_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
 class VehicleDynamicsModeResponse(Response):
     """Vehicle dynamics mode response (0x0D,0x80).
 
-    Answers `VehicleDynamicsMode`.
+    Answers `VehicleDynamicsMode`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -344,7 +344,7 @@ _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 class SensorToVehicleOffsetResponse(Response):
     """Sensor to vehicle offset response (0x0D,0x82).
 
-    Answers `SensorToVehicleOffset`.
+    Answers `SensorToVehicleOffset`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
@@ -356,7 +356,7 @@ class SensorToVehicleOffsetResponse(Response):
 
     offset: types.Vector3f
     """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
-    sensor. Range: -10 to 10.
+    sensor. Range: magnitude at most 10.
     """
 
     @classmethod
@@ -390,7 +390,7 @@ class AntennaOffsetResponse(Response):
 
     offset: types.Vector3f
     """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-    vehicle. Range: -10 to 10.
+    vehicle. Range: magnitude at most 10.
     """
 
     @classmethod
@@ -686,7 +686,7 @@ _AUTO_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 class AutoZuptResponse(Response):
     """Automatic zero velocity update response (0x0D,0x8D).
 
-    Answers `AutoZupt`.
+    Answers `AutoZupt`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
@@ -833,7 +833,7 @@ _PRESSURE_ALTITUDE_NOISE_RESPONSE_0 = codec.Block("f", "noise")
 class PressureAltitudeNoiseResponse(Response):
     """Pressure altitude noise response (0x0D,0x94).
 
-    Answers `PressureAltitudeNoise`.
+    Answers `PressureAltitudeNoise`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
     """
@@ -865,7 +865,7 @@ _HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class HardIronOffsetNoiseResponse(Response):
     """Hard iron offset noise response (0x0D,0x96).
 
-    Answers `HardIronOffsetNoise`.
+    Answers `HardIronOffsetNoise`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -897,7 +897,7 @@ _SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block("fffffffff", *["noise"] * 9)
 class SoftIronMatrixNoiseResponse(Response):
     """Soft iron matrix noise response (0x0D,0x97).
 
-    Answers `SoftIronMatrixNoise`.
+    Answers `SoftIronMatrixNoise`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -997,7 +997,7 @@ _MAG_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class MagNoiseResponse(Response):
     """Magnetometer noise response (0x0D,0xB1).
 
-    Answers `MagNoise`.
+    Answers `MagNoise`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -1150,7 +1150,7 @@ _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
 
-    Answers `MagMagnitudeErrorAdaptiveMeasurement`.
+    Answers `MagMagnitudeErrorAdaptiveMeasurement`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
@@ -1228,7 +1228,7 @@ _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
 
-    Answers `MagDipAngleErrorAdaptiveMeasurement`.
+    Answers `MagDipAngleErrorAdaptiveMeasurement`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -1284,7 +1284,7 @@ _ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "selector")
 class AltitudeAidingResponse(Response):
     """Altitude aiding response (0x0D,0xB7).
 
-    Answers `AltitudeAiding`.
+    Answers `AltitudeAiding`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
@@ -1348,7 +1348,8 @@ _MAGNETIC_INCLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "inclinati
 class MagneticInclinationSourceResponse(Response):
     """Magnetic inclination source response (0x0D,0xBC).
 
-    Also called `inclination_source_response`. Answers `MagneticInclinationSource`.
+    Also called `inclination_source_response`. Answers `MagneticInclinationSource`. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Inclination Source (0x0D,0x4C)
     """
@@ -1385,7 +1386,8 @@ _MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "magnitude")
 class MagneticMagnitudeSourceResponse(Response):
     """Magnetic field magnitude source response (0x0D,0xBD).
 
-    Also called `mag_field_magnitude_source_response`. Answers `MagneticMagnitudeSource`.
+    Also called `mag_field_magnitude_source_response`. Answers `MagneticMagnitudeSource`. Known from
+    the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
@@ -1422,7 +1424,7 @@ _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] *
 class SensorToVehicleRotationDcmResponse(Response):
     """Sensor to vehicle rotation, matrix response (0x0D,0xBE).
 
-    Answers `SensorToVehicleRotationDcm`.
+    Answers `SensorToVehicleRotationDcm`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
     """
@@ -1456,7 +1458,7 @@ _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] *
 class SensorToVehicleRotationQuaternionResponse(Response):
     """Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
 
-    Answers `SensorToVehicleRotationQuaternion`.
+    Answers `SensorToVehicleRotationQuaternion`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
@@ -1467,7 +1469,9 @@ class SensorToVehicleRotationQuaternionResponse(Response):
     ROLE = "response"
 
     q: types.Quatf
-    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1."""
+    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
+    1.001.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternionResponse, int]:
@@ -1527,7 +1531,7 @@ _KINEMATIC_CONSTRAINT_RESPONSE_0 = codec.Block(
 class KinematicConstraintResponse(Response):
     """Kinematic constraint response (0x0D,0xD1).
 
-    Answers `KinematicConstraint`.
+    Answers `KinematicConstraint`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
@@ -1590,7 +1594,7 @@ class InitializationConfigResponse(Response):
     ROLE = "response"
 
     wait_for_run_command: int
-    """1: the filter starts only after `run`; 0: as soon as it can. Range: 0 to 1."""
+    """1: the filter starts only after `Run`; 0: as soon as it can. Range: 0 to 1."""
     initial_condition_source: InitialConditionSource
     """Which initial conditions are found and which are given."""
     auto_heading_alignment_selector: HeadingAlignment
@@ -1711,7 +1715,8 @@ class MultiAntennaOffsetResponse(Response):
     receiver_id: int
     """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f
-    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude
+    at most 10.
     """
 
     @classmethod
@@ -1801,7 +1806,8 @@ class ReferencePointLeverArmResponse(Response):
     reference_point: ReferencePoint
     """Point to move; it must be 1."""
     lever_arm_offset: types.Vector3f
-    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
+    most 10.
     """
 
     @classmethod
@@ -1863,7 +1869,7 @@ _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class VerticalGyroConstraintControlResponse(Response):
     """Vertical gyro constraint response (0x0D,0xE2).
 
-    Answers `VerticalGyroConstraintControl`.
+    Answers `VerticalGyroConstraintControl`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
     """
@@ -2077,8 +2083,8 @@ class Run(Command):
 
     Supported by 3DM-CV7-GNSS/INS.
 
-    The filter waits in its initialization state if `wait_for_run_command` of
-    `initialization_config` is set.
+    The filter waits in its initialization state if `wait_for_run_command` of `InitializationConfig`
+    is set.
 
     - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
     """
@@ -2108,7 +2114,8 @@ class VehicleDynamicsMode(Command):
     Kind of vehicle that the filter is tuned for.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `VehicleDynamicsModeResponse`.
+    `VehicleDynamicsModeResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -2321,12 +2328,12 @@ class SensorToVehicleOffset(Command):
     Origin of the vehicle frame, as seen from the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleOffsetResponse`. Uncertain: The direction, from the sensor to the origin of the
-    vehicle frame, is inferred from the name.
+    `SensorToVehicleOffsetResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
+    from the name.
 
-    It shifts the estimated position `filter_data.LlhPosition` (0x82,0x01) and nothing else. The
-    shift is constant. It does not follow the attitude, as a lever arm would. The magnitude of the
-    vector is limited to 10 m.
+    It shifts `filter_data.LlhPosition` and nothing else. The shift is constant. It does not follow
+    the attitude, as a lever arm would.
 
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
@@ -2342,7 +2349,7 @@ class SensorToVehicleOffset(Command):
     """What to do with the setting."""
     offset: types.Vector3f | None = None
     """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
-    sensor. Range: -10 to 10. Required for `write`.
+    sensor. Range: magnitude at most 10. Required for `write`.
     """
 
     @classmethod
@@ -2420,9 +2427,9 @@ class AntennaOffset(Command):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AntennaOffsetResponse`.
     Supported by 3DM-CV7-GNSS/INS.
 
-    The magnitude of the vector is limited to 10. 7-series devices expect the vehicle frame,
-    5-series devices the sensor frame. On the 3DM-CV7 it is for GNSS data that come as NMEA; data
-    that come by the aiding commands use `aiding.FrameConfig`.
+    7-series devices expect the vehicle frame, 5-series devices the sensor frame. On the 3DM-CV7 it
+    is for GNSS data that come as NMEA; data that come by the aiding commands use
+    `aiding.FrameConfig`.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -2438,7 +2445,7 @@ class AntennaOffset(Command):
     """What to do with the setting."""
     offset: types.Vector3f | None = None
     """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-    vehicle. Range: -10 to 10. Required for `write`.
+    vehicle. Range: magnitude at most 10. Required for `write`.
     """
 
     @classmethod
@@ -2704,8 +2711,9 @@ class ExternalGnssUpdate(Command):
 
     Gives the filter one position and velocity of a GNSS receiver that the user provides.
 
-    Refused unless the GNSS aiding source `GnssSource` (0x0D,0x15) is the external one. The highest
-    rate depends on the device.
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
+
+    Refused unless `GnssSource` selects the external source. The highest rate depends on the device.
 
     - mip-sdk-4: External Gnss Update (0x0D,0x16)
     """
@@ -2780,9 +2788,9 @@ class ExternalHeadingUpdate(Command):
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5 and by
-    `aiding_measurement_enable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per second.
-    If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
+    Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
+    `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per second. If
+    the declination source is not valid, -25 models refuse true headings and -45 models magnetic
     ones.
 
     - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
@@ -3416,10 +3424,10 @@ class AutoZupt(Command):
 
     Lets the filter take the device as standing still while its GNSS speed is small.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`. No
+    device profile lists it. Known from the MicroStrain MIP SDK only.
 
     The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
-    The device refuses a negative threshold.
 
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
@@ -3521,11 +3529,11 @@ class ExternalHeadingUpdateWithTime(Command):
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    Better than `external_heading_update` where the heading changes quickly; the time must be
-    accurate. Refused unless external heading updates are enabled, by `heading_source` on the
-    3DM-GX5 and by `aiding_measurement_enable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20
-    updates per second. If the declination source is not valid, -25 models refuse true headings and
-    -45 models magnetic ones.
+    Better than `ExternalHeadingUpdate` where the heading changes quickly; the time must be
+    accurate. Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5
+    and by `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per
+    second. If the declination source is not valid, -25 models refuse true headings and -45 models
+    magnetic ones.
 
     - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
     - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
@@ -3775,6 +3783,8 @@ class CommandedZupt(Command):
 
     Tells the filter once that the device stands still.
 
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
+
     The highest rate depends on the device.
 
     - mip-sdk-4: Commanded Zupt (0x0D,0x22)
@@ -3967,11 +3977,12 @@ class MagCaptureAutoCalibration(Command):
 
     Makes the automatic magnetometer calibration part of the fixed one.
 
-    Also called `mag_capture_auto_cal`. Functions: `write` and `save`.
+    Also called `mag_capture_auto_cal`. Functions: `write` and `save`. No device profile lists it.
+    Known from the MicroStrain MIP SDK only.
 
-    A write combines the automatic calibration with the hard iron offset `mip_3dm.MagHardIronOffset`
-    (0x0C,0x3A) and the soft iron matrix `mip_3dm.MagSoftIronMatrix` (0x0C,0x3B), and resets it. A
-    save does the same as the save of both of these commands.
+    A write combines the automatic calibration with `mip_3dm.MagHardIronOffset` and
+    `mip_3dm.MagSoftIronMatrix`, and resets it. A save does the same as the save of both of these
+    commands.
 
     - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
     """
@@ -4114,7 +4125,8 @@ class PressureAltitudeNoise(Command):
     Standard deviation of the noise of the pressure altitude model that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `PressureAltitudeNoiseResponse`.
+    `PressureAltitudeNoiseResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     A small value follows the pressure faster, and takes weather and draughts for changes of height.
 
@@ -4206,7 +4218,8 @@ class HardIronOffsetNoise(Command):
     Standard deviation of the noise of the estimated hard iron offset (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `HardIronOffsetNoiseResponse`.
+    `HardIronOffsetNoiseResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -4298,7 +4311,8 @@ class SoftIronMatrixNoise(Command):
     Standard deviation of the noise of the estimated soft iron matrix (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SoftIronMatrixNoiseResponse`.
+    `SoftIronMatrixNoiseResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -4479,8 +4493,9 @@ class MagNoise(Command):
 
     Standard deviation of the magnetometer noise that the filter assumes.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
-    Uncertain: The SDK calls it process noise, although the noise is that of a measurement.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`. No
+    device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it
+    process noise, although the noise is that of a measurement.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -4892,9 +4907,9 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
     How far the filter trusts a magnetic field whose magnitude is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagMagnitudeErrorAdaptiveMeasurementResponse`. Uncertain: Whether the parameters behind the
-    selector may be left out on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement`
-    (0x0D,0x44) may.
+    `MagMagnitudeErrorAdaptiveMeasurementResponse`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only. Uncertain: Whether the parameters behind the selector may be left out
+    on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
 
     The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
     limits. High limits suit high dynamics but let disturbances of the field through; low limits can
@@ -5103,11 +5118,12 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
     How far the filter trusts a magnetic field whose dip angle is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagDipAngleErrorAdaptiveMeasurementResponse`.
+    `MagDipAngleErrorAdaptiveMeasurementResponse`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
-    It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` (0x0D,0x44) or
-    `MagMagnitudeErrorAdaptiveMeasurement` (0x0D,0x45) is set to `auto`. High limits suit high
-    dynamics but let disturbances of the field through; low limits can spoil the heading.
+    It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` or
+    `MagMagnitudeErrorAdaptiveMeasurement` is set to `auto`. High limits suit high dynamics but let
+    disturbances of the field through; low limits can spoil the heading.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -5263,6 +5279,7 @@ class AltitudeAiding(Command):
     What aids the altitude beside GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
 
     GNSS stays the main source of altitude; the aid improves it and bridges outages. Weather and
     place shift the pressure altitude, at times by more than 40 m.
@@ -5446,7 +5463,8 @@ class MagneticInclinationSource(Command):
     Source of the local inclination (dip angle) of the magnetic field.
 
     Also called `inclination_source`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `MagneticInclinationSourceResponse`.
+    Answered by `MagneticInclinationSourceResponse`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     Without a good inclination source, keep automatic magnetometer calibration off.
 
@@ -5552,10 +5570,11 @@ class MagneticMagnitudeSource(Command):
     Source of the local magnitude of the magnetic field.
 
     Also called `mag_field_magnitude_source`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `MagneticMagnitudeSourceResponse`.
+    `default`. Answered by `MagneticMagnitudeSourceResponse`. No device profile lists it. Known from
+    the MicroStrain MIP SDK only.
 
-    Without a good magnitude source, keep automatic magnetometer calibration off. The adaptive
-    measurement `MagMagnitudeErrorAdaptiveMeasurement` (0x0D,0x45) relies on it too.
+    Without a good magnitude source, keep automatic magnetometer calibration off.
+    `MagMagnitudeErrorAdaptiveMeasurement` relies on it too.
 
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
@@ -5658,12 +5677,13 @@ class SensorToVehicleRotationDcm(Command):
     Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationDcmResponse`.
+    `SensorToVehicleRotationDcmResponse`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
-    It is the inverse of the matrix that `mip_3dm.SensorToVehicleTransformDcm` (0x0C,0x33) takes. It
-    turns the scaled acceleration, angular rate and magnetic field, delta theta and delta velocity,
-    and the orientation, linear acceleration, angular rate and gravity vector of the filter. The
-    device refuses a matrix that is not orthonormal to 0.001. The device keeps a quaternion, so the
+    It is the inverse of the matrix that `mip_3dm.SensorToVehicleTransformDcm` takes. It turns the
+    scaled acceleration, angular rate and magnetic field, delta theta and delta velocity, and the
+    orientation, linear acceleration, angular rate and gravity vector of the filter. The device
+    refuses a matrix that is not orthonormal to 0.001. The device keeps a quaternion, so the
     elements read back may differ a little from those written.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
@@ -5756,13 +5776,13 @@ class SensorToVehicleRotationQuaternion(Command):
     Rotation from the sensor frame to the vehicle frame as a quaternion.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationQuaternionResponse`.
+    `SensorToVehicleRotationQuaternionResponse`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
-    It is the inverse of the quaternion that `mip_3dm.SensorToVehicleTransformQuaternion`
-    (0x0C,0x32) takes. It turns the scaled acceleration, angular rate and magnetic field, delta
-    theta and delta velocity, and the orientation, linear acceleration, angular rate and gravity
-    vector of the filter. The device refuses a quaternion whose length is not 1 to 0.001. The device
-    normalizes it, so the elements read back may differ a little from those written.
+    It is the inverse of the quaternion that `mip_3dm.SensorToVehicleTransformQuaternion` takes. It
+    turns the scaled acceleration, angular rate and magnetic field, delta theta and delta velocity,
+    and the orientation, linear acceleration, angular rate and gravity vector of the filter. The
+    device normalizes it, so the elements read back may differ a little from those written.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
@@ -5777,7 +5797,9 @@ class SensorToVehicleRotationQuaternion(Command):
     function: FunctionSelector
     """What to do with the setting."""
     q: types.Quatf | None = None
-    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Required for `write`."""
+    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
+    1.001. Required for `write`.
+    """
 
     @classmethod
     def write(cls, q: types.Quatf) -> SensorToVehicleRotationQuaternion:
@@ -5960,8 +5982,9 @@ class KinematicConstraint(Command):
     Assumptions about the motion that the filter uses as measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `KinematicConstraintResponse`. Uncertain: Whether there are further values. The SDK has plain
-    numbers and gives the values in remarks.
+    `KinematicConstraintResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only. Uncertain: Whether there are further values. The SDK has plain numbers and gives the
+    values in remarks.
 
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
@@ -6121,7 +6144,7 @@ class InitializationConfig(Command):
     function: FunctionSelector
     """What to do with the setting."""
     wait_for_run_command: int | None = None
-    """1: the filter starts only after `run`; 0: as soon as it can. Range: 0 to 1. Required for
+    """1: the filter starts only after `Run`; 0: as soon as it can. Range: 0 to 1. Required for
     `write`.
     """
     initial_condition_source: InitialConditionSource | None = None
@@ -6438,8 +6461,6 @@ class MultiAntennaOffset(Command):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `MultiAntennaOffsetResponse`. Supported by 3DM-CV7-GNSS/INS.
 
-    The magnitude of the vector is limited to 10.
-
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
 
@@ -6455,8 +6476,8 @@ class MultiAntennaOffset(Command):
     receiver_id: int | None = None
     """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f | None = None
-    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
-    Required for `write`.
+    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude
+    at most 10. Required for `write`.
     """
 
     @classmethod
@@ -6683,9 +6704,9 @@ class ReferencePointLeverArm(Command):
     Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `ReferencePointLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
 
-    It shifts `llh_position`, `ned_velocity`, `ecef_position`, `ecef_velocity` and
-    `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
-    the angular rate. The magnitude of the vector is limited to 10.
+    It shifts `filter_data.LlhPosition`, `filter_data.NedVelocity`, `filter_data.EcefPosition`,
+    `filter_data.EcefVelocity` and `filter_data.NedRelativePosition`, depending on the attitude and,
+    for velocities, on the angular rate.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -6702,8 +6723,8 @@ class ReferencePointLeverArm(Command):
     reference_point: ReferencePoint | None = None
     """Point to move; it must be 1. Required for `write`."""
     lever_arm_offset: types.Vector3f | None = None
-    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
-    Required for `write`.
+    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
+    most 10. Required for `write`.
     """
 
     @classmethod
@@ -6793,7 +6814,8 @@ class SpeedMeasurement(Command):
 
     Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
 
-    Uncertain: The SDK names a response (0x0D,0xE0) but has no layout of it.
+    No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK names a
+    response, `filter.speed_measurement_response`, but has no layout of it.
 
     It must not be used together with the odometer of the device. Single precision resolves the time
     of week to 0.0625 s at the end of the week.
@@ -6950,7 +6972,8 @@ class VerticalGyroConstraintControl(Command):
     Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `VerticalGyroConstraintControlResponse`.
+    `VerticalGyroConstraintControlResponse`. No device profile lists it. Known from the MicroStrain
+    MIP SDK only.
 
     It takes the linear acceleration as zero.
 

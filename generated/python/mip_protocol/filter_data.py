@@ -426,7 +426,7 @@ class AttitudeQuaternion(Data):
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    v_vehicle = q^-1 * v_ned * q. The 3DM-GX5-15 manual prints the inverse rotation.
+    `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual prints the inverse rotation.
 
     - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
     - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
@@ -468,7 +468,7 @@ class AttitudeDcm(Data):
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm * v_ned.
+    The matrix turns NED vectors into vehicle vectors: `v_vehicle = dcm * v_ned`.
 
     - 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)
     - 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
@@ -1306,6 +1306,8 @@ class GyroScaleFactor(Data):
 
     Estimated scale factor of the gyroscope.
 
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
+
     - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
     """
 
@@ -1344,6 +1346,8 @@ class AccelScaleFactor(Data):
     """Accelerometer scale factor (0x82,0x17).
 
     Estimated scale factor of the accelerometer.
+
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Accel Scale Factor (0x82,0x17)
     """
@@ -1385,6 +1389,8 @@ class GyroScaleFactorUncertainty(Data):
     """Gyroscope scale factor uncertainty (0x82,0x18).
 
     Standard deviation of the estimated scale factor of the gyroscope.
+
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
     """
@@ -1428,6 +1434,8 @@ class AccelScaleFactorUncertainty(Data):
 
     Standard deviation of the estimated scale factor of the accelerometer.
 
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
+
     - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
     """
 
@@ -1468,6 +1476,8 @@ class MagBias(Data):
 
     Estimated bias of the magnetometer.
 
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
+
     - mip-sdk-4: Mag Bias (0x82,0x1A)
     """
 
@@ -1504,6 +1514,8 @@ class MagBiasUncertainty(Data):
     """Magnetometer bias uncertainty (0x82,0x1B).
 
     Standard deviation of the estimated bias of the magnetometer.
+
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
     """
@@ -1591,6 +1603,8 @@ class StandardAtmosphere(Data):
     """Standard atmosphere (0x82,0x20).
 
     US Standard Atmosphere of 1976 at the altitude of the device.
+
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
 
     It is valid only with a valid GNSS position.
 
@@ -1698,7 +1712,8 @@ class DensityAltitude(Data):
 
     Altitude at which the standard atmosphere has the density of the air around the device.
 
-    Uncertain: The SDK gives the name only; the description is the usual meaning of the term.
+    No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK gives
+    the name only; the description is the usual meaning of the term.
 
     - mip-sdk-4: Density Altitude (0x82,0x22)
     """
@@ -1735,9 +1750,10 @@ class MagOffset(Data):
 
     Estimated hard iron offset of the magnetometer.
 
-    Also called `magnetometer_offset`.
+    Also called `magnetometer_offset`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
-    The filter adds it to the stored hard iron offset `mip_3dm.MagHardIronOffset` (0x0C,0x3A).
+    The filter adds it to the stored offset of `mip_3dm.MagHardIronOffset`.
 
     - mip-sdk-4: Magnetometer Offset (0x82,0x25)
     """
@@ -1776,10 +1792,10 @@ class MagMatrix(Data):
 
     Estimated soft iron matrix of the magnetometer.
 
-    Also called `magnetometer_matrix`.
+    Also called `magnetometer_matrix`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
-    The filter multiplies the stored soft iron matrix `mip_3dm.MagSoftIronMatrix` (0x0C,0x3B) by it,
-    from the right.
+    The filter multiplies the stored matrix of `mip_3dm.MagSoftIronMatrix` by it, from the right.
 
     - mip-sdk-4: Magnetometer Matrix (0x82,0x26)
     """
@@ -1818,7 +1834,8 @@ class MagOffsetUncertainty(Data):
 
     Standard deviation of the estimated hard iron offset.
 
-    Also called `magnetometer_offset_uncertainty`.
+    Also called `magnetometer_offset_uncertainty`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
     """
@@ -1859,7 +1876,8 @@ class MagMatrixUncertainty(Data):
 
     Standard deviation of the estimated soft iron matrix.
 
-    Also called `magnetometer_matrix_uncertainty`.
+    Also called `magnetometer_matrix_uncertainty`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
     """
@@ -1900,7 +1918,8 @@ class MagCovarianceMatrix(Data):
 
     Covariance of the magnetometer measurement.
 
-    Also called `magnetometer_covariance_matrix`.
+    Also called `magnetometer_covariance_matrix`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
     """
@@ -1942,7 +1961,8 @@ class MagResidualVector(Data):
 
     Residual of the magnetometer measurement.
 
-    Also called `magnetometer_residual_vector`.
+    Also called `magnetometer_residual_vector`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
     """
@@ -1983,7 +2003,9 @@ class AntennaOffsetCorrection(Data):
 
     Estimated error of the offset of the GNSS antenna.
 
-    The filter adds it to the stored offset `filter.AntennaOffset` (0x0D,0x13).
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
+
+    The filter adds it to the stored offset of `filter.AntennaOffset`.
 
     - mip-sdk-4: Antenna Offset Correction (0x82,0x30)
     """
@@ -2026,6 +2048,8 @@ class AntennaOffsetCorrectionUncertainty(Data):
 
     Standard deviation of the estimated error of the offset of the GNSS antenna.
 
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
+
     - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
     """
 
@@ -2064,6 +2088,8 @@ class ClockCorrection(Data):
     """Clock correction (0x82,0x32).
 
     Estimated clock error of one GNSS receiver.
+
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Clock Correction (0x82,0x32)
     """
@@ -2109,6 +2135,8 @@ class ClockCorrectionUncertainty(Data):
     """Clock correction uncertainty (0x82,0x33).
 
     Standard deviation of the estimated clock error of one GNSS receiver.
+
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)
     """
@@ -2502,7 +2530,8 @@ class GnssAttitudeAidingStatus(Data):
 
     How the filter uses the attitude that two GNSS antennas give.
 
-    Also called `gnss_att_aid_status`.
+    Also called `gnss_att_aid_status`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -2548,7 +2577,8 @@ class HeadingAidingStatus(Data):
 
     The heading measurement that the filter used last.
 
-    Also called `head_aid_status`.
+    Also called `head_aid_status`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 

@@ -208,7 +208,8 @@ _RTK_DONGLE_CONFIG_RESPONSE_0 = codec.Block("BBBB", "enable", *["reserved"] * 3)
 class RtkDongleConfigResponse(Response):
     """RTK dongle configuration response (0x0E,0x90).
 
-    Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`.
+    Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
@@ -524,7 +525,8 @@ class RtkDongleConfig(Command):
     Whether the device talks to the RTK dongle that is connected to it.
 
     Also called `rtk_dongle_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `RtkDongleConfigResponse`.
+    `default`. Answered by `RtkDongleConfigResponse`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
@@ -641,11 +643,13 @@ class SpartnConfig(Command):
     Source and keys of SPARTN corrections.
 
     Also called `spartn_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `SpartnConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Answered by `SpartnConfigResponse`. Supported by 3DM-CV7-GNSS/INS. Uncertain: Whether the device
+    takes upper and lower case. The section on UART has the digits 0-9 and A-F, the description of
+    the command has "bc" for 0xBC.
 
     A change of enable or type has an effect after a power cycle only; keys can be changed while
     running. While SPARTN corrections are enabled, RTCM corrections are blocked. A key of 16 bytes,
-    none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each byte.
+    none of them 0, is sent as 32 ASCII digits in hexadecimal, two for each byte.
 
     - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
     - 3dm-cv7-gnss-ins: SPARTN Corrections

@@ -2,6 +2,9 @@
 
 Measurements and status of the first internal GNSS receiver.
 
+Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all GNSS
+data sets the same fields.
+
 - 3dm-cv7-gnss-ins: GNSS Recv 1 (0x91)
 """
 
@@ -593,7 +596,7 @@ class EphemerisFlags(IntFlag):
     MODERN_DATA = 1 << 1
     """The data of the modernized navigation message are included. Bit 1."""
     ISC_L5 = 1 << 2
-    """isc_l2c is the correction for L5, not for L2. Bit 2."""
+    """`isc_l2c` is the correction for L5, not for L2. Bit 2."""
     FLAGS = 0x7
     """All of them. Bits 0 to 2. Overlaps other bits."""
 
@@ -1115,6 +1118,8 @@ class ClockInfo(Data):
 
     Bias and drift of the receiver clock.
 
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
+
     Clock info 2 replaces it and tells more.
 
     - mip-sdk-4: Clock Info (0x81,0x0A)
@@ -1214,7 +1219,8 @@ class SvInfo(Data):
 
     One satellite that is tracked.
 
-    Uncertain: Whether a packet holds one of these fields or several.
+    No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether a packet
+    holds one of these fields or several.
 
     The satellites come as one field each, in packets apart from other GNSS data.
 
@@ -1334,10 +1340,10 @@ class DgpsInfo(Data):
 
     State of the differential corrections.
 
-    Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of the
-    vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8, three floats and
-    u16, which is that of dgps_channel and does not agree with its own valid flags (age, base
-    station id, base station status, number of channels).
+    No device profile lists it. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of
+    MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has
+    another one, u8, three floats and u16, which is that of `DgpsChannel` and does not agree with
+    its own valid flags (age, base station id, base station status, number of channels).
 
     - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
     - mip-sdk-4: Dgps Info (0x81,0x0E)
@@ -1350,7 +1356,7 @@ class DgpsInfo(Data):
 
     age: float
     """Age of the corrections. Unit: s. Valid if `DgpsInfoFlags.AGE` of `valid_flags` is set.
-    Uncertain: The unit, which follows from dgps_channel.
+    Uncertain: The unit, which follows from `DgpsChannel`.
     """
     base_station_id: int
     """Number of the base station. Valid if `DgpsInfoFlags.BASE_STATION_ID` of `valid_flags` is set.
@@ -1399,6 +1405,8 @@ class DgpsChannel(Data):
     """DGPS channel (0x91,0x0F).
 
     Differential correction for one satellite.
+
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
 
     The active satellites come as one field each, all in one packet.
 
@@ -1630,6 +1638,8 @@ class SbasCorrection(Data):
 
     SBAS correction for one satellite.
 
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
+
     An epoch is sent as one field for each satellite; index and count number the fields. udrei 0 to
     13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709,
     2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
@@ -1723,6 +1733,8 @@ class RfErrorDetection(Data):
     """RF error detection (0x91,0x14).
 
     Jamming and spoofing as the receiver detects them in one band.
+
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Rf Error Detection (0x81,0x14)
     """
@@ -2057,6 +2069,8 @@ class BaseStationInfo(Data):
 
     The base station of the corrections, from an RTCM message 1005 or 1006.
 
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
+
     - mip-sdk-4: Base Station Info (0x81,0x30)
     """
 
@@ -2139,6 +2153,8 @@ class RtkCorrectionsStatus(Data):
 
     Which corrections come, and how old they are.
 
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
+
     - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
     """
 
@@ -2160,8 +2176,8 @@ class RtkCorrectionsStatus(Data):
     """
     dongle_status: types.RtkStatusFlags
     """Status flags of the RTK dongle; of use only with a dongle. Valid if
-    `RtkCorrectionsStatusFlags.DONGLE_STATUS` of `valid_flags` is set. The same word as that of get
-    status flags `rtk.GetStatusFlags` (0x0F,0x01), in one of its two forms.
+    `RtkCorrectionsStatusFlags.DONGLE_STATUS` of `valid_flags` is set. The same word as that of
+    `rtk.GetStatusFlags`, in one of its two forms.
     """
     gps_correction_latency: float
     """Latency of the last GPS correction. Unit: s. Valid if `RtkCorrectionsStatusFlags.GPS_LATENCY`
@@ -2274,7 +2290,7 @@ class GpsEphemeris(Data):
 
     Supported by 3DM-CV7-GNSS/INS.
 
-    iodc changes with the clock data; the manual has it roll over at 4.
+    `iodc` changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
     """
@@ -2319,7 +2335,7 @@ class GpsEphemeris(Data):
     is set.
     """
     isc_l2c: float
-    """Inter-signal correction for L2, or for L5 if isc_l5 is set. Unit: s. Valid if
+    """Inter-signal correction for L2, or for L5 if `isc_l5` is set. Unit: s. Valid if
     `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     t_oe: float
@@ -2777,7 +2793,7 @@ class GalileoEphemeris(Data):
     Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
+    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
     """
@@ -3054,7 +3070,7 @@ class BeidouEphemeris(Data):
     Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
+    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
     """
@@ -3294,7 +3310,8 @@ class GpsIonoCorrection(Data):
 
     Model of the ionosphere that GPS broadcasts.
 
-    Also called `gps_iono_corr`.
+    Also called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Gps Iono Corr (0x81,0x71)
     """
@@ -3354,7 +3371,8 @@ class GalileoIonoCorrection(Data):
 
     Model of the ionosphere that Galileo broadcasts.
 
-    Also called `galileo_iono_corr`.
+    Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
     """
@@ -3422,7 +3440,8 @@ class BeidouIonoCorrection(Data):
 
     Model of the ionosphere that BeiDou broadcasts.
 
-    Also called `beidou_iono_corr`.
+    Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
     """

@@ -2,6 +2,9 @@
 
 Measurements and status of the second internal GNSS receiver.
 
+Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all GNSS
+data sets the same fields.
+
 - 3dm-cv7-gnss-ins: GNSS Recv 2 (0x92)
 """
 
@@ -128,7 +131,8 @@ class ClockInfo(gnss_1.ClockInfo):
 
     Bias and drift of the receiver clock.
 
-    Has the layout of `gnss_1.ClockInfo`.
+    Has the layout of `gnss_1.ClockInfo`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
     Clock info 2 replaces it and tells more.
 
@@ -162,8 +166,8 @@ class SvInfo(gnss_1.SvInfo):
 
     One satellite that is tracked.
 
-    Has the layout of `gnss_1.SvInfo`. Uncertain: Whether a packet holds one of these fields or
-    several.
+    Has the layout of `gnss_1.SvInfo`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only. Uncertain: Whether a packet holds one of these fields or several.
 
     The satellites come as one field each, in packets apart from other GNSS data.
 
@@ -198,10 +202,11 @@ class DgpsInfo(gnss_1.DgpsInfo):
 
     State of the differential corrections.
 
-    Has the layout of `gnss_1.DgpsInfo`. Uncertain: The layout is that of a manual of the 3DM-GX5-35
-    and of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK
-    has another one, u8, three floats and u16, which is that of dgps_channel and does not agree with
-    its own valid flags (age, base station id, base station status, number of channels).
+    Has the layout of `gnss_1.DgpsInfo`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
+    library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8,
+    three floats and u16, which is that of `gnss_1.DgpsChannel` and does not agree with its own
+    valid flags (age, base station id, base station status, number of channels).
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -217,7 +222,8 @@ class DgpsChannel(gnss_1.DgpsChannel):
 
     Differential correction for one satellite.
 
-    Has the layout of `gnss_1.DgpsChannel`.
+    Has the layout of `gnss_1.DgpsChannel`. No device profile lists it. Known from the MicroStrain
+    MIP SDK only.
 
     The active satellites come as one field each, all in one packet.
 
@@ -285,7 +291,8 @@ class SbasCorrection(gnss_1.SbasCorrection):
 
     SBAS correction for one satellite.
 
-    Has the layout of `gnss_1.SbasCorrection`.
+    Has the layout of `gnss_1.SbasCorrection`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     An epoch is sent as one field for each satellite; index and count number the fields. udrei 0 to
     13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709,
@@ -305,7 +312,8 @@ class RfErrorDetection(gnss_1.RfErrorDetection):
 
     Jamming and spoofing as the receiver detects them in one band.
 
-    Has the layout of `gnss_1.RfErrorDetection`.
+    Has the layout of `gnss_1.RfErrorDetection`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -358,7 +366,8 @@ class BaseStationInfo(gnss_1.BaseStationInfo):
 
     The base station of the corrections, from an RTCM message 1005 or 1006.
 
-    Has the layout of `gnss_1.BaseStationInfo`.
+    Has the layout of `gnss_1.BaseStationInfo`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -374,7 +383,8 @@ class RtkCorrectionsStatus(gnss_1.RtkCorrectionsStatus):
 
     Which corrections come, and how old they are.
 
-    Has the layout of `gnss_1.RtkCorrectionsStatus`.
+    Has the layout of `gnss_1.RtkCorrectionsStatus`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -392,7 +402,7 @@ class GpsEphemeris(gnss_1.GpsEphemeris):
 
     Has the layout of `gnss_1.GpsEphemeris`. Supported by 3DM-CV7-GNSS/INS.
 
-    iodc changes with the clock data; the manual has it roll over at 4.
+    `iodc` changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61)
     """
@@ -431,7 +441,7 @@ class GalileoEphemeris(gnss_1.GalileoEphemeris):
     Has the layout of `gnss_1.GalileoEphemeris`. Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
+    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
     """
@@ -450,7 +460,7 @@ class BeidouEphemeris(gnss_1.BeidouEphemeris):
     Has the layout of `gnss_1.BeidouEphemeris`. Supported by 3DM-CV7-GNSS/INS.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
+    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
     """
@@ -466,7 +476,8 @@ class GpsIonoCorrection(gnss_1.GpsIonoCorrection):
 
     Model of the ionosphere that GPS broadcasts.
 
-    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`.
+    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`. No device profile
+    lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -482,7 +493,8 @@ class GalileoIonoCorrection(gnss_1.GalileoIonoCorrection):
 
     Model of the ionosphere that Galileo broadcasts.
 
-    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`.
+    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`. No device
+    profile lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -498,7 +510,8 @@ class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
 
     Model of the ionosphere that BeiDou broadcasts.
 
-    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`.
+    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`. No device
+    profile lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """

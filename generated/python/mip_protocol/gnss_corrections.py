@@ -2,6 +2,9 @@
 
 What the device receives of RTK corrections. Data are sent as they are received.
 
+Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all GNSS
+data sets the same fields.
+
 - 3dm-cv7-gnss-ins: GNSS Corrections (0x93)
 """
 
@@ -16,7 +19,8 @@ class LlhPosition(gnss_1.LlhPosition):
 
     GNSS position as latitude, longitude and height.
 
-    Has the layout of `gnss_1.LlhPosition`. Also called `pos_llh`.
+    Has the layout of `gnss_1.LlhPosition`. Also called `pos_llh`. No device profile lists it. Known
+    from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -32,7 +36,8 @@ class EcefPosition(gnss_1.EcefPosition):
 
     GNSS position in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`.
+    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`. No device profile lists it.
+    Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -48,7 +53,8 @@ class NedVelocity(gnss_1.NedVelocity):
 
     GNSS velocity in the local level frame.
 
-    Has the layout of `gnss_1.NedVelocity`. Also called `vel_ned`.
+    Has the layout of `gnss_1.NedVelocity`. Also called `vel_ned`. No device profile lists it. Known
+    from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -64,7 +70,8 @@ class EcefVelocity(gnss_1.EcefVelocity):
 
     GNSS velocity in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`.
+    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`. No device profile lists it.
+    Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -80,7 +87,8 @@ class Dop(gnss_1.Dop):
 
     Dilution of precision of the satellite geometry.
 
-    Has the layout of `gnss_1.Dop`.
+    Has the layout of `gnss_1.Dop`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -96,7 +104,8 @@ class UtcTime(gnss_1.UtcTime):
 
     Coordinated universal time as the receiver knows it.
 
-    Has the layout of `gnss_1.UtcTime`.
+    Has the layout of `gnss_1.UtcTime`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -112,7 +121,8 @@ class GpsTime(gnss_1.GpsTime):
 
     GPS time as the receiver knows it.
 
-    Has the layout of `gnss_1.GpsTime`.
+    Has the layout of `gnss_1.GpsTime`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -128,7 +138,8 @@ class ClockInfo(gnss_1.ClockInfo):
 
     Bias and drift of the receiver clock.
 
-    Has the layout of `gnss_1.ClockInfo`.
+    Has the layout of `gnss_1.ClockInfo`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
     Clock info 2 replaces it and tells more.
 
@@ -146,7 +157,8 @@ class FixInfo(gnss_1.FixInfo):
 
     Type of the position fix and what it is made of.
 
-    Has the layout of `gnss_1.FixInfo`.
+    Has the layout of `gnss_1.FixInfo`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -162,8 +174,8 @@ class SvInfo(gnss_1.SvInfo):
 
     One satellite that is tracked.
 
-    Has the layout of `gnss_1.SvInfo`. Uncertain: Whether a packet holds one of these fields or
-    several.
+    Has the layout of `gnss_1.SvInfo`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only. Uncertain: Whether a packet holds one of these fields or several.
 
     The satellites come as one field each, in packets apart from other GNSS data.
 
@@ -181,7 +193,8 @@ class HardwareStatus(gnss_1.HardwareStatus):
 
     State of the receiver and of its antenna.
 
-    Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`.
+    Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`. No device profile lists it.
+    Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -197,10 +210,11 @@ class DgpsInfo(gnss_1.DgpsInfo):
 
     State of the differential corrections.
 
-    Has the layout of `gnss_1.DgpsInfo`. Uncertain: The layout is that of a manual of the 3DM-GX5-35
-    and of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK
-    has another one, u8, three floats and u16, which is that of dgps_channel and does not agree with
-    its own valid flags (age, base station id, base station status, number of channels).
+    Has the layout of `gnss_1.DgpsInfo`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
+    library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8,
+    three floats and u16, which is that of `gnss_1.DgpsChannel` and does not agree with its own
+    valid flags (age, base station id, base station status, number of channels).
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -216,7 +230,8 @@ class DgpsChannel(gnss_1.DgpsChannel):
 
     Differential correction for one satellite.
 
-    Has the layout of `gnss_1.DgpsChannel`.
+    Has the layout of `gnss_1.DgpsChannel`. No device profile lists it. Known from the MicroStrain
+    MIP SDK only.
 
     The active satellites come as one field each, all in one packet.
 
@@ -234,7 +249,8 @@ class ClockInfo2(gnss_1.ClockInfo2):
 
     Bias and drift of the receiver clock.
 
-    Has the layout of `gnss_1.ClockInfo2`.
+    Has the layout of `gnss_1.ClockInfo2`. No device profile lists it. Known from the MicroStrain
+    MIP SDK only.
 
     It supersedes clock info.
 
@@ -252,7 +268,8 @@ class GpsLeapSeconds(gnss_1.GpsLeapSeconds):
 
     Difference between GPS time and UTC.
 
-    Has the layout of `gnss_1.GpsLeapSeconds`.
+    Has the layout of `gnss_1.GpsLeapSeconds`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -268,7 +285,8 @@ class SbasInfo(gnss_1.SbasInfo):
 
     Status of the satellite based augmentation.
 
-    Has the layout of `gnss_1.SbasInfo`.
+    Has the layout of `gnss_1.SbasInfo`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -284,7 +302,8 @@ class SbasCorrection(gnss_1.SbasCorrection):
 
     SBAS correction for one satellite.
 
-    Has the layout of `gnss_1.SbasCorrection`.
+    Has the layout of `gnss_1.SbasCorrection`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     An epoch is sent as one field for each satellite; index and count number the fields. udrei 0 to
     13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709,
@@ -304,7 +323,8 @@ class RfErrorDetection(gnss_1.RfErrorDetection):
 
     Jamming and spoofing as the receiver detects them in one band.
 
-    Has the layout of `gnss_1.RfErrorDetection`.
+    Has the layout of `gnss_1.RfErrorDetection`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -320,7 +340,8 @@ class SatelliteStatus(gnss_1.SatelliteStatus):
 
     Where one satellite stands, and its health.
 
-    Has the layout of `gnss_1.SatelliteStatus`.
+    Has the layout of `gnss_1.SatelliteStatus`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     An epoch is sent as one field for each satellite; index and count number the fields.
 
@@ -338,7 +359,8 @@ class Raw(gnss_1.Raw):
 
     Raw observation of one signal of one satellite.
 
-    Has the layout of `gnss_1.Raw`.
+    Has the layout of `gnss_1.Raw`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     An epoch is sent as one field for each signal; index and count number the fields. The greatest
     lock time depends on the receiver.
@@ -389,9 +411,10 @@ class GpsEphemeris(gnss_1.GpsEphemeris):
 
     Broadcast orbit and clock of one GPS satellite.
 
-    Has the layout of `gnss_1.GpsEphemeris`.
+    Has the layout of `gnss_1.GpsEphemeris`. No device profile lists it. Known from the MicroStrain
+    MIP SDK only.
 
-    iodc changes with the clock data; the manual has it roll over at 4.
+    `iodc` changes with the clock data; the manual has it roll over at 4.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -407,7 +430,8 @@ class GlonassEphemeris(gnss_1.GlonassEphemeris):
 
     Broadcast orbit and clock of one GLONASS satellite.
 
-    Has the layout of `gnss_1.GlonassEphemeris`. Also called `glo_ephemeris`.
+    Has the layout of `gnss_1.GlonassEphemeris`. Also called `glo_ephemeris`. No device profile
+    lists it. Known from the MicroStrain MIP SDK only.
 
     The interface control document of GLONASS explains p and ft. A period of four years has 1461
     days; the manual does not say how nt, a u8, counts them.
@@ -426,10 +450,11 @@ class GalileoEphemeris(gnss_1.GalileoEphemeris):
 
     Broadcast orbit and clock of one Galileo satellite.
 
-    Has the layout of `gnss_1.GalileoEphemeris`.
+    Has the layout of `gnss_1.GalileoEphemeris`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
+    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -445,10 +470,11 @@ class BeidouEphemeris(gnss_1.BeidouEphemeris):
 
     Broadcast orbit and clock of one BeiDou satellite.
 
-    Has the layout of `gnss_1.BeidouEphemeris`.
+    Has the layout of `gnss_1.BeidouEphemeris`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
+    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -464,7 +490,8 @@ class GpsIonoCorrection(gnss_1.GpsIonoCorrection):
 
     Model of the ionosphere that GPS broadcasts.
 
-    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`.
+    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`. No device profile
+    lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -480,7 +507,8 @@ class GalileoIonoCorrection(gnss_1.GalileoIonoCorrection):
 
     Model of the ionosphere that Galileo broadcasts.
 
-    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`.
+    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`. No device
+    profile lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -496,7 +524,8 @@ class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
 
     Model of the ionosphere that BeiDou broadcasts.
 
-    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`.
+    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`. No device
+    profile lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """

@@ -3,6 +3,9 @@
 What an external GNSS receiver tells the device by NMEA sentences. A field may need several
 sentences; a value that NMEA does not give is not valid. Times are those of the sentences.
 
+Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all GNSS
+data sets the same fields.
+
 - 3dm-cv7-gnss-ins: GNSS External (0x94)
 - 3dm-cv7-gnss-ins: NMEA Input
 """
@@ -34,7 +37,8 @@ class EcefPosition(gnss_1.EcefPosition):
 
     GNSS position in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`.
+    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`. No device profile lists it.
+    Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -66,7 +70,8 @@ class EcefVelocity(gnss_1.EcefVelocity):
 
     GNSS velocity in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`.
+    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`. No device profile lists it.
+    Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -82,7 +87,8 @@ class Dop(gnss_1.Dop):
 
     Dilution of precision of the satellite geometry.
 
-    Has the layout of `gnss_1.Dop`.
+    Has the layout of `gnss_1.Dop`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -114,7 +120,8 @@ class GpsTime(gnss_1.GpsTime):
 
     GPS time as the receiver knows it.
 
-    Has the layout of `gnss_1.GpsTime`.
+    Has the layout of `gnss_1.GpsTime`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -130,7 +137,8 @@ class ClockInfo(gnss_1.ClockInfo):
 
     Bias and drift of the receiver clock.
 
-    Has the layout of `gnss_1.ClockInfo`.
+    Has the layout of `gnss_1.ClockInfo`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
     Clock info 2 replaces it and tells more.
 
@@ -164,8 +172,8 @@ class SvInfo(gnss_1.SvInfo):
 
     One satellite that is tracked.
 
-    Has the layout of `gnss_1.SvInfo`. Uncertain: Whether a packet holds one of these fields or
-    several.
+    Has the layout of `gnss_1.SvInfo`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only. Uncertain: Whether a packet holds one of these fields or several.
 
     The satellites come as one field each, in packets apart from other GNSS data.
 
@@ -183,7 +191,8 @@ class HardwareStatus(gnss_1.HardwareStatus):
 
     State of the receiver and of its antenna.
 
-    Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`.
+    Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`. No device profile lists it.
+    Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -199,10 +208,11 @@ class DgpsInfo(gnss_1.DgpsInfo):
 
     State of the differential corrections.
 
-    Has the layout of `gnss_1.DgpsInfo`. Uncertain: The layout is that of a manual of the 3DM-GX5-35
-    and of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK
-    has another one, u8, three floats and u16, which is that of dgps_channel and does not agree with
-    its own valid flags (age, base station id, base station status, number of channels).
+    Has the layout of `gnss_1.DgpsInfo`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
+    library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8,
+    three floats and u16, which is that of `gnss_1.DgpsChannel` and does not agree with its own
+    valid flags (age, base station id, base station status, number of channels).
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -218,7 +228,8 @@ class DgpsChannel(gnss_1.DgpsChannel):
 
     Differential correction for one satellite.
 
-    Has the layout of `gnss_1.DgpsChannel`.
+    Has the layout of `gnss_1.DgpsChannel`. No device profile lists it. Known from the MicroStrain
+    MIP SDK only.
 
     The active satellites come as one field each, all in one packet.
 
@@ -236,7 +247,8 @@ class ClockInfo2(gnss_1.ClockInfo2):
 
     Bias and drift of the receiver clock.
 
-    Has the layout of `gnss_1.ClockInfo2`.
+    Has the layout of `gnss_1.ClockInfo2`. No device profile lists it. Known from the MicroStrain
+    MIP SDK only.
 
     It supersedes clock info.
 
@@ -254,7 +266,8 @@ class GpsLeapSeconds(gnss_1.GpsLeapSeconds):
 
     Difference between GPS time and UTC.
 
-    Has the layout of `gnss_1.GpsLeapSeconds`.
+    Has the layout of `gnss_1.GpsLeapSeconds`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -270,7 +283,8 @@ class SbasInfo(gnss_1.SbasInfo):
 
     Status of the satellite based augmentation.
 
-    Has the layout of `gnss_1.SbasInfo`.
+    Has the layout of `gnss_1.SbasInfo`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -286,7 +300,8 @@ class SbasCorrection(gnss_1.SbasCorrection):
 
     SBAS correction for one satellite.
 
-    Has the layout of `gnss_1.SbasCorrection`.
+    Has the layout of `gnss_1.SbasCorrection`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     An epoch is sent as one field for each satellite; index and count number the fields. udrei 0 to
     13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709,
@@ -306,7 +321,8 @@ class RfErrorDetection(gnss_1.RfErrorDetection):
 
     Jamming and spoofing as the receiver detects them in one band.
 
-    Has the layout of `gnss_1.RfErrorDetection`.
+    Has the layout of `gnss_1.RfErrorDetection`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -340,7 +356,8 @@ class Raw(gnss_1.Raw):
 
     Raw observation of one signal of one satellite.
 
-    Has the layout of `gnss_1.Raw`.
+    Has the layout of `gnss_1.Raw`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     An epoch is sent as one field for each signal; index and count number the fields. The greatest
     lock time depends on the receiver.
@@ -359,7 +376,8 @@ class BaseStationInfo(gnss_1.BaseStationInfo):
 
     The base station of the corrections, from an RTCM message 1005 or 1006.
 
-    Has the layout of `gnss_1.BaseStationInfo`.
+    Has the layout of `gnss_1.BaseStationInfo`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -375,7 +393,8 @@ class RtkCorrectionsStatus(gnss_1.RtkCorrectionsStatus):
 
     Which corrections come, and how old they are.
 
-    Has the layout of `gnss_1.RtkCorrectionsStatus`.
+    Has the layout of `gnss_1.RtkCorrectionsStatus`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -391,9 +410,10 @@ class GpsEphemeris(gnss_1.GpsEphemeris):
 
     Broadcast orbit and clock of one GPS satellite.
 
-    Has the layout of `gnss_1.GpsEphemeris`.
+    Has the layout of `gnss_1.GpsEphemeris`. No device profile lists it. Known from the MicroStrain
+    MIP SDK only.
 
-    iodc changes with the clock data; the manual has it roll over at 4.
+    `iodc` changes with the clock data; the manual has it roll over at 4.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -409,7 +429,8 @@ class GlonassEphemeris(gnss_1.GlonassEphemeris):
 
     Broadcast orbit and clock of one GLONASS satellite.
 
-    Has the layout of `gnss_1.GlonassEphemeris`. Also called `glo_ephemeris`.
+    Has the layout of `gnss_1.GlonassEphemeris`. Also called `glo_ephemeris`. No device profile
+    lists it. Known from the MicroStrain MIP SDK only.
 
     The interface control document of GLONASS explains p and ft. A period of four years has 1461
     days; the manual does not say how nt, a u8, counts them.
@@ -428,10 +449,11 @@ class GalileoEphemeris(gnss_1.GalileoEphemeris):
 
     Broadcast orbit and clock of one Galileo satellite.
 
-    Has the layout of `gnss_1.GalileoEphemeris`.
+    Has the layout of `gnss_1.GalileoEphemeris`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
+    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -447,10 +469,11 @@ class BeidouEphemeris(gnss_1.BeidouEphemeris):
 
     Broadcast orbit and clock of one BeiDou satellite.
 
-    Has the layout of `gnss_1.BeidouEphemeris`.
+    Has the layout of `gnss_1.BeidouEphemeris`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
+    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -466,7 +489,8 @@ class GpsIonoCorrection(gnss_1.GpsIonoCorrection):
 
     Model of the ionosphere that GPS broadcasts.
 
-    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`.
+    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`. No device profile
+    lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -482,7 +506,8 @@ class GalileoIonoCorrection(gnss_1.GalileoIonoCorrection):
 
     Model of the ionosphere that Galileo broadcasts.
 
-    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`.
+    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`. No device
+    profile lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -498,7 +523,8 @@ class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
 
     Model of the ionosphere that BeiDou broadcasts.
 
-    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`.
+    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`. No device
+    profile lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """

@@ -59,8 +59,8 @@ class FactoryStreamingAction(codec.OpenEnum):
 
 
 class ConstellationId(codec.OpenEnum):
-    """Constellation in the settings of a receiver. The values are not those of gnss_constellation,
-    which GNSS data use.
+    """Constellation in the settings of a receiver. The values are not those of
+    `types.GnssConstellation`, which GNSS data use.
 
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     """
@@ -203,7 +203,7 @@ class EventSupportInfo(Structure):
     """
 
     type: int
-    """A value of event_trigger_type if triggers were asked about, else of event_action_type."""
+    """Type of triggers, or of actions."""
     count: int
     """Instances of this type at most. Unit: 1."""
 
@@ -289,7 +289,7 @@ class OdometerMode(codec.OpenEnum):
 
 
 class SensorRangeType(codec.OpenEnum):
-    """A sensor whose range can be set, which also decides the unit of the range.
+    """A sensor whose range can be set.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -297,13 +297,13 @@ class SensorRangeType(codec.OpenEnum):
     ALL = 0
     """All sensors; for save, load and default only."""
     ACCEL = 1
-    """Accelerometer; standard gravities."""
+    """Accelerometer."""
     GYRO = 2
-    """Gyroscope; degrees per second."""
+    """Gyroscope."""
     MAG = 3
-    """Magnetometer; gauss."""
+    """Magnetometer."""
     PRESSURE = 4
-    """Pressure sensor; hectopascals, that is millibars."""
+    """Pressure sensor."""
 
 
 _SENSOR_RANGE_ENTRY_0 = codec.Block("Bf", "setting", "range")
@@ -319,7 +319,7 @@ class SensorRangeEntry(Structure):
     setting: int
     """Value for the sensor range command."""
     range: float
-    """Largest measurable value; sensor_range_type gives the unit."""
+    """Largest measurable value."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorRangeEntry, int]:
@@ -521,7 +521,8 @@ _GET_GNSS_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetGnssBaseRateResponse(Response):
     """Get GNSS Data Base Rate response (0x0C,0x84).
 
-    Also called `gnss_get_base_rate_response`. Answers `GetGnssBaseRate`.
+    Also called `gnss_get_base_rate_response`. Answers `GetGnssBaseRate`. Known from the MicroStrain
+    MIP SDK only.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -2367,7 +2368,7 @@ _GNSS_ASSISTED_FIX_RESPONSE_0 = codec.Block("BB", "option", "flags")
 class GnssAssistedFixResponse(Response):
     """GNSS Assisted Fix response (0x0C,0xA2).
 
-    Answers `GnssAssistedFix`.
+    Answers `GnssAssistedFix`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
@@ -2402,7 +2403,7 @@ _GNSS_TIME_ASSISTANCE_RESPONSE_0 = codec.Block("dHf", "tow", "week_number", "acc
 class GnssTimeAssistanceResponse(Response):
     """GNSS Time Assistance response (0x0C,0xA3).
 
-    Answers `GnssTimeAssistance`.
+    Answers `GnssTimeAssistance`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
     """
@@ -2599,7 +2600,12 @@ class GetEventSupportResponse(Response):
     """Number of slots; instances go from 1 to this. Unit: 1."""
     # On the wire: num_entries. Number of types. The number of elements of `entries`.
     entries: tuple[EventSupportInfo, ...]
-    """The types."""
+    """The types.
+
+    - If `query` is `EventSupportQuery.TRIGGER_TYPES`: `type` has values of
+      `types.EventTriggerType`.
+    - If `query` is `EventSupportQuery.ACTION_TYPES`: `type` has values of `types.EventActionType`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetEventSupportResponse, int]:
@@ -3061,7 +3067,13 @@ class GetCalibratedSensorRangesResponse(Response):
     """Sensor of the command."""
     # On the wire: num_ranges. Number of ranges. The number of elements of `ranges`.
     ranges: tuple[SensorRangeEntry, ...]
-    """The ranges."""
+    """The ranges.
+
+    - If `sensor` is `SensorRangeType.ACCEL`: `range` has unit g.
+    - If `sensor` is `SensorRangeType.GYRO`: `range` has unit deg/s.
+    - If `sensor` is `SensorRangeType.MAG`: `range` has unit gauss.
+    - If `sensor` is `SensorRangeType.PRESSURE`: `range` has unit mbar.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetCalibratedSensorRangesResponse, int]:
@@ -3193,11 +3205,12 @@ class PollGnssData(Command):
 
     Asks for one GNSS data packet with the fields listed, in their order.
 
-    Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true.
+    Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. No device profile
+    lists it. Known from the MicroStrain MIP SDK only.
 
-    An empty list polls the stored GNSS message format `GnssMessageFormat` (0x0C,0x09); without one
-    the device refuses. Descriptors that the device does not know are left out. The data comes in a
-    packet of its own behind the reply.
+    An empty list polls what `GnssMessageFormat` has stored; without that the device refuses.
+    Descriptors that the device does not know are left out. The data comes in a packet of its own
+    behind the reply.
 
     - mip-sdk-4: Poll Gnss Message (0x0C,0x02)
     """
@@ -3380,7 +3393,8 @@ class GetGnssBaseRate(Command):
 
     Asks for the rate that the decimations of the GNSS message format divide.
 
-    Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`.
+    Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`. No device profile lists
+    it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -3514,7 +3528,7 @@ class GnssMessageFormat(Command):
     Fields of the GNSS data packets, in order, with their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GnssMessageFormatResponse`.
+    `GnssMessageFormatResponse`. No device profile lists it.
 
     The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
     the wanted rate.
@@ -4101,7 +4115,7 @@ class DataStreamControl(Command):
     Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `DataStreamControlResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    5-series devices name the stream by a number of their own (legacy_data_stream), others by its
+    5-series devices name the stream by a number of their own (`LegacyDataStream`), others by its
     descriptor set.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
@@ -4209,8 +4223,8 @@ class ConstellationSettings(Command):
     Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ConstellationSettingsResponse`. Uncertain: The factory default, as the SDK gives it, names GPS
-    and GLONASS alone as enabled but has channels for SBAS and QZSS too.
+    `ConstellationSettingsResponse`. No device profile lists it. Uncertain: The factory default, as
+    the SDK gives it, names GPS and GLONASS alone as enabled but has channels for SBAS and QZSS too.
 
     The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
     channels at most than it reserves. GLONASS and BeiDou exclude each other. If the antenna or its
@@ -4466,11 +4480,12 @@ class GnssAssistedFix(Command):
     Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`.
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
 
-    The last fix is kept in the flash memory and the FRAM of the receiver. With the time of GNSS
-    time assistance `GnssTimeAssistance` (0x0C,0x24) right after power-up, the first fix takes 1 s
-    at best. A change from enabled to none erases the flash memory of the receiver, which stands 100
-    000 erasures. It takes slightly more power.
+    The last fix is kept in the flash memory and the FRAM of the receiver. With the time of
+    `GnssTimeAssistance` right after power-up, the first fix takes 1 s at best. A change from
+    enabled to none erases the flash memory of the receiver, which stands 100 000 erasures. It takes
+    slightly more power.
 
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
@@ -4576,10 +4591,10 @@ class GnssTimeAssistance(Command):
 
     Tells the GNSS receiver the present GPS time.
 
-    Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`.
+    Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`. No device profile lists
+    it. Known from the MicroStrain MIP SDK only.
 
-    It is needed right after power-up if the assisted fix `GnssAssistedFix` (0x0C,0x23) was on at
-    power-off.
+    It is needed right after power-up if `GnssAssistedFix` was on at power-off.
 
     - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
     """
@@ -5385,11 +5400,11 @@ class SensorToVehicleTransformEuler(Command):
 
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
     be another form of it. The mounting is reached from the vehicle frame by turning about the
-    sensor's own z, y and x axes by yaw, pitch and roll. A vector in the vehicle frame is Rz(yaw)
-    Ry(pitch) Rx(roll) times the vector in the sensor frame. It applies to the sensor data, the
-    complementary filter and the attitude, acceleration, rate and gravity of the filter. A change
-    resets the low-pass filters, the complementary filter and the estimation filter. On some older
-    products the setting means the inverse rotation.
+    sensor's own z, y and x axes by yaw, pitch and roll. `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll)
+    * v_sensor` It applies to the sensor data, the complementary filter and the attitude,
+    acceleration, rate and gravity of the filter. A change resets the low-pass filters, the
+    complementary filter and the estimation filter. On some older products the setting means the
+    inverse rotation.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -5505,8 +5520,10 @@ class SensorToVehicleTransformQuaternion(Command):
     3DM-CV7-GNSS/INS.
 
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it. A change resets the low-pass filters, the complementary filter and the
-    estimation filter.
+    be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with
+    the scalar part 0. This is the inverse of the quaternion that
+    `filter.SensorToVehicleRotationQuaternion` takes. A change resets the low-pass filters, the
+    complementary filter and the estimation filter.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -5601,9 +5618,9 @@ class SensorToVehicleTransformDcm(Command):
     `default`. Answered by `SensorToVehicleTransformDcmResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it. A vector in the vehicle frame is this matrix times the vector in the
-    sensor frame. A change resets the low-pass filters, the complementary filter and the estimation
-    filter.
+    be another form of it. `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
+    `filter.SensorToVehicleRotationDcm` takes. A change resets the low-pass filters, the
+    complementary filter and the estimation filter.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -6482,7 +6499,7 @@ class GpioState(Command):
     Functions: `write` and `read`. Answered by `GpioStateResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     What is read is the level of the pin itself. Writing shows only on a pin that is configured as
-    an output. An event action of mode active_high or active_low on the pin overrides what is
+    an output. An event action of mode `active_high` or `active_low` on the pin overrides what is
     written. Reading is sure to work only with the gpio feature. The state at power-up is a matter
     of the GPIO configuration command.
 
@@ -7342,9 +7359,8 @@ class DeviceStatus(Command):
     `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response` or
     `DeviceStatusDiagnosticImuResponse`. Supported by 3DM-GX5-15.
 
-    The device expects its own model number, which is in the device information `base.GetDeviceInfo`
-    (0x01,0x03). Families of devices answer in layouts of their own. The selector and the length
-    tell them apart.
+    The device expects its own model number, which `base.GetDeviceInfo` tells. Families of devices
+    answer in layouts of their own. The selector and the length tell them apart.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)

@@ -2,6 +2,9 @@
 
 Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
 
+Uncertain: The SDK describes hardly anything of this set; most descriptions follow from the names.
+Uncertain: How the strings are padded or ended.
+
 - mip-sdk-4: Rtk Commands (0x0F)
 """
 
@@ -74,7 +77,7 @@ _GET_STATUS_FLAGS_RESPONSE_0 = codec.Block("I", "flags")
 class GetStatusFlagsResponse(Response):
     """Get status flags response (0x0F,0x81).
 
-    Answers `GetStatusFlags`.
+    Answers `GetStatusFlags`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """
@@ -103,7 +106,7 @@ class GetStatusFlagsResponse(Response):
 class GetImeiResponse(Response):
     """Get IMEI response (0x0F,0x82).
 
-    Answers `GetImei`.
+    Answers `GetImei`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Get Imei (0x0F,0x02)
     """
@@ -132,7 +135,7 @@ class GetImeiResponse(Response):
 class GetImsiResponse(Response):
     """Get IMSI response (0x0F,0x83).
 
-    Answers `GetImsi`.
+    Answers `GetImsi`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Get Imsi (0x0F,0x03)
     """
@@ -161,7 +164,7 @@ class GetImsiResponse(Response):
 class GetIccidResponse(Response):
     """Get ICCID response (0x0F,0x84).
 
-    Answers `GetIccid`.
+    Answers `GetIccid`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Get Iccid (0x0F,0x04)
     """
@@ -193,7 +196,8 @@ _GET_RSSI_RESPONSE_0 = codec.Block("Bii", "valid", "rssi", "signal_quality")
 class GetRssiResponse(Response):
     """Get RSSI response (0x0F,0x85).
 
-    Answers `GetRssi`. Uncertain: That `valid` vouches for the other values is inferred.
+    Answers `GetRssi`. Known from the MicroStrain MIP SDK only. Uncertain: That `valid` vouches for
+    the other values is inferred.
 
     - mip-sdk-4: Get Rssi (0x0F,0x05)
     """
@@ -231,7 +235,7 @@ _CONNECTED_DEVICE_TYPE_RESPONSE_0 = codec.Block("B", "device_type")
 class ConnectedDeviceTypeResponse(Response):
     """Connected device type response (0x0F,0x86).
 
-    Answers `ConnectedDeviceType`.
+    Answers `ConnectedDeviceType`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Connected Device Type (0x0F,0x06)
     """
@@ -260,7 +264,8 @@ class ConnectedDeviceTypeResponse(Response):
 class GetActivationCodeResponse(Response):
     """Get activation code response (0x0F,0x87).
 
-    Also called `get_act_code_response`. Answers `GetActivationCode`.
+    Also called `get_act_code_response`. Answers `GetActivationCode`. Known from the MicroStrain MIP
+    SDK only.
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """
@@ -289,7 +294,7 @@ class GetActivationCodeResponse(Response):
 class GetModemFirmwareVersionResponse(Response):
     """Get modem firmware version response (0x0F,0x88).
 
-    Answers `GetModemFirmwareVersion`.
+    Answers `GetModemFirmwareVersion`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
     """
@@ -325,7 +330,8 @@ class ServiceStatusResponse(Response):
 
     What the server knows of the connection.
 
-    Answers `ServiceStatus`. Uncertain: What exactly the counters count.
+    Answers `ServiceStatus`. Known from the MicroStrain MIP SDK only. Uncertain: What exactly the
+    counters count.
 
     - mip-sdk-4: Service Status (0x0F,0x0A)
     """
@@ -367,9 +373,10 @@ class GetStatusFlags(Command):
 
     Asks for the state of the modem and of the corrections.
 
-    Answered by `GetStatusFlagsResponse`.
+    Answered by `GetStatusFlagsResponse`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
-    The word of the response has two forms, rtk_status_flags and rtk_status_flags_legacy.
+    The word of the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`.
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """
@@ -394,7 +401,8 @@ class GetImei(Command):
 
     Asks for the identity of the modem.
 
-    Answered by `GetImeiResponse`.
+    Answered by `GetImeiResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Get Imei (0x0F,0x02)
     """
@@ -419,7 +427,8 @@ class GetImsi(Command):
 
     Asks for the identity of the subscriber.
 
-    Answered by `GetImsiResponse`.
+    Answered by `GetImsiResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Get Imsi (0x0F,0x03)
     """
@@ -444,7 +453,8 @@ class GetIccid(Command):
 
     Asks for the number of the SIM card.
 
-    Answered by `GetIccidResponse`.
+    Answered by `GetIccidResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Get Iccid (0x0F,0x04)
     """
@@ -469,7 +479,8 @@ class GetRssi(Command):
 
     Asks for the strength of the cellular signal.
 
-    Answered by `GetRssiResponse`.
+    Answered by `GetRssiResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Get Rssi (0x0F,0x05)
     """
@@ -500,7 +511,8 @@ class ConnectedDeviceType(Command):
     The device that the modem serves.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ConnectedDeviceTypeResponse`.
+    `ConnectedDeviceTypeResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Connected Device Type (0x0F,0x06)
     """
@@ -584,7 +596,8 @@ class GetActivationCode(Command):
 
     Asks for the activation code.
 
-    Also called `get_act_code`. Answered by `GetActivationCodeResponse`.
+    Also called `get_act_code`. Answered by `GetActivationCodeResponse`. No device profile lists it.
+    Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """
@@ -609,7 +622,8 @@ class GetModemFirmwareVersion(Command):
 
     Asks for the firmware version of the cellular modem.
 
-    Answered by `GetModemFirmwareVersionResponse`.
+    Answered by `GetModemFirmwareVersionResponse`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
     """
@@ -637,7 +651,8 @@ class ServiceStatus(Command):
 
     Asks a correction server about the connection, and so keeps it open.
 
-    Answered by `ServiceStatusResponse`. The device sends it, and the host answers.
+    Answered by `ServiceStatusResponse`. The device sends it, and the host answers. No device
+    profile lists it. Known from the MicroStrain MIP SDK only.
 
     The modem sends it as a host would, and the server answers as a device would.
 
@@ -677,7 +692,8 @@ class EraseStorage(Command):
 
     Erases a storage medium down to its raw state.
 
-    For advanced use. Also called `prod_erase_storage`.
+    For advanced use. Also called `prod_erase_storage`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     All that is stored is lost. The command is for production. Accepted in calibration mode only.
 
@@ -715,7 +731,7 @@ class LedControl(Command):
 
     Colours and pattern of the LED.
 
-    For advanced use.
+    For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
 
     Accepted in calibration mode and production test mode only.
 
@@ -762,7 +778,7 @@ class ModemHardReset(Command):
 
     Clears the flash memory of the modem.
 
-    For advanced use.
+    For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
 
     It wears the flash memory out; use it rarely. Accepted in calibration mode only.
 

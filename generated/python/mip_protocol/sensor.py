@@ -58,6 +58,8 @@ class RawAccel(Data):
 
     Raw acceleration in counts of the sensor, temperature compensated.
 
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
+
     - mip-sdk-4: Raw Accel (0x80,0x01)
     """
 
@@ -90,6 +92,8 @@ class RawGyro(Data):
 
     Raw angular rate in counts of the sensor, temperature compensated.
 
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
+
     - mip-sdk-4: Raw Gyro (0x80,0x02)
     """
 
@@ -121,6 +125,8 @@ class RawMag(Data):
     """Raw mag (0x80,0x03).
 
     Raw magnetic field in counts of the sensor, temperature compensated.
+
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Raw Mag (0x80,0x03)
     """
@@ -335,7 +341,8 @@ class CompOrientationMatrix(Data):
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+    `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)
     - 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
@@ -376,7 +383,8 @@ class CompQuaternion(Data):
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+    `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on the
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
     - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
@@ -414,8 +422,9 @@ class CompOrientationUpdateMatrix(Data):
 
     Change of the attitude by the complementary filter as a matrix.
 
-    Deprecated: the SDK marks it so and names no replacement. Uncertain: The interval of the change
-    and the frames. The SDK gives the name only.
+    Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known from
+    the MicroStrain MIP SDK only. Uncertain: The interval of the change and the frames. The SDK
+    gives the name only.
 
     - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
     """
@@ -492,7 +501,8 @@ class OrientationRawTemperature(Data):
 
     Raw readings of four temperature sensors.
 
-    Deprecated: the SDK marks it so and names no replacement. Also called `orientation_raw_temp`.
+    Deprecated: the SDK marks it so and names no replacement. Also called `orientation_raw_temp`. No
+    device profile lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
     """
@@ -529,7 +539,8 @@ class InternalTimestamp(Data):
 
     Free-running counter of the device.
 
-    Deprecated: the SDK marks it so and names no replacement.
+    Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known from
+    the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Internal Timestamp (0x80,0x0E)
     """
@@ -563,7 +574,8 @@ class PpsTimestamp(Data):
 
     Time that is counted with the pulse per second.
 
-    Deprecated: the SDK marks it so and names no replacement. Uncertain: The epoch.
+    Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known from
+    the MicroStrain MIP SDK only. Uncertain: The epoch.
 
     - mip-sdk-4: Pps Timestamp (0x80,0x0F)
     """
@@ -679,8 +691,8 @@ class GpsTimestamp(Data):
 
     Without a PPS the time runs on the internal clock and jumps when the PPS comes back. The
     fraction of the time of week is the time since the last pulse. Without external synchronization
-    it is the internal system time. Where the device has it, use the shared GPS timestamp
-    `shared.GpsTimestamp` (0xFF,0xD3) instead; this field may be deprecated.
+    it is the internal system time. Where the device has it, use `shared.GpsTimestamp` instead; this
+    field may be deprecated.
 
     - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
     - 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
@@ -780,6 +792,8 @@ class RawPressure(Data):
     """Raw pressure (0x80,0x16).
 
     Raw ambient pressure in counts of the sensor, temperature compensated.
+
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Raw Pressure (0x80,0x16)
     """

@@ -66,9 +66,7 @@ class EventSource(Data):
     ROLE = "data"
 
     trigger_id: int
-    """Id of the trigger; 0 means that the packet was scheduled by the message format
-    `mip_3dm.MessageFormat` (0x0C,0x0F).
-    """
+    """Id of the trigger; 0 means that the packet was scheduled by `mip_3dm.MessageFormat`."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventSource, int]:
@@ -91,8 +89,9 @@ class Ticks(Data):
 
     Base periods since power-up.
 
-    Uncertain: The SDK has the counter return to 0 after about 50 days. That fits 2^32 ticks at 1000
-    Hz; at other rates it would take longer or shorter.
+    No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK has the
+    counter return to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at other rates it
+    would take longer or shorter.
 
     One tick is one period of the base rate.
 
@@ -128,8 +127,8 @@ class DeltaTicks(Data):
 
     Base periods since this field was last sent.
 
-    Uncertain: Whether each set and each event instance counts for itself, as with delta time
-    `DeltaTime` (0xFF,0xD4).
+    No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether each set
+    and each event instance counts for itself, as with `DeltaTime`.
 
     One tick is one period of the base rate.
 
@@ -168,10 +167,14 @@ class GpsTimestamp(Data):
     Supported by 3DM-CV7-GNSS/INS.
 
     In event messages it is the time of the trigger. It becomes valid after the PPS is locked and
-    `base.GpsTimeUpdate` (0x01,0x72) has set the time of week and the week number. An internal GNSS
-    receiver as PPS source sets the time by itself.
+    `base.GpsTimeUpdate` has set the time of week and the week number. With an internal GNSS
+    receiver as PPS source, the device sets the time by itself in most cases. With NMEA input, a ZDA
+    sentence sets the time to UTC: the value is then behind GPS time by the leap seconds, which are
+    18 s since 2017. `base.GpsTimeUpdate` sets GPS time.
 
     - 3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3)
+    - 3dm-cv7-gnss-ins: Configure the External GNSS Receiver
+    - 3dm-cv7-gnss-ins: RECEIVER Source
     """
 
     SET = 0xFF
@@ -213,8 +216,8 @@ class DeltaTime(Data):
 
     Supported by 3DM-CV7-GNSS/INS.
 
-    It is the same as external time delta `ExternalTimeDelta` (0xFF,0xD8), in other units. Sending
-    either restarts the counter that both share, so use only one of them.
+    It is the same as `ExternalTimeDelta`, in other units. Sending either restarts the counter that
+    both share, so use only one of them.
 
     - 3dm-cv7-gnss-ins: Delta Time (0xFF,0xD4)
     """
@@ -323,8 +326,8 @@ class ExternalTimestamp(Data):
 
     Supported by 3DM-CV7-GNSS/INS.
 
-    It is the GPS timestamp `GpsTimestamp` (0xFF,0xD3) in nanoseconds. In event messages it is the
-    time of the trigger. It becomes valid when the external clock is synchronized through the PPS.
+    It is `GpsTimestamp` in nanoseconds. In event messages it is the time of the trigger. It becomes
+    valid when the external clock is synchronized through the PPS.
 
     - 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7)
     """
@@ -365,8 +368,8 @@ class ExternalTimeDelta(Data):
 
     Supported by 3DM-CV7-GNSS/INS.
 
-    It is the same as delta time `DeltaTime` (0xFF,0xD4), in other units. Sending either restarts
-    the counter that both share, so use only one of them.
+    It is the same as `DeltaTime`, in other units. Sending either restarts the counter that both
+    share, so use only one of them.
 
     - 3dm-cv7-gnss-ins: External Time Delta (0xFF,0xD8)
     """

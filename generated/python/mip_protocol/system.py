@@ -159,7 +159,7 @@ class InterfaceControl(Command):
     Protocols that a port takes in and gives out.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `InterfaceControlResponse`.
+    `InterfaceControlResponse`. No device profile lists it.
 
     Accepted on the main port only. The main port always keeps MIP in both directions. The
     acknowledge comes on that port after the change; what arrives meanwhile may be lost. The device
@@ -291,7 +291,7 @@ class CommMode(Command):
     `CommModeResponse`. Supported by 3DM-GX5-15.
 
     The acknowledge is sent in the old mode, just before the switch. In a direct mode only this
-    command and device status `mip_3dm.DeviceStatus` (0x0C,0x64) of the device itself are answered.
+    command and `mip_3dm.DeviceStatus` of the device itself are answered.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """

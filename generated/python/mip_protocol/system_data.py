@@ -120,9 +120,10 @@ class GpioState(Data):
 
     Supported by 3DM-CV7-GNSS/INS.
 
-    The pins are sampled within one base period of this set; shorter pulses can be missed. Only pins
-    that are configured to the GPIO feature by `mip_3dm.GpioConfig` (0x0C,0x41) are sure to give
-    valid levels. For fast signals and exact times use the timestamp feature and the event system.
+    A pulse that is shorter than the period at which the field is sent is missed. The pins are
+    sampled within one base period of this set. Only pins that are configured to the GPIO feature by
+    `mip_3dm.GpioConfig` are sure to give valid levels. For fast signals and exact times use the
+    timestamp feature and the event system.
 
     - 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03)
     """
@@ -155,6 +156,8 @@ class GpioAnalogValue(Data):
     """GPIO analog value (0xA0,0x04).
 
     Voltage at one GPIO pin.
+
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
 
     Only for pins that are configured as analog inputs.
 

@@ -344,7 +344,7 @@ class EventThresholdInterval(Structure):
     """
     interval: float
     """Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the
-    two swap roles: the trigger is active while the value modulo interval_threshold is above this.
+    two swap roles: the trigger is active while the value modulo `interval_threshold` is above this.
     """
 
     @classmethod
@@ -499,7 +499,8 @@ class EventActionMessage(Structure):
     """Data descriptor set of the packet."""
     decimation: int
     """0 sends one packet per activation. Any other value streams while the trigger is active, at
-    the base rate of the descriptor set divided by it.
+    the base rate of the descriptor set divided by it; a packet is sent at once, and the count
+    begins anew at each activation.
     """
     # On the wire: num_fields. Number of fields in the packet. The number of elements of
     # `descriptors`. Range: 0 to 12.
@@ -900,7 +901,7 @@ class NmeaMessage(Structure):
 @codec.open_flag(32)
 class RtkStatusFlags(IntFlag):
     """State of the modem and of the corrections. Models of another kind send
-    rtk_status_flags_legacy. Uncertain: Which model sends which of the two forms. The SDK says only
+    `RtkStatusFlagsLegacy`. Uncertain: Which model sends which of the two forms. The SDK says only
     that the model number decides it. Uncertain: Other software of the vendor looks at `version`: 0
     is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits are `sinr`.
     Uncertain: The SDK gives the names only; the descriptions follow from them. What the values mean
@@ -998,7 +999,7 @@ class RtkStatusFlags(IntFlag):
 @codec.open_flag(32)
 class RtkStatusFlagsLegacy(IntFlag):
     """State of the modem and of the corrections, in its older form. Uncertain: Which model sends
-    which of the two forms; see rtk_status_flags. Uncertain: The SDK calls bits 20-31 reserved, and
+    which of the two forms; see `RtkStatusFlags`. Uncertain: The SDK calls bits 20-31 reserved, and
     puts the four last numbers there too. Uncertain: The SDK gives the names only; the descriptions
     follow from them. What the values mean is open.
 
@@ -1133,18 +1134,8 @@ Vector3f: TypeAlias = tuple[float, float, float]
 Vector3d: TypeAlias = tuple[float, float, float]
 """Three doubles. Elements: x, y, z."""
 
-Vector4f: TypeAlias = tuple[float, float, float, float]
-"""Four floats. Elements: x, y, z, w."""
-
-Vector4d: TypeAlias = tuple[float, float, float, float]
-"""Four doubles. Elements: x, y, z, w."""
-
 Matrix3f: TypeAlias = tuple[float, float, float, float, float, float, float, float, float]
 """Three by three floats in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-"""
-
-Matrix3d: TypeAlias = tuple[float, float, float, float, float, float, float, float, float]
-"""Three by three doubles in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
 """
 
 Quatf: TypeAlias = tuple[float, float, float, float]

@@ -387,7 +387,7 @@ record! {
         pub interval_threshold: f64,
         /// Divisor of the remainder, in the unit of the watched value. If it is below the
         /// threshold, the two swap roles: the trigger is active while the value modulo
-        /// interval_threshold is above this.
+        /// `interval_threshold` is above this.
         pub interval: f64,
     }
 }
@@ -514,7 +514,8 @@ record! {
         /// Data descriptor set of the packet.
         pub descriptor_set: u8,
         /// 0 sends one packet per activation. Any other value streams while the trigger is active,
-        /// at the base rate of the descriptor set divided by it.
+        /// at the base rate of the descriptor set divided by it; a packet is sent at once, and the
+        /// count begins anew at each activation.
         pub decimation: u16,
         /// Field descriptors, in order.
         pub descriptors: crate::List<u8, 249>,
@@ -904,7 +905,7 @@ constructors! {
 
 bitfield! {
     /// State of the modem and of the corrections. Models of another kind send
-    /// rtk_status_flags_legacy.
+    /// [`RtkStatusFlagsLegacy`].
     ///
     /// Uncertain: Which model sends which of the two forms. The SDK says only that the model number
     /// decides it. Uncertain: Other software of the vendor looks at `version`: 0 is the legacy
@@ -954,7 +955,7 @@ bitfield! {
 bitfield! {
     /// State of the modem and of the corrections, in its older form.
     ///
-    /// Uncertain: Which model sends which of the two forms; see rtk_status_flags. Uncertain: The
+    /// Uncertain: Which model sends which of the two forms; see [`RtkStatusFlags`]. Uncertain: The
     /// SDK calls bits 20-31 reserved, and puts the four last numbers there too. Uncertain: The SDK
     /// gives the names only; the descriptions follow from them. What the values mean is open.
     ///
@@ -1018,60 +1019,8 @@ vector! {
 }
 
 vector! {
-    /// Four floats.
-    Vector4f: [f32; 4] {
-        /// The element x.
-        x,
-        /// The element y.
-        y,
-        /// The element z.
-        z,
-        /// The element w.
-        w,
-    }
-}
-
-vector! {
-    /// Four doubles.
-    Vector4d: [f64; 4] {
-        /// The element x.
-        x,
-        /// The element y.
-        y,
-        /// The element z.
-        z,
-        /// The element w.
-        w,
-    }
-}
-
-vector! {
     /// Three by three floats in row-major order.
     Matrix3f: [f32; 9] {
-        /// The element m11.
-        m11,
-        /// The element m12.
-        m12,
-        /// The element m13.
-        m13,
-        /// The element m21.
-        m21,
-        /// The element m22.
-        m22,
-        /// The element m23.
-        m23,
-        /// The element m31.
-        m31,
-        /// The element m32.
-        m32,
-        /// The element m33.
-        m33,
-    }
-}
-
-vector! {
-    /// Three by three doubles in row-major order.
-    Matrix3d: [f64; 9] {
         /// The element m11.
         m11,
         /// The element m12.

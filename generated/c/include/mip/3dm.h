@@ -48,7 +48,7 @@ typedef uint8_t mip_3dm_factory_streaming_action;
 #define MIP_3DM_FACTORY_STREAMING_ACTION_ADD 2
 
 /**
- * Constellation in the settings of a receiver. The values are not those of gnss_constellation,
+ * Constellation in the settings of a receiver. The values are not those of mip_gnss_constellation,
  * which GNSS data use.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
@@ -157,7 +157,7 @@ typedef uint8_t mip_3dm_event_support_query;
  * - 3dm-cv7-gnss-ins: Info
  */
 struct mip_3dm_event_support_info {
-    /** A value of event_trigger_type if triggers were asked about, else of event_action_type. */
+    /** Type of triggers, or of actions. */
     uint8_t type;
     /** Instances of this type at most. Unit: 1. */
     uint8_t count;
@@ -213,20 +213,20 @@ typedef uint8_t mip_3dm_odometer_mode;
 #define MIP_3DM_ODOMETER_MODE_QUADRATURE 2
 
 /**
- * A sensor whose range can be set, which also decides the unit of the range.
+ * A sensor whose range can be set.
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
 typedef uint8_t mip_3dm_sensor_range_type;
 /** All sensors; for save, load and default only. */
 #define MIP_3DM_SENSOR_RANGE_TYPE_ALL 0
-/** Accelerometer; standard gravities. */
+/** Accelerometer. */
 #define MIP_3DM_SENSOR_RANGE_TYPE_ACCEL 1
-/** Gyroscope; degrees per second. */
+/** Gyroscope. */
 #define MIP_3DM_SENSOR_RANGE_TYPE_GYRO 2
-/** Magnetometer; gauss. */
+/** Magnetometer. */
 #define MIP_3DM_SENSOR_RANGE_TYPE_MAG 3
-/** Pressure sensor; hectopascals, that is millibars. */
+/** Pressure sensor. */
 #define MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE 4
 
 /**
@@ -237,7 +237,7 @@ typedef uint8_t mip_3dm_sensor_range_type;
 struct mip_3dm_sensor_range_entry {
     /** Value for the sensor range command. */
     uint8_t setting;
-    /** Largest measurable value; sensor_range_type gives the unit. */
+    /** Largest measurable value. */
     float range;
 };
 
@@ -313,9 +313,10 @@ struct mip_3dm_poll_imu_data mip_3dm_poll_imu_data_make(
  *
  * Asks for one GNSS data packet with the fields listed, in their order.
  *
- * Also called `poll_gnss_message`. Not acknowledged if suppress_ack is true.
+ * Also called `poll_gnss_message`. Not acknowledged if suppress_ack is true. No device profile
+ * lists it. Known from the MicroStrain MIP SDK only.
  *
- * An empty list polls the stored GNSS message format (0x0C,0x09); without one the device refuses.
+ * An empty list polls what mip_3dm_gnss_message_format has stored; without that the device refuses.
  *
  * Descriptors that the device does not know are left out.
  *
@@ -473,7 +474,8 @@ mip_error mip_3dm_get_imu_base_rate_response_encode(
  *
  * Asks for the rate that the decimations of the GNSS message format divide.
  *
- * Also called `gnss_get_base_rate`. Answered by mip_3dm_get_gnss_base_rate_response.
+ * Also called `gnss_get_base_rate`. Answered by mip_3dm_get_gnss_base_rate_response. No device
+ * profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -494,7 +496,8 @@ mip_error mip_3dm_get_gnss_base_rate_encode(const struct mip_3dm_get_gnss_base_r
 /**
  * Get GNSS Data Base Rate response: response (0x0C,0x84).
  *
- * Also called `gnss_get_base_rate_response`. Answers mip_3dm_get_gnss_base_rate.
+ * Also called `gnss_get_base_rate_response`. Answers mip_3dm_get_gnss_base_rate. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -588,6 +591,7 @@ mip_error mip_3dm_imu_message_format_response_encode(
  * Fields of the GNSS data packets, in order, with their decimations.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_message_format_response.
+ * No device profile lists it.
  *
  * The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
  * the wanted rate.
@@ -1035,8 +1039,8 @@ mip_3dm_factory_streaming_make(mip_3dm_factory_streaming_action action);
  * Also called `datastream_control`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_data_stream_control_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * 5-series devices name the stream by a number of their own (legacy_data_stream), others by its
- * descriptor set.
+ * 5-series devices name the stream by a number of their own (mip_3dm_legacy_data_stream), others by
+ * its descriptor set.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -1106,8 +1110,9 @@ mip_error mip_3dm_data_stream_control_response_encode(
  * Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_constellation_settings_response. Uncertain: The factory default, as the SDK gives it,
- * names GPS and GLONASS alone as enabled but has channels for SBAS and QZSS too.
+ * mip_3dm_constellation_settings_response. No device profile lists it. Uncertain: The factory
+ * default, as the SDK gives it, names GPS and GLONASS alone as enabled but has channels for SBAS
+ * and QZSS too.
  *
  * The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
  * channels at most than it reserves.
@@ -1276,11 +1281,12 @@ mip_error mip_3dm_gnss_sbas_settings_response_encode(
  * Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_assisted_fix_response.
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * The last fix is kept in the flash memory and the FRAM of the receiver.
  *
- * With the time of GNSS time assistance (0x0C,0x24) right after power-up, the first fix takes 1 s
- * at best.
+ * With the time of mip_3dm_gnss_time_assistance right after power-up, the first fix takes 1 s at
+ * best.
  *
  * A change from enabled to none erases the flash memory of the receiver, which stands 100 000
  * erasures.
@@ -1323,7 +1329,7 @@ struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_default(void);
 /**
  * GNSS Assisted Fix response: response (0x0C,0xA2).
  *
- * Answers mip_3dm_gnss_assisted_fix.
+ * Answers mip_3dm_gnss_assisted_fix. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
@@ -1348,9 +1354,10 @@ mip_error mip_3dm_gnss_assisted_fix_response_encode(
  *
  * Tells the GNSS receiver the present GPS time.
  *
- * Functions: write and read. Answered by mip_3dm_gnss_time_assistance_response.
+ * Functions: write and read. Answered by mip_3dm_gnss_time_assistance_response. No device profile
+ * lists it. Known from the MicroStrain MIP SDK only.
  *
- * It is needed right after power-up if the assisted fix (0x0C,0x23) was on at power-off.
+ * It is needed right after power-up if mip_3dm_gnss_assisted_fix was on at power-off.
  *
  * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
  */
@@ -1385,7 +1392,7 @@ struct mip_3dm_gnss_time_assistance mip_3dm_gnss_time_assistance_read(void);
 /**
  * GNSS Time Assistance response: response (0x0C,0xA3).
  *
- * Answers mip_3dm_gnss_time_assistance.
+ * Answers mip_3dm_gnss_time_assistance. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
  */
@@ -1510,7 +1517,11 @@ struct mip_3dm_get_event_support_response {
     uint8_t max_instances;
     /** Number of types. The number of elements of entries. */
     uint8_t num_entries;
-    /** The types. */
+    /**
+     * The types. If query is MIP_3DM_EVENT_SUPPORT_QUERY_TRIGGER_TYPES: type has values of
+     * mip_event_trigger_type. If query is MIP_3DM_EVENT_SUPPORT_QUERY_ACTION_TYPES: type has values
+     * of mip_event_action_type.
+     */
     struct mip_3dm_event_support_info entries[125];
 };
 
@@ -1952,7 +1963,7 @@ struct mip_3dm_device_settings mip_3dm_device_settings_default(void);
  * The mounting is reached from the vehicle frame by turning about the sensor's own z, y and x axes
  * by yaw, pitch and roll.
  *
- * A vector in the vehicle frame is Rz(yaw) Ry(pitch) Rx(roll) times the vector in the sensor frame.
+ * `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor`
  *
  * It applies to the sensor data, the complementary filter and the attitude, acceleration, rate and
  * gravity of the filter.
@@ -2041,6 +2052,9 @@ mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
  *
+ * `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This
+ * is the inverse of the quaternion that mip_filter_sensor_to_vehicle_rotation_quaternion takes.
+ *
  * A change resets the low-pass filters, the complementary filter and the estimation filter.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
@@ -2122,7 +2136,8 @@ mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
  *
- * A vector in the vehicle frame is this matrix times the vector in the sensor frame.
+ * `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
+ * mip_filter_sensor_to_vehicle_rotation_dcm takes.
  *
  * A change resets the low-pass filters, the complementary filter and the estimation filter.
  *
@@ -2723,7 +2738,7 @@ mip_error mip_3dm_gpio_config_response_encode(const struct mip_3dm_gpio_config_r
  *
  * Writing shows only on a pin that is configured as an output.
  *
- * An event action of mode active_high or active_low on the pin overrides what is written.
+ * An event action of mode `active_high` or `active_low` on the pin overrides what is written.
  *
  * Reading is sure to work only with the gpio feature.
  *
@@ -3160,7 +3175,12 @@ struct mip_3dm_get_calibrated_sensor_ranges_response {
     mip_3dm_sensor_range_type sensor;
     /** Number of ranges. The number of elements of ranges. */
     uint8_t num_ranges;
-    /** The ranges. */
+    /**
+     * The ranges. If sensor is MIP_3DM_SENSOR_RANGE_TYPE_ACCEL: range has unit g. If sensor is
+     * MIP_3DM_SENSOR_RANGE_TYPE_GYRO: range has unit deg/s. If sensor is
+     * MIP_3DM_SENSOR_RANGE_TYPE_MAG: range has unit gauss. If sensor is
+     * MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE: range has unit mbar.
+     */
     struct mip_3dm_sensor_range_entry ranges[50];
 };
 
@@ -3276,7 +3296,7 @@ mip_error mip_3dm_low_pass_filter_response_encode(
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * or mip_3dm_device_status_diagnostic_imu_response. Supported by 3DM-GX5-15.
  *
- * The device expects its own model number, which is in the device information (0x01,0x03).
+ * The device expects its own model number, which mip_base_get_device_info tells.
  *
  * Families of devices answer in layouts of their own. The selector and the length tell them apart.
  *

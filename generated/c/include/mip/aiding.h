@@ -109,7 +109,7 @@ union mip_aiding_frame_config_rotation {
  *
  * Aiding measurements name the frame by its number.
  *
- * p_vehicle = R * p_frame + t, with the rotation R and the translation t.
+ * `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
  *
  * The rotation does not matter for GNSS positions and velocities; set it to zero.
  *
@@ -277,9 +277,7 @@ mip_error mip_aiding_echo_control_response_encode(
  *
  * Use only one form of position: ECEF or LLH.
  *
- * The uncertainty of a valid axis must be greater than 0.
- *
- * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21)
@@ -288,7 +286,7 @@ mip_error mip_aiding_echo_control_response_encode(
 struct mip_aiding_ecef_position {
     /** When the measurement was taken. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor. Range: 1 to 4. */
+    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
      * Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid by its bit: x by
@@ -297,9 +295,9 @@ struct mip_aiding_ecef_position {
      */
     double position[3];
     /**
-     * Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid
-     * by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in
-     * valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range: greater than 0.
+     * Each element is valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by
+     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -329,9 +327,7 @@ struct mip_aiding_ecef_position mip_aiding_ecef_position_make(
  *
  * Use only one form of position: ECEF or LLH.
  *
- * The uncertainty of a valid axis must be greater than 0.
- *
- * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: LLH Position (0x13,0x22)
@@ -340,7 +336,7 @@ struct mip_aiding_ecef_position mip_aiding_ecef_position_make(
 struct mip_aiding_llh_position {
     /** When the measurement was taken. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor. Range: 1 to 4. */
+    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
      * Latitude. Unit: deg. Frame: llh. Valid if MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags
@@ -358,10 +354,10 @@ struct mip_aiding_llh_position {
      */
     double height;
     /**
-     * Uncertainty along north, east and down. Elements: x, y, z. Unit: m. Frame: ned. Each element
-     * is valid by its bit: x by MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags, y by
-     * MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags, z by MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in
-     * valid_flags.
+     * Uncertainty along north, east and down. Elements: x, y, z. Unit: m. Frame: ned. Range:
+     * greater than 0. Each element is valid by its bit: x by MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in
+     * valid_flags, y by MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags, z by
+     * MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
      */
     float uncertainty[3];
     /** Which coordinates are valid. */
@@ -390,7 +386,7 @@ mip_aiding_llh_position_make(const struct mip_aiding_measurement_time *time, uin
  * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23)
@@ -398,7 +394,7 @@ mip_aiding_llh_position_make(const struct mip_aiding_measurement_time *time, uin
 struct mip_aiding_height_above_ellipsoid {
     /** When the measurement was taken. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor. Range: 1 to 4. */
+    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /** Height above the ellipsoid. Unit: m. Frame: llh. */
     float height;
@@ -431,11 +427,9 @@ struct mip_aiding_height_above_ellipsoid mip_aiding_height_above_ellipsoid_make(
  *
  * Use only one form of velocity: ECEF or NED.
  *
- * Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
+ * Not for a sensor that is fixed to the vehicle; that takes mip_aiding_body_frame_velocity.
  *
- * The uncertainty of a valid axis must be greater than 0.
- *
- * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)
@@ -444,7 +438,7 @@ struct mip_aiding_height_above_ellipsoid mip_aiding_height_above_ellipsoid_make(
 struct mip_aiding_ecef_velocity {
     /** When the measurement was taken. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor. Range: 1 to 4. */
+    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
      * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid by its bit: x by
@@ -453,9 +447,9 @@ struct mip_aiding_ecef_velocity {
      */
     float velocity[3];
     /**
-     * Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid
-     * by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in
-     * valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range: greater than
+     * 0. Each element is valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by
+     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -485,11 +479,9 @@ struct mip_aiding_ecef_velocity mip_aiding_ecef_velocity_make(
  *
  * Use only one form of velocity: ECEF or NED.
  *
- * Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
+ * Not for a sensor that is fixed to the vehicle; that takes mip_aiding_body_frame_velocity.
  *
- * The uncertainty of a valid axis must be greater than 0.
- *
- * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)
@@ -498,7 +490,7 @@ struct mip_aiding_ecef_velocity mip_aiding_ecef_velocity_make(
 struct mip_aiding_ned_velocity {
     /** When the measurement was taken. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor. Range: 1 to 4. */
+    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
      * Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid by its bit: x by
@@ -507,9 +499,9 @@ struct mip_aiding_ned_velocity {
      */
     float velocity[3];
     /**
-     * Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid
-     * by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in
-     * valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Range: greater than 0.
+     * Each element is valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by
+     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -537,17 +529,17 @@ struct mip_aiding_ned_velocity mip_aiding_ned_velocity_make(
  * Also called `vel_body_frame`. Not acknowledged if mode of mip_aiding_echo_control is
  * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
  *
- * An uncertainty of a valid axis that is not greater than 0 is refused as an invalid parameter.
- *
  * The device takes up to four sensors of this kind.
  *
  * A wheeled vehicle constraint is a velocity of 0 with y valid only, sent at least once in a
  * second.
  *
+ * With z valid too, and 0, the vehicle moves in a plane only (2D mode).
+ *
  * A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold of the
  * user.
  *
- * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
@@ -557,18 +549,19 @@ struct mip_aiding_ned_velocity mip_aiding_ned_velocity_make(
 struct mip_aiding_body_frame_velocity {
     /** When the measurement was taken. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor. Range: 1 to 4. */
+    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Velocity in the frame of the sensor. Elements: x, y, z. Unit: m/s. Each element is valid by
-     * its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in
-     * valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element is valid by its bit: x by
+     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by
+     * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float velocity[3];
     /**
-     * Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Each element is valid by
-     * its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in
-     * valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Range:
+     * greater than 0. Each element is valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in
+     * valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in
+     * valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -596,9 +589,7 @@ struct mip_aiding_body_frame_velocity mip_aiding_body_frame_velocity_make(
  * Also called `heading_true`. Not acknowledged if mode of mip_aiding_echo_control is
  * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
  *
- * The uncertainty of a valid measurement must be greater than 0.
- *
- * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: True Heading (0x13,0x31)
@@ -607,11 +598,11 @@ struct mip_aiding_body_frame_velocity mip_aiding_body_frame_velocity_make(
 struct mip_aiding_true_heading {
     /** When the measurement was taken. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor. Range: 1 to 4. */
+    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /** Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. */
     float heading;
-    /** Uncertainty of the heading. Unit: rad. */
+    /** Uncertainty of the heading. Unit: rad. Range: greater than 0. */
     float uncertainty;
     /** Not 0: the measurement is valid. */
     uint16_t valid_flags;
@@ -640,9 +631,7 @@ mip_aiding_true_heading_make(const struct mip_aiding_measurement_time *time, uin
  *
  * The magnetometer must be calibrated.
  *
- * The uncertainty of a valid axis must be greater than 0.
- *
- * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32)
@@ -651,18 +640,19 @@ mip_aiding_true_heading_make(const struct mip_aiding_measurement_time *time, uin
 struct mip_aiding_magnetic_field {
     /** When the measurement was taken. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor. Range: 1 to 4. */
+    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Magnetic field in the frame of the sensor. Elements: x, y, z. Unit: gauss. Each element is
-     * valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y
-     * in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element is valid by its
+     * bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in
+     * valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float magnetic_field[3];
     /**
-     * Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Each element is
-     * valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y
-     * in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding.
+     * Range: greater than 0. Each element is valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in
+     * valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in
+     * valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -690,9 +680,7 @@ struct mip_aiding_magnetic_field mip_aiding_magnetic_field_make(
  * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * The uncertainty of a valid measurement must be greater than 0.
- *
- * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: Pressure (0x13,0x33)
@@ -701,11 +689,11 @@ struct mip_aiding_magnetic_field mip_aiding_magnetic_field_make(
 struct mip_aiding_pressure {
     /** When the measurement was taken. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor. Range: 1 to 4. */
+    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /** Air pressure. Unit: mbar. */
     float pressure;
-    /** Standard deviation of the pressure. Unit: mbar. */
+    /** Standard deviation of the pressure. Unit: mbar. Range: greater than 0. */
     float uncertainty;
     /** Not 0: the measurement is valid. */
     uint16_t valid_flags;

@@ -156,7 +156,8 @@ mip_error mip_base_get_device_info_response_encode(
  * Answered by mip_base_get_device_descriptors_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
  *
- * When the list contains (0x01,0x07), more descriptors come from the extended command.
+ * If the list contains the descriptor of mip_base_get_extended_descriptors, that command gives
+ * more.
  *
  * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
  * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -208,7 +209,8 @@ mip_error mip_base_get_device_descriptors_response_encode(
  * Runs the self test of the device and gets its result.
  *
  * Answered by mip_base_built_in_test_response. The device may take 10 s to answer. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: How long the test takes at most. The manual of the
+ * 3DM-CV7 says several seconds; 10 s leaves room for that.
  *
  * The test interrupts normal operation for up to several seconds; no data is available meanwhile.
  *
@@ -218,6 +220,7 @@ mip_error mip_base_get_device_descriptors_response_encode(
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
+ * - 3dm-cv7-gnss-ins: Commanded Built-in Test
  */
 struct mip_base_built_in_test {
     /** Not used: there are no parameters. */
@@ -240,6 +243,7 @@ mip_error mip_base_built_in_test_encode(const struct mip_base_built_in_test *val
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
+ * - 3dm-cv7-gnss-ins: Commanded Built-in Test
  */
 struct mip_base_built_in_test_response {
     /**
@@ -291,7 +295,7 @@ mip_error mip_base_resume_encode(const struct mip_base_resume *value, struct mip
  * Answered by mip_base_get_extended_descriptors_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
  *
- * Only supported if get device descriptors lists (0x01,0x07).
+ * Only supported if mip_base_get_device_descriptors lists it.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -493,7 +497,7 @@ struct mip_base_gps_time_update {
     /** What the value is. */
     mip_base_gps_time_field field_id;
     /**
-     * What field_id says. Required for write and apply. If field_id is
+     * What `field_id` says. Required for write and apply. If field_id is
      * MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
      * field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
      */

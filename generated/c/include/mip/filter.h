@@ -21,8 +21,8 @@ extern "C" {
 
 /**
  * Kind of vehicle that the filter is tuned for. Uncertain: The SDK names the modes only; the
- * descriptions follow from the names. Uncertain: The filter status (0x82,0x10) reports a mode too,
- * but is known to have the values 1 to 3 only.
+ * descriptions follow from the names. Uncertain: mip_filter_data_status reports a mode too, but is
+ * known to have the values 1 to 3 only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -328,8 +328,8 @@ struct mip_filter_set_initial_heading mip_filter_set_initial_heading_make(float 
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * The filter waits in its initialization state if `wait_for_run_command` of `initialization_config`
- * is set.
+ * The filter waits in its initialization state if `wait_for_run_command` of
+ * mip_filter_initialization_config is set.
  *
  * - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
  */
@@ -351,7 +351,8 @@ mip_error mip_filter_run_encode(const struct mip_filter_run *value, struct mip_b
  * Kind of vehicle that the filter is tuned for.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vehicle_dynamics_mode_response.
+ * mip_filter_vehicle_dynamics_mode_response. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -387,7 +388,7 @@ struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_default
 /**
  * Vehicle dynamics mode response: response (0x0D,0x80).
  *
- * Answers mip_filter_vehicle_dynamics_mode.
+ * Answers mip_filter_vehicle_dynamics_mode. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -492,14 +493,13 @@ mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode(
  * Origin of the vehicle frame, as seen from the sensor.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_offset_response. Uncertain: The direction, from the sensor to the
- * origin of the vehicle frame, is inferred from the name.
+ * mip_filter_sensor_to_vehicle_offset_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only. Uncertain: The direction, from the sensor to the origin of the vehicle
+ * frame, is inferred from the name.
  *
- * It shifts the estimated position (0x82,0x01) and nothing else.
+ * It shifts mip_filter_data_llh_position and nothing else.
  *
  * The shift is constant. It does not follow the attitude, as a lever arm would.
- *
- * The magnitude of the vector is limited to 10 m.
  *
  * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
  */
@@ -510,7 +510,7 @@ struct mip_filter_sensor_to_vehicle_offset {
     mip_function_selector function;
     /**
      * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
-     * sensor. Range: -10 to 10. Required for write.
+     * sensor. Range: magnitude at most 10. Required for write.
      */
     float offset[3];
 };
@@ -538,14 +538,14 @@ struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_d
 /**
  * Sensor to vehicle offset response: response (0x0D,0x82).
  *
- * Answers mip_filter_sensor_to_vehicle_offset.
+ * Answers mip_filter_sensor_to_vehicle_offset. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
  */
 struct mip_filter_sensor_to_vehicle_offset_response {
     /**
      * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
-     * sensor. Range: -10 to 10.
+     * sensor. Range: magnitude at most 10.
      */
     float offset[3];
 };
@@ -567,8 +567,6 @@ mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
  * Functions: write, read, save, load and default. Answered by mip_filter_antenna_offset_response.
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * The magnitude of the vector is limited to 10.
- *
  * 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
  *
  * On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands use
@@ -583,7 +581,7 @@ struct mip_filter_antenna_offset {
     mip_function_selector function;
     /**
      * From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-     * vehicle. Range: -10 to 10. Required for write.
+     * vehicle. Range: magnitude at most 10. Required for write.
      */
     float offset[3];
 };
@@ -617,7 +615,7 @@ struct mip_filter_antenna_offset mip_filter_antenna_offset_default(void);
 struct mip_filter_antenna_offset_response {
     /**
      * From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-     * vehicle. Range: -10 to 10.
+     * vehicle. Range: magnitude at most 10.
      */
     float offset[3];
 };
@@ -758,7 +756,9 @@ mip_error mip_filter_gnss_source_response_encode(
  *
  * Gives the filter one position and velocity of a GNSS receiver that the user provides.
  *
- * Refused unless the GNSS aiding source (0x0D,0x15) is the external one.
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ *
+ * Refused unless mip_filter_gnss_source selects the external source.
  *
  * The highest rate depends on the device.
  *
@@ -804,8 +804,8 @@ struct mip_filter_external_gnss_update mip_filter_external_gnss_update_make(
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5 and by
- * `aiding_measurement_enable` on the 3DM-CV7.
+ * Refused unless external heading updates are enabled, by mip_filter_heading_source on the 3DM-GX5
+ * and by mip_filter_aiding_measurement_enable on the 3DM-CV7.
  *
  * The 3DM-GX5-15 takes at most 20 updates per second.
  *
@@ -1252,11 +1252,10 @@ mip_error mip_filter_gyro_bias_model_response_encode(
  *
  * Lets the filter take the device as standing still while its GNSS speed is small.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response.
+ * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response. No
+ * device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
- *
- * The device refuses a negative threshold.
  *
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
@@ -1293,7 +1292,7 @@ struct mip_filter_auto_zupt mip_filter_auto_zupt_default(void);
 /**
  * Automatic zero velocity update response: response (0x0D,0x8D).
  *
- * Answers mip_filter_auto_zupt.
+ * Answers mip_filter_auto_zupt. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
@@ -1320,11 +1319,11 @@ mip_error mip_filter_auto_zupt_response_encode(const struct mip_filter_auto_zupt
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * Better than `external_heading_update` where the heading changes quickly; the time must be
- * accurate.
+ * Better than mip_filter_external_heading_update where the heading changes quickly; the time must
+ * be accurate.
  *
- * Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5 and by
- * `aiding_measurement_enable` on the 3DM-CV7.
+ * Refused unless external heading updates are enabled, by mip_filter_heading_source on the 3DM-GX5
+ * and by mip_filter_aiding_measurement_enable on the 3DM-CV7.
  *
  * The 3DM-GX5-15 takes at most 20 updates per second.
  *
@@ -1508,6 +1507,8 @@ mip_error mip_filter_tare_orientation_response_encode(
  *
  * Tells the filter once that the device stands still.
  *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ *
  * The highest rate depends on the device.
  *
  * - mip-sdk-4: Commanded Zupt (0x0D,0x22)
@@ -1630,10 +1631,11 @@ mip_error mip_filter_reference_position_response_encode(
  *
  * Makes the automatic magnetometer calibration part of the fixed one.
  *
- * Also called `mag_capture_auto_cal`. Functions: write and save.
+ * Also called `mag_capture_auto_cal`. Functions: write and save. No device profile lists it. Known
+ * from the MicroStrain MIP SDK only.
  *
- * A write combines the automatic calibration with the hard iron offset (0x0C,0x3A) and the soft
- * iron matrix (0x0C,0x3B), and resets it.
+ * A write combines the automatic calibration with mip_3dm_mag_hard_iron_offset and
+ * mip_3dm_mag_soft_iron_matrix, and resets it.
  *
  * A save does the same as the save of both of these commands.
  *
@@ -1729,7 +1731,8 @@ mip_error mip_filter_gravity_noise_response_encode(
  * Standard deviation of the noise of the pressure altitude model that the filter assumes.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_pressure_altitude_noise_response.
+ * mip_filter_pressure_altitude_noise_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * A small value follows the pressure faster, and takes weather and draughts for changes of height.
  *
@@ -1766,7 +1769,7 @@ struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_def
 /**
  * Pressure altitude noise response: response (0x0D,0x94).
  *
- * Answers mip_filter_pressure_altitude_noise.
+ * Answers mip_filter_pressure_altitude_noise. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
  */
@@ -1790,7 +1793,8 @@ mip_error mip_filter_pressure_altitude_noise_response_encode(
  * Standard deviation of the noise of the estimated hard iron offset (process noise).
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_hard_iron_offset_noise_response.
+ * mip_filter_hard_iron_offset_noise_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
  */
@@ -1829,7 +1833,7 @@ struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_defau
 /**
  * Hard iron offset noise response: response (0x0D,0x96).
  *
- * Answers mip_filter_hard_iron_offset_noise.
+ * Answers mip_filter_hard_iron_offset_noise. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
  */
@@ -1853,7 +1857,8 @@ mip_error mip_filter_hard_iron_offset_noise_response_encode(
  * Standard deviation of the noise of the estimated soft iron matrix (process noise).
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_soft_iron_matrix_noise_response.
+ * mip_filter_soft_iron_matrix_noise_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
  */
@@ -1892,7 +1897,7 @@ struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_defau
 /**
  * Soft iron matrix noise response: response (0x0D,0x97).
  *
- * Answers mip_filter_soft_iron_matrix_noise.
+ * Answers mip_filter_soft_iron_matrix_noise. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
  */
@@ -1978,8 +1983,9 @@ mip_error mip_filter_enable_measurements_response_encode(
  *
  * Standard deviation of the magnetometer noise that the filter assumes.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_mag_noise_response.
- * Uncertain: The SDK calls it process noise, although the noise is that of a measurement.
+ * Functions: write, read, save, load and default. Answered by mip_filter_mag_noise_response. No
+ * device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it
+ * process noise, although the noise is that of a measurement.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
@@ -2017,7 +2023,7 @@ struct mip_filter_mag_noise mip_filter_mag_noise_default(void);
 /**
  * Magnetometer noise response: response (0x0D,0xB1).
  *
- * Answers mip_filter_mag_noise.
+ * Answers mip_filter_mag_noise. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
@@ -2225,8 +2231,9 @@ mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_encode(
  * How far the filter trusts a magnetic field whose magnitude is not as expected.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_magnitude_error_adaptive_measurement_response. Uncertain: Whether the parameters
- * behind the selector may be left out on write, as those of (0x0D,0x44) may.
+ * mip_filter_mag_magnitude_error_adaptive_measurement_response. No device profile lists it. Known
+ * from the MicroStrain MIP SDK only. Uncertain: Whether the parameters behind the selector may be
+ * left out on write, as those of mip_filter_accel_magnitude_error_adaptive_measurement may.
  *
  * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
  * limits.
@@ -2310,7 +2317,8 @@ mip_filter_mag_magnitude_error_adaptive_measurement_default(void);
 /**
  * Magnetometer magnitude error adaptive measurement response: response (0x0D,0xB4).
  *
- * Answers mip_filter_mag_magnitude_error_adaptive_measurement.
+ * Answers mip_filter_mag_magnitude_error_adaptive_measurement. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
@@ -2364,9 +2372,11 @@ mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode(
  * How far the filter trusts a magnetic field whose dip angle is not as expected.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_dip_angle_error_adaptive_measurement_response.
+ * mip_filter_mag_dip_angle_error_adaptive_measurement_response. No device profile lists it. Known
+ * from the MicroStrain MIP SDK only.
  *
- * It has no effect while (0x0D,0x44) or (0x0D,0x45) is set to `auto`.
+ * It has no effect while mip_filter_accel_magnitude_error_adaptive_measurement or
+ * mip_filter_mag_magnitude_error_adaptive_measurement is set to `auto`.
  *
  * High limits suit high dynamics but let disturbances of the field through; low limits can spoil
  * the heading.
@@ -2432,7 +2442,8 @@ mip_filter_mag_dip_angle_error_adaptive_measurement_default(void);
 /**
  * Magnetometer dip angle error adaptive measurement response: response (0x0D,0xB5).
  *
- * Answers mip_filter_mag_dip_angle_error_adaptive_measurement.
+ * Answers mip_filter_mag_dip_angle_error_adaptive_measurement. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
@@ -2476,6 +2487,7 @@ mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode(
  * What aids the altitude beside GNSS.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_altitude_aiding_response.
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * GNSS stays the main source of altitude; the aid improves it and bridges outages.
  *
@@ -2515,7 +2527,7 @@ struct mip_filter_altitude_aiding mip_filter_altitude_aiding_default(void);
 /**
  * Altitude aiding response: response (0x0D,0xB7).
  *
- * Answers mip_filter_altitude_aiding.
+ * Answers mip_filter_altitude_aiding. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
@@ -2599,7 +2611,8 @@ mip_error mip_filter_pitch_roll_aiding_response_encode(
  * Source of the local inclination (dip angle) of the magnetic field.
  *
  * Also called `inclination_source`. Functions: write, read, save, load and default. Answered by
- * mip_filter_magnetic_inclination_source_response.
+ * mip_filter_magnetic_inclination_source_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * Without a good inclination source, keep automatic magnetometer calibration off.
  *
@@ -2642,7 +2655,8 @@ struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_so
 /**
  * Magnetic inclination source response: response (0x0D,0xBC).
  *
- * Also called `inclination_source_response`. Answers mip_filter_magnetic_inclination_source.
+ * Also called `inclination_source_response`. Answers mip_filter_magnetic_inclination_source. Known
+ * from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Inclination Source (0x0D,0x4C)
  */
@@ -2673,11 +2687,12 @@ mip_error mip_filter_magnetic_inclination_source_response_encode(
  * Source of the local magnitude of the magnetic field.
  *
  * Also called `mag_field_magnitude_source`. Functions: write, read, save, load and default.
- * Answered by mip_filter_magnetic_magnitude_source_response.
+ * Answered by mip_filter_magnetic_magnitude_source_response. No device profile lists it. Known from
+ * the MicroStrain MIP SDK only.
  *
  * Without a good magnitude source, keep automatic magnetometer calibration off.
  *
- * The adaptive measurement (0x0D,0x45) relies on it too.
+ * mip_filter_mag_magnitude_error_adaptive_measurement relies on it too.
  *
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
@@ -2719,6 +2734,7 @@ struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source
  * Magnetic field magnitude source response: response (0x0D,0xBD).
  *
  * Also called `mag_field_magnitude_source_response`. Answers mip_filter_magnetic_magnitude_source.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
@@ -2748,9 +2764,10 @@ mip_error mip_filter_magnetic_magnitude_source_response_encode(
  * Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_rotation_dcm_response.
+ * mip_filter_sensor_to_vehicle_rotation_dcm_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
- * It is the inverse of the matrix that (0x0C,0x33) takes.
+ * It is the inverse of the matrix that mip_3dm_sensor_to_vehicle_transform_dcm takes.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
@@ -2801,7 +2818,7 @@ mip_filter_sensor_to_vehicle_rotation_dcm_default(void);
 /**
  * Sensor to vehicle rotation, matrix response: response (0x0D,0xBE).
  *
- * Answers mip_filter_sensor_to_vehicle_rotation_dcm.
+ * Answers mip_filter_sensor_to_vehicle_rotation_dcm. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
@@ -2831,15 +2848,14 @@ mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
  * Rotation from the sensor frame to the vehicle frame as a quaternion.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_rotation_quaternion_response.
+ * mip_filter_sensor_to_vehicle_rotation_quaternion_response. No device profile lists it. Known from
+ * the MicroStrain MIP SDK only.
  *
- * It is the inverse of the quaternion that (0x0C,0x32) takes.
+ * It is the inverse of the quaternion that mip_3dm_sensor_to_vehicle_transform_quaternion takes.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
  * filter.
- *
- * The device refuses a quaternion whose length is not 1 to 0.001.
  *
  * The device normalizes it, so the elements read back may differ a little from those written.
  *
@@ -2850,7 +2866,10 @@ struct mip_filter_sensor_to_vehicle_rotation_quaternion {
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Required for write. */
+    /**
+     * Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
+     * 1.001. Required for write.
+     */
     float q[4];
 };
 
@@ -2883,12 +2902,16 @@ mip_filter_sensor_to_vehicle_rotation_quaternion_default(void);
 /**
  * Sensor to vehicle rotation, quaternion response: response (0x0D,0xBF).
  *
- * Answers mip_filter_sensor_to_vehicle_rotation_quaternion.
+ * Answers mip_filter_sensor_to_vehicle_rotation_quaternion. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
 struct mip_filter_sensor_to_vehicle_rotation_quaternion_response {
-    /** Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. */
+    /**
+     * Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
+     * 1.001.
+     */
     float q[4];
 };
 
@@ -2979,8 +3002,9 @@ mip_error mip_filter_aiding_measurement_enable_response_encode(
  * Assumptions about the motion that the filter uses as measurements.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_kinematic_constraint_response. Uncertain: Whether there are further values. The SDK
- * has plain numbers and gives the values in remarks.
+ * mip_filter_kinematic_constraint_response. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only. Uncertain: Whether there are further values. The SDK has plain numbers and gives
+ * the values in remarks.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
@@ -3031,7 +3055,7 @@ struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_default(v
 /**
  * Kinematic constraint response: response (0x0D,0xD1).
  *
- * Answers mip_filter_kinematic_constraint.
+ * Answers mip_filter_kinematic_constraint. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
@@ -3076,8 +3100,8 @@ struct mip_filter_initialization_config {
     /** What to do with the setting. */
     mip_function_selector function;
     /**
-     * 1: the filter starts only after `run`; 0: as soon as it can. Range: 0 to 1. Required for
-     * write.
+     * 1: the filter starts only after mip_filter_run; 0: as soon as it can. Range: 0 to 1. Required
+     * for write.
      */
     uint8_t wait_for_run_command;
     /** Which initial conditions are found and which are given. Required for write. */
@@ -3138,7 +3162,7 @@ struct mip_filter_initialization_config mip_filter_initialization_config_default
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
 struct mip_filter_initialization_config_response {
-    /** 1: the filter starts only after `run`; 0: as soon as it can. Range: 0 to 1. */
+    /** 1: the filter starts only after mip_filter_run; 0: as soon as it can. Range: 0 to 1. */
     uint8_t wait_for_run_command;
     /** Which initial conditions are found and which are given. */
     mip_filter_initial_condition_source initial_condition_source;
@@ -3250,8 +3274,6 @@ mip_error mip_filter_adaptive_filter_options_response_encode(
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_multi_antenna_offset_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * The magnitude of the vector is limited to 10.
- *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
 struct mip_filter_multi_antenna_offset {
@@ -3262,8 +3284,8 @@ struct mip_filter_multi_antenna_offset {
     /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
-     * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
-     * Required for write.
+     * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude
+     * at most 10. Required for write.
      */
     float antenna_offset[3];
 };
@@ -3299,7 +3321,8 @@ struct mip_filter_multi_antenna_offset_response {
     /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
-     * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+     * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude
+     * at most 10.
      */
     float antenna_offset[3];
 };
@@ -3399,11 +3422,10 @@ mip_error mip_filter_relative_position_config_response_encode(
  * Also called `ref_point_lever_arm`. Functions: write, read, save, load and default. Answered by
  * mip_filter_reference_point_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * It shifts `llh_position`, `ned_velocity`, `ecef_position`, `ecef_velocity` and
- * `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
- * the angular rate.
- *
- * The magnitude of the vector is limited to 10.
+ * It shifts mip_filter_data_llh_position, mip_filter_data_ned_velocity,
+ * mip_filter_data_ecef_position, mip_filter_data_ecef_velocity and
+ * mip_filter_data_ned_relative_position, depending on the attitude and, for velocities, on the
+ * angular rate.
  *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
@@ -3415,8 +3437,8 @@ struct mip_filter_reference_point_lever_arm {
     /** Point to move; it must be 1. Required for write. */
     mip_filter_reference_point reference_point;
     /**
-     * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
-     * Required for write.
+     * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
+     * most 10. Required for write.
      */
     float lever_arm_offset[3];
 };
@@ -3453,7 +3475,8 @@ struct mip_filter_reference_point_lever_arm_response {
     /** Point to move; it must be 1. */
     mip_filter_reference_point reference_point;
     /**
-     * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+     * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
+     * most 10.
      */
     float lever_arm_offset[3];
 };
@@ -3473,7 +3496,8 @@ mip_error mip_filter_reference_point_lever_arm_response_encode(
  *
  * Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
  *
- * Uncertain: The SDK names a response (0x0D,0xE0) but has no layout of it.
+ * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK names a
+ * response, `filter.speed_measurement_response`, but has no layout of it.
  *
  * It must not be used together with the odometer of the device.
  *
@@ -3578,7 +3602,8 @@ mip_error mip_filter_speed_lever_arm_response_encode(
  * Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vertical_gyro_constraint_control_response.
+ * mip_filter_vertical_gyro_constraint_control_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * It takes the linear acceleration as zero.
  *
@@ -3620,7 +3645,7 @@ mip_filter_vertical_gyro_constraint_control_default(void);
 /**
  * Vertical gyro constraint response: response (0x0D,0xE2).
  *
- * Answers mip_filter_vertical_gyro_constraint_control.
+ * Answers mip_filter_vertical_gyro_constraint_control. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */

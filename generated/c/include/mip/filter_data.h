@@ -387,7 +387,7 @@ mip_error mip_filter_data_ned_velocity_encode(const struct mip_filter_data_ned_v
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * v_vehicle = q^-1 * v_ned * q. The 3DM-GX5-15 manual prints the inverse rotation.
+ * `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual prints the inverse rotation.
  *
  * - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
  * - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
@@ -418,7 +418,7 @@ mip_error mip_filter_data_attitude_quaternion_encode(
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm * v_ned.
+ * The matrix turns NED vectors into vehicle vectors: `v_vehicle = dcm * v_ned`.
  *
  * - 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)
  * - 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
@@ -1032,6 +1032,8 @@ mip_error mip_filter_data_magnetic_model_encode(const struct mip_filter_data_mag
  *
  * Estimated scale factor of the gyroscope.
  *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ *
  * - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
  */
 struct mip_filter_data_gyro_scale_factor {
@@ -1057,6 +1059,8 @@ mip_error mip_filter_data_gyro_scale_factor_encode(
  * Accelerometer scale factor: data (0x82,0x17).
  *
  * Estimated scale factor of the accelerometer.
+ *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Accel Scale Factor (0x82,0x17)
  */
@@ -1084,6 +1088,8 @@ mip_error mip_filter_data_accel_scale_factor_encode(
  *
  * Standard deviation of the estimated scale factor of the gyroscope.
  *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ *
  * - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
  */
 struct mip_filter_data_gyro_scale_factor_uncertainty {
@@ -1110,6 +1116,8 @@ mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode(
  * Accelerometer scale factor uncertainty: data (0x82,0x19).
  *
  * Standard deviation of the estimated scale factor of the accelerometer.
+ *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
  */
@@ -1139,6 +1147,8 @@ mip_error mip_filter_data_accel_scale_factor_uncertainty_encode(
  *
  * Estimated bias of the magnetometer.
  *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ *
  * - mip-sdk-4: Mag Bias (0x82,0x1A)
  */
 struct mip_filter_data_mag_bias {
@@ -1164,6 +1174,8 @@ mip_error mip_filter_data_mag_bias_encode(const struct mip_filter_data_mag_bias 
  * Magnetometer bias uncertainty: data (0x82,0x1B).
  *
  * Standard deviation of the estimated bias of the magnetometer.
+ *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
  */
@@ -1219,6 +1231,8 @@ mip_error mip_filter_data_comp_accel_encode(const struct mip_filter_data_comp_ac
  * Standard atmosphere: data (0x82,0x20).
  *
  * US Standard Atmosphere of 1976 at the altitude of the device.
+ *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * It is valid only with a valid GNSS position.
  *
@@ -1292,7 +1306,8 @@ mip_error mip_filter_data_pressure_altitude_encode(
  *
  * Altitude at which the standard atmosphere has the density of the air around the device.
  *
- * Uncertain: The SDK gives the name only; the description is the usual meaning of the term.
+ * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK gives the
+ * name only; the description is the usual meaning of the term.
  *
  * - mip-sdk-4: Density Altitude (0x82,0x22)
  */
@@ -1317,9 +1332,10 @@ mip_error mip_filter_data_density_altitude_encode(
  *
  * Estimated hard iron offset of the magnetometer.
  *
- * Also called `magnetometer_offset`.
+ * Also called `magnetometer_offset`. No device profile lists it. Known from the MicroStrain MIP SDK
+ * only.
  *
- * The filter adds it to the stored hard iron offset (0x0C,0x3A).
+ * The filter adds it to the stored offset of mip_3dm_mag_hard_iron_offset.
  *
  * - mip-sdk-4: Magnetometer Offset (0x82,0x25)
  */
@@ -1347,9 +1363,10 @@ mip_error mip_filter_data_mag_offset_encode(const struct mip_filter_data_mag_off
  *
  * Estimated soft iron matrix of the magnetometer.
  *
- * Also called `magnetometer_matrix`.
+ * Also called `magnetometer_matrix`. No device profile lists it. Known from the MicroStrain MIP SDK
+ * only.
  *
- * The filter multiplies the stored soft iron matrix (0x0C,0x3B) by it, from the right.
+ * The filter multiplies the stored matrix of mip_3dm_mag_soft_iron_matrix by it, from the right.
  *
  * - mip-sdk-4: Magnetometer Matrix (0x82,0x26)
  */
@@ -1377,7 +1394,8 @@ mip_error mip_filter_data_mag_matrix_encode(const struct mip_filter_data_mag_mat
  *
  * Standard deviation of the estimated hard iron offset.
  *
- * Also called `magnetometer_offset_uncertainty`.
+ * Also called `magnetometer_offset_uncertainty`. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
  */
@@ -1405,7 +1423,8 @@ mip_error mip_filter_data_mag_offset_uncertainty_encode(
  *
  * Standard deviation of the estimated soft iron matrix.
  *
- * Also called `magnetometer_matrix_uncertainty`.
+ * Also called `magnetometer_matrix_uncertainty`. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
  */
@@ -1433,7 +1452,8 @@ mip_error mip_filter_data_mag_matrix_uncertainty_encode(
  *
  * Covariance of the magnetometer measurement.
  *
- * Also called `magnetometer_covariance_matrix`.
+ * Also called `magnetometer_covariance_matrix`. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
  */
@@ -1462,7 +1482,8 @@ mip_error mip_filter_data_mag_covariance_matrix_encode(
  *
  * Residual of the magnetometer measurement.
  *
- * Also called `magnetometer_residual_vector`.
+ * Also called `magnetometer_residual_vector`. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
  */
@@ -1490,7 +1511,9 @@ mip_error mip_filter_data_mag_residual_vector_encode(
  *
  * Estimated error of the offset of the GNSS antenna.
  *
- * The filter adds it to the stored offset (0x0D,0x13).
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ *
+ * The filter adds it to the stored offset of mip_filter_antenna_offset.
  *
  * - mip-sdk-4: Antenna Offset Correction (0x82,0x30)
  */
@@ -1517,6 +1540,8 @@ mip_error mip_filter_data_antenna_offset_correction_encode(
  * Antenna offset correction uncertainty: data (0x82,0x31).
  *
  * Standard deviation of the estimated error of the offset of the GNSS antenna.
+ *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
  */
@@ -1546,6 +1571,8 @@ mip_error mip_filter_data_antenna_offset_correction_uncertainty_encode(
  * Clock correction: data (0x82,0x32).
  *
  * Estimated clock error of one GNSS receiver.
+ *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Clock Correction (0x82,0x32)
  */
@@ -1578,6 +1605,8 @@ mip_error mip_filter_data_clock_correction_encode(
  * Clock correction uncertainty: data (0x82,0x33).
  *
  * Standard deviation of the estimated clock error of one GNSS receiver.
+ *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)
  */
@@ -1850,7 +1879,8 @@ mip_error mip_filter_data_gnss_position_aiding_status_encode(
  *
  * How the filter uses the attitude that two GNSS antennas give.
  *
- * Also called `gnss_att_aid_status`.
+ * Also called `gnss_att_aid_status`. No device profile lists it. Known from the MicroStrain MIP SDK
+ * only.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -1882,7 +1912,8 @@ mip_error mip_filter_data_gnss_attitude_aiding_status_encode(
  *
  * The heading measurement that the filter used last.
  *
- * Also called `head_aid_status`.
+ * Also called `head_aid_status`. No device profile lists it. Known from the MicroStrain MIP SDK
+ * only.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *

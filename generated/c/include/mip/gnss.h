@@ -219,7 +219,8 @@ mip_error mip_gnss_signal_config_response_encode(
  * Whether the device talks to the RTK dongle that is connected to it.
  *
  * Also called `rtk_dongle_configuration`. Functions: write, read, save, load and default. Answered
- * by mip_gnss_rtk_dongle_config_response.
+ * by mip_gnss_rtk_dongle_config_response. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
  */
@@ -256,7 +257,8 @@ struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_default(void);
 /**
  * RTK dongle configuration response: response (0x0E,0x90).
  *
- * Also called `rtk_dongle_configuration_response`. Answers mip_gnss_rtk_dongle_config.
+ * Also called `rtk_dongle_configuration_response`. Answers mip_gnss_rtk_dongle_config. Known from
+ * the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
  */
@@ -282,14 +284,16 @@ mip_error mip_gnss_rtk_dongle_config_response_encode(
  * Source and keys of SPARTN corrections.
  *
  * Also called `spartn_configuration`. Functions: write, read, save, load and default. Answered by
- * mip_gnss_spartn_config_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_gnss_spartn_config_response. Supported by 3DM-CV7-GNSS/INS. Uncertain: Whether the device
+ * takes upper and lower case. The section on UART has the digits 0-9 and A-F, the description of
+ * the command has "bc" for 0xBC.
  *
  * A change of enable or type has an effect after a power cycle only; keys can be changed while
  * running.
  *
  * While SPARTN corrections are enabled, RTCM corrections are blocked.
  *
- * A key of 16 bytes, none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each byte.
+ * A key of 16 bytes, none of them 0, is sent as 32 ASCII digits in hexadecimal, two for each byte.
  *
  * - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
  * - 3dm-cv7-gnss-ins: SPARTN Corrections

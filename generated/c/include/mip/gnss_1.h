@@ -2,6 +2,8 @@
  * @file
  *
  * GNSS receiver 1 data (0x91). Measurements and status of the first internal GNSS receiver.
+ * Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
+ * GNSS data sets the same fields.
  */
 #ifndef MIP_GNSS_1_H
 #define MIP_GNSS_1_H
@@ -498,7 +500,7 @@ typedef uint16_t mip_gnss_1_ephemeris_flags;
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
 /** Bit 1. The data of the modernized navigation message are included. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_MODERN_DATA 0x0002U
-/** Bit 2. isc_l2c is the correction for L5, not for L2. */
+/** Bit 2. `isc_l2c` is the correction for L5, not for L2. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_ISC_L5 0x0004U
 /** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_FLAGS 0x0007U
@@ -855,6 +857,8 @@ mip_error mip_gnss_1_gps_time_encode(const struct mip_gnss_1_gps_time *value,
  *
  * Bias and drift of the receiver clock.
  *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ *
  * Clock info 2 replaces it and tells more.
  *
  * - mip-sdk-4: Clock Info (0x81,0x0A)
@@ -924,7 +928,8 @@ mip_error mip_gnss_1_fix_info_encode(const struct mip_gnss_1_fix_info *value,
  *
  * One satellite that is tracked.
  *
- * Uncertain: Whether a packet holds one of these fields or several.
+ * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether a packet
+ * holds one of these fields or several.
  *
  * The satellites come as one field each, in packets apart from other GNSS data.
  *
@@ -1008,10 +1013,10 @@ mip_error mip_gnss_1_hardware_status_encode(const struct mip_gnss_1_hardware_sta
  *
  * State of the differential corrections.
  *
- * Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of the
- * vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8, three floats and
- * u16, which is that of dgps_channel and does not agree with its own valid flags (age, base station
- * id, base station status, number of channels).
+ * No device profile lists it. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of
+ * MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has
+ * another one, u8, three floats and u16, which is that of mip_gnss_1_dgps_channel and does not
+ * agree with its own valid flags (age, base station id, base station status, number of channels).
  *
  * - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
  * - mip-sdk-4: Dgps Info (0x81,0x0E)
@@ -1019,7 +1024,7 @@ mip_error mip_gnss_1_hardware_status_encode(const struct mip_gnss_1_hardware_sta
 struct mip_gnss_1_dgps_info {
     /**
      * Age of the corrections. Unit: s. Valid if MIP_GNSS_1_DGPS_INFO_FLAGS_AGE in valid_flags is
-     * set. Uncertain: The unit, which follows from dgps_channel.
+     * set. Uncertain: The unit, which follows from mip_gnss_1_dgps_channel.
      */
     float age;
     /**
@@ -1055,6 +1060,8 @@ mip_error mip_gnss_1_dgps_info_encode(const struct mip_gnss_1_dgps_info *value,
  * DGPS channel: data (0x91,0x0F).
  *
  * Differential correction for one satellite.
+ *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * The active satellites come as one field each, all in one packet.
  *
@@ -1215,6 +1222,8 @@ mip_error mip_gnss_1_sbas_info_encode(const struct mip_gnss_1_sbas_info *value,
  *
  * SBAS correction for one satellite.
  *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
  * udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992,
@@ -1268,6 +1277,8 @@ mip_error mip_gnss_1_sbas_correction_encode(const struct mip_gnss_1_sbas_correct
  * RF error detection: data (0x91,0x14).
  *
  * Jamming and spoofing as the receiver detects them in one band.
+ *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Rf Error Detection (0x81,0x14)
  */
@@ -1455,6 +1466,8 @@ mip_error mip_gnss_1_raw_encode(const struct mip_gnss_1_raw *value, struct mip_b
  *
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ *
  * - mip-sdk-4: Base Station Info (0x81,0x30)
  */
 struct mip_gnss_1_base_station_info {
@@ -1506,6 +1519,8 @@ mip_error mip_gnss_1_base_station_info_encode(const struct mip_gnss_1_base_stati
  *
  * Which corrections come, and how old they are.
  *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ *
  * - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
  */
 struct mip_gnss_1_rtk_corrections_status {
@@ -1528,7 +1543,7 @@ struct mip_gnss_1_rtk_corrections_status {
      * Status flags of the RTK dongle; of use only with a dongle. Valid if
      * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set.
      *
-     * The same word as that of get status flags (0x0F,0x01), in one of its two forms.
+     * The same word as that of mip_rtk_get_status_flags, in one of its two forms.
      */
     mip_rtk_status_flags dongle_status;
     /**
@@ -1573,7 +1588,7 @@ mip_error mip_gnss_1_rtk_corrections_status_encode(
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
  */
@@ -1628,7 +1643,7 @@ struct mip_gnss_1_gps_ephemeris {
      */
     double isc_l1ca;
     /**
-     * Inter-signal correction for L2, or for L5 if isc_l5 is set. Unit: s. Valid if
+     * Inter-signal correction for L2, or for L5 if `isc_l5` is set. Unit: s. Valid if
      * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double isc_l2c;
@@ -1874,7 +1889,7 @@ mip_error mip_gnss_1_glonass_ephemeris_encode(const struct mip_gnss_1_glonass_ep
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
  */
@@ -2043,7 +2058,7 @@ mip_error mip_gnss_1_galileo_ephemeris_encode(const struct mip_gnss_1_galileo_ep
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
  */
@@ -2207,7 +2222,7 @@ mip_error mip_gnss_1_beidou_ephemeris_encode(const struct mip_gnss_1_beidou_ephe
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Also called `gps_iono_corr`.
+ * Also called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gps Iono Corr (0x81,0x71)
  */
@@ -2250,7 +2265,8 @@ mip_error mip_gnss_1_gps_iono_correction_encode(const struct mip_gnss_1_gps_iono
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Also called `galileo_iono_corr`.
+ * Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
  */
@@ -2294,7 +2310,8 @@ mip_error mip_gnss_1_galileo_iono_correction_encode(
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Also called `beidou_iono_corr`.
+ * Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
  */

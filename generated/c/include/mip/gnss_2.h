@@ -2,6 +2,8 @@
  * @file
  *
  * GNSS receiver 2 data (0x92). Measurements and status of the second internal GNSS receiver.
+ * Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
+ * GNSS data sets the same fields.
  */
 #ifndef MIP_GNSS_2_H
 #define MIP_GNSS_2_H
@@ -139,7 +141,8 @@ extern "C" {
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info.
+ * Has the layout of mip_gnss_1_clock_info. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * Clock info 2 replaces it and tells more.
  *
@@ -173,8 +176,8 @@ extern "C" {
  *
  * One satellite that is tracked.
  *
- * Has the layout of mip_gnss_1_sv_info. Uncertain: Whether a packet holds one of these fields or
- * several.
+ * Has the layout of mip_gnss_1_sv_info. No device profile lists it. Known from the MicroStrain MIP
+ * SDK only. Uncertain: Whether a packet holds one of these fields or several.
  *
  * The satellites come as one field each, in packets apart from other GNSS data.
  *
@@ -209,10 +212,11 @@ extern "C" {
  *
  * State of the differential corrections.
  *
- * Has the layout of mip_gnss_1_dgps_info. Uncertain: The layout is that of a manual of the
- * 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain:
- * The SDK has another one, u8, three floats and u16, which is that of dgps_channel and does not
- * agree with its own valid flags (age, base station id, base station status, number of channels).
+ * Has the layout of mip_gnss_1_dgps_info. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
+ * library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8,
+ * three floats and u16, which is that of mip_gnss_1_dgps_channel and does not agree with its own
+ * valid flags (age, base station id, base station status, number of channels).
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -228,7 +232,8 @@ extern "C" {
  *
  * Differential correction for one satellite.
  *
- * Has the layout of mip_gnss_1_dgps_channel.
+ * Has the layout of mip_gnss_1_dgps_channel. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * The active satellites come as one field each, all in one packet.
  *
@@ -296,7 +301,8 @@ extern "C" {
  *
  * SBAS correction for one satellite.
  *
- * Has the layout of mip_gnss_1_sbas_correction.
+ * Has the layout of mip_gnss_1_sbas_correction. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -317,7 +323,8 @@ extern "C" {
  *
  * Jamming and spoofing as the receiver detects them in one band.
  *
- * Has the layout of mip_gnss_1_rf_error_detection.
+ * Has the layout of mip_gnss_1_rf_error_detection. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -371,7 +378,8 @@ extern "C" {
  *
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
- * Has the layout of mip_gnss_1_base_station_info.
+ * Has the layout of mip_gnss_1_base_station_info. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -387,7 +395,8 @@ extern "C" {
  *
  * Which corrections come, and how old they are.
  *
- * Has the layout of mip_gnss_1_rtk_corrections_status.
+ * Has the layout of mip_gnss_1_rtk_corrections_status. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -405,7 +414,7 @@ extern "C" {
  *
  * Has the layout of mip_gnss_1_gps_ephemeris. Supported by 3DM-CV7-GNSS/INS.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61)
  */
@@ -447,7 +456,7 @@ extern "C" {
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
  */
@@ -468,7 +477,7 @@ extern "C" {
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
  */
@@ -484,7 +493,8 @@ extern "C" {
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. No device profile
+ * lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -500,7 +510,8 @@ extern "C" {
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. No device
+ * profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -516,7 +527,8 @@ extern "C" {
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. No device
+ * profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */

@@ -2,7 +2,8 @@
  * @file
  *
  * GNSS corrections data (0x93). What the device receives of RTK corrections. Data are sent as they
- * are received.
+ * are received. Uncertain: Which devices send the fields that no manual lists for this set. The SDK
+ * gives all GNSS data sets the same fields.
  */
 #ifndef MIP_GNSS_CORRECTIONS_H
 #define MIP_GNSS_CORRECTIONS_H
@@ -26,7 +27,8 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`.
+ * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. No device profile lists it.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -42,7 +44,8 @@ extern "C" {
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`.
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. No device profile lists it.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -58,7 +61,8 @@ extern "C" {
  *
  * GNSS velocity in the local level frame.
  *
- * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`.
+ * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. No device profile lists it.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -74,7 +78,8 @@ extern "C" {
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`.
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. No device profile lists it.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -90,7 +95,8 @@ extern "C" {
  *
  * Dilution of precision of the satellite geometry.
  *
- * Has the layout of mip_gnss_1_dop.
+ * Has the layout of mip_gnss_1_dop. No device profile lists it. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -106,7 +112,8 @@ extern "C" {
  *
  * Coordinated universal time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_utc_time.
+ * Has the layout of mip_gnss_1_utc_time. No device profile lists it. Known from the MicroStrain MIP
+ * SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -122,7 +129,8 @@ extern "C" {
  *
  * GPS time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_gps_time.
+ * Has the layout of mip_gnss_1_gps_time. No device profile lists it. Known from the MicroStrain MIP
+ * SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -138,7 +146,8 @@ extern "C" {
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info.
+ * Has the layout of mip_gnss_1_clock_info. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * Clock info 2 replaces it and tells more.
  *
@@ -156,7 +165,8 @@ extern "C" {
  *
  * Type of the position fix and what it is made of.
  *
- * Has the layout of mip_gnss_1_fix_info.
+ * Has the layout of mip_gnss_1_fix_info. No device profile lists it. Known from the MicroStrain MIP
+ * SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -172,8 +182,8 @@ extern "C" {
  *
  * One satellite that is tracked.
  *
- * Has the layout of mip_gnss_1_sv_info. Uncertain: Whether a packet holds one of these fields or
- * several.
+ * Has the layout of mip_gnss_1_sv_info. No device profile lists it. Known from the MicroStrain MIP
+ * SDK only. Uncertain: Whether a packet holds one of these fields or several.
  *
  * The satellites come as one field each, in packets apart from other GNSS data.
  *
@@ -191,7 +201,8 @@ extern "C" {
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`.
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. No device profile lists
+ * it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -207,10 +218,11 @@ extern "C" {
  *
  * State of the differential corrections.
  *
- * Has the layout of mip_gnss_1_dgps_info. Uncertain: The layout is that of a manual of the
- * 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain:
- * The SDK has another one, u8, three floats and u16, which is that of dgps_channel and does not
- * agree with its own valid flags (age, base station id, base station status, number of channels).
+ * Has the layout of mip_gnss_1_dgps_info. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
+ * library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8,
+ * three floats and u16, which is that of mip_gnss_1_dgps_channel and does not agree with its own
+ * valid flags (age, base station id, base station status, number of channels).
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -226,7 +238,8 @@ extern "C" {
  *
  * Differential correction for one satellite.
  *
- * Has the layout of mip_gnss_1_dgps_channel.
+ * Has the layout of mip_gnss_1_dgps_channel. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * The active satellites come as one field each, all in one packet.
  *
@@ -244,7 +257,8 @@ extern "C" {
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info_2.
+ * Has the layout of mip_gnss_1_clock_info_2. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * It supersedes clock info.
  *
@@ -262,7 +276,8 @@ extern "C" {
  *
  * Difference between GPS time and UTC.
  *
- * Has the layout of mip_gnss_1_gps_leap_seconds.
+ * Has the layout of mip_gnss_1_gps_leap_seconds. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -278,7 +293,8 @@ extern "C" {
  *
  * Status of the satellite based augmentation.
  *
- * Has the layout of mip_gnss_1_sbas_info.
+ * Has the layout of mip_gnss_1_sbas_info. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -294,7 +310,8 @@ extern "C" {
  *
  * SBAS correction for one satellite.
  *
- * Has the layout of mip_gnss_1_sbas_correction.
+ * Has the layout of mip_gnss_1_sbas_correction. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -315,7 +332,8 @@ extern "C" {
  *
  * Jamming and spoofing as the receiver detects them in one band.
  *
- * Has the layout of mip_gnss_1_rf_error_detection.
+ * Has the layout of mip_gnss_1_rf_error_detection. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -331,7 +349,8 @@ extern "C" {
  *
  * Where one satellite stands, and its health.
  *
- * Has the layout of mip_gnss_1_satellite_status.
+ * Has the layout of mip_gnss_1_satellite_status. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -349,7 +368,8 @@ extern "C" {
  *
  * Raw observation of one signal of one satellite.
  *
- * Has the layout of mip_gnss_1_raw.
+ * Has the layout of mip_gnss_1_raw. No device profile lists it. Known from the MicroStrain MIP SDK
+ * only.
  *
  * An epoch is sent as one field for each signal; index and count number the fields.
  *
@@ -401,9 +421,10 @@ extern "C" {
  *
  * Broadcast orbit and clock of one GPS satellite.
  *
- * Has the layout of mip_gnss_1_gps_ephemeris.
+ * Has the layout of mip_gnss_1_gps_ephemeris. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -419,7 +440,8 @@ extern "C" {
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
- * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`.
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. No device profile
+ * lists it. Known from the MicroStrain MIP SDK only.
  *
  * The interface control document of GLONASS explains p and ft.
  *
@@ -439,12 +461,13 @@ extern "C" {
  *
  * Broadcast orbit and clock of one Galileo satellite.
  *
- * Has the layout of mip_gnss_1_galileo_ephemeris.
+ * Has the layout of mip_gnss_1_galileo_ephemeris. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -460,12 +483,13 @@ extern "C" {
  *
  * Broadcast orbit and clock of one BeiDou satellite.
  *
- * Has the layout of mip_gnss_1_beidou_ephemeris.
+ * Has the layout of mip_gnss_1_beidou_ephemeris. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -481,7 +505,8 @@ extern "C" {
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. No device profile
+ * lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -497,7 +522,8 @@ extern "C" {
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. No device
+ * profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -515,7 +541,8 @@ extern "C" {
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. No device
+ * profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */

@@ -3,7 +3,8 @@
  *
  * External GNSS data (0x94). What an external GNSS receiver tells the device by NMEA sentences. A
  * field may need several sentences; a value that NMEA does not give is not valid. Times are those
- * of the sentences.
+ * of the sentences. Uncertain: Which devices send the fields that no manual lists for this set. The
+ * SDK gives all GNSS data sets the same fields.
  */
 #ifndef MIP_GNSS_EXTERNAL_H
 #define MIP_GNSS_EXTERNAL_H
@@ -43,7 +44,8 @@ extern "C" {
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`.
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. No device profile lists it.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -75,7 +77,8 @@ extern "C" {
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`.
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. No device profile lists it.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -91,7 +94,8 @@ extern "C" {
  *
  * Dilution of precision of the satellite geometry.
  *
- * Has the layout of mip_gnss_1_dop.
+ * Has the layout of mip_gnss_1_dop. No device profile lists it. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -123,7 +127,8 @@ extern "C" {
  *
  * GPS time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_gps_time.
+ * Has the layout of mip_gnss_1_gps_time. No device profile lists it. Known from the MicroStrain MIP
+ * SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -139,7 +144,8 @@ extern "C" {
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info.
+ * Has the layout of mip_gnss_1_clock_info. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * Clock info 2 replaces it and tells more.
  *
@@ -173,8 +179,8 @@ extern "C" {
  *
  * One satellite that is tracked.
  *
- * Has the layout of mip_gnss_1_sv_info. Uncertain: Whether a packet holds one of these fields or
- * several.
+ * Has the layout of mip_gnss_1_sv_info. No device profile lists it. Known from the MicroStrain MIP
+ * SDK only. Uncertain: Whether a packet holds one of these fields or several.
  *
  * The satellites come as one field each, in packets apart from other GNSS data.
  *
@@ -192,7 +198,8 @@ extern "C" {
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`.
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. No device profile lists
+ * it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -208,10 +215,11 @@ extern "C" {
  *
  * State of the differential corrections.
  *
- * Has the layout of mip_gnss_1_dgps_info. Uncertain: The layout is that of a manual of the
- * 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain:
- * The SDK has another one, u8, three floats and u16, which is that of dgps_channel and does not
- * agree with its own valid flags (age, base station id, base station status, number of channels).
+ * Has the layout of mip_gnss_1_dgps_info. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
+ * library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8,
+ * three floats and u16, which is that of mip_gnss_1_dgps_channel and does not agree with its own
+ * valid flags (age, base station id, base station status, number of channels).
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -227,7 +235,8 @@ extern "C" {
  *
  * Differential correction for one satellite.
  *
- * Has the layout of mip_gnss_1_dgps_channel.
+ * Has the layout of mip_gnss_1_dgps_channel. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * The active satellites come as one field each, all in one packet.
  *
@@ -245,7 +254,8 @@ extern "C" {
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info_2.
+ * Has the layout of mip_gnss_1_clock_info_2. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * It supersedes clock info.
  *
@@ -263,7 +273,8 @@ extern "C" {
  *
  * Difference between GPS time and UTC.
  *
- * Has the layout of mip_gnss_1_gps_leap_seconds.
+ * Has the layout of mip_gnss_1_gps_leap_seconds. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -279,7 +290,8 @@ extern "C" {
  *
  * Status of the satellite based augmentation.
  *
- * Has the layout of mip_gnss_1_sbas_info.
+ * Has the layout of mip_gnss_1_sbas_info. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -295,7 +307,8 @@ extern "C" {
  *
  * SBAS correction for one satellite.
  *
- * Has the layout of mip_gnss_1_sbas_correction.
+ * Has the layout of mip_gnss_1_sbas_correction. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -316,7 +329,8 @@ extern "C" {
  *
  * Jamming and spoofing as the receiver detects them in one band.
  *
- * Has the layout of mip_gnss_1_rf_error_detection.
+ * Has the layout of mip_gnss_1_rf_error_detection. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -350,7 +364,8 @@ extern "C" {
  *
  * Raw observation of one signal of one satellite.
  *
- * Has the layout of mip_gnss_1_raw.
+ * Has the layout of mip_gnss_1_raw. No device profile lists it. Known from the MicroStrain MIP SDK
+ * only.
  *
  * An epoch is sent as one field for each signal; index and count number the fields.
  *
@@ -370,7 +385,8 @@ extern "C" {
  *
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
- * Has the layout of mip_gnss_1_base_station_info.
+ * Has the layout of mip_gnss_1_base_station_info. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -386,7 +402,8 @@ extern "C" {
  *
  * Which corrections come, and how old they are.
  *
- * Has the layout of mip_gnss_1_rtk_corrections_status.
+ * Has the layout of mip_gnss_1_rtk_corrections_status. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -402,9 +419,10 @@ extern "C" {
  *
  * Broadcast orbit and clock of one GPS satellite.
  *
- * Has the layout of mip_gnss_1_gps_ephemeris.
+ * Has the layout of mip_gnss_1_gps_ephemeris. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -420,7 +438,8 @@ extern "C" {
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
- * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`.
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. No device profile
+ * lists it. Known from the MicroStrain MIP SDK only.
  *
  * The interface control document of GLONASS explains p and ft.
  *
@@ -440,12 +459,13 @@ extern "C" {
  *
  * Broadcast orbit and clock of one Galileo satellite.
  *
- * Has the layout of mip_gnss_1_galileo_ephemeris.
+ * Has the layout of mip_gnss_1_galileo_ephemeris. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -461,12 +481,13 @@ extern "C" {
  *
  * Broadcast orbit and clock of one BeiDou satellite.
  *
- * Has the layout of mip_gnss_1_beidou_ephemeris.
+ * Has the layout of mip_gnss_1_beidou_ephemeris. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -482,7 +503,8 @@ extern "C" {
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. No device profile
+ * lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -498,7 +520,8 @@ extern "C" {
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. No device
+ * profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -514,7 +537,8 @@ extern "C" {
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. No device
+ * profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */

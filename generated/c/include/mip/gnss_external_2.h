@@ -1,7 +1,10 @@
 /**
  * @file
  *
- * External GNSS data 2 (0x95). What a second external GNSS receiver tells the device.
+ * External GNSS data 2 (0x95). What a second external GNSS receiver tells the device. Uncertain:
+ * Which devices send the fields that no manual lists for this set. The SDK gives all GNSS data sets
+ * the same fields. Uncertain: The name. It is that of a page on the 3DM-CV7-INS that the vendor put
+ * up for trial; the SDK calls the set GNSS 5.
  */
 #ifndef MIP_GNSS_EXTERNAL_2_H
 #define MIP_GNSS_EXTERNAL_2_H
@@ -25,7 +28,8 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`.
+ * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. No device profile lists it.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -41,7 +45,8 @@ extern "C" {
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`.
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. No device profile lists it.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -57,7 +62,8 @@ extern "C" {
  *
  * GNSS velocity in the local level frame.
  *
- * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`.
+ * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. No device profile lists it.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -73,7 +79,8 @@ extern "C" {
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`.
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. No device profile lists it.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -89,7 +96,8 @@ extern "C" {
  *
  * Dilution of precision of the satellite geometry.
  *
- * Has the layout of mip_gnss_1_dop.
+ * Has the layout of mip_gnss_1_dop. No device profile lists it. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -105,7 +113,8 @@ extern "C" {
  *
  * Coordinated universal time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_utc_time.
+ * Has the layout of mip_gnss_1_utc_time. No device profile lists it. Known from the MicroStrain MIP
+ * SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -121,7 +130,8 @@ extern "C" {
  *
  * GPS time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_gps_time.
+ * Has the layout of mip_gnss_1_gps_time. No device profile lists it. Known from the MicroStrain MIP
+ * SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -137,7 +147,8 @@ extern "C" {
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info.
+ * Has the layout of mip_gnss_1_clock_info. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * Clock info 2 replaces it and tells more.
  *
@@ -155,7 +166,8 @@ extern "C" {
  *
  * Type of the position fix and what it is made of.
  *
- * Has the layout of mip_gnss_1_fix_info.
+ * Has the layout of mip_gnss_1_fix_info. No device profile lists it. Known from the MicroStrain MIP
+ * SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -171,8 +183,8 @@ extern "C" {
  *
  * One satellite that is tracked.
  *
- * Has the layout of mip_gnss_1_sv_info. Uncertain: Whether a packet holds one of these fields or
- * several.
+ * Has the layout of mip_gnss_1_sv_info. No device profile lists it. Known from the MicroStrain MIP
+ * SDK only. Uncertain: Whether a packet holds one of these fields or several.
  *
  * The satellites come as one field each, in packets apart from other GNSS data.
  *
@@ -190,7 +202,8 @@ extern "C" {
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`.
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. No device profile lists
+ * it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -206,10 +219,11 @@ extern "C" {
  *
  * State of the differential corrections.
  *
- * Has the layout of mip_gnss_1_dgps_info. Uncertain: The layout is that of a manual of the
- * 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain:
- * The SDK has another one, u8, three floats and u16, which is that of dgps_channel and does not
- * agree with its own valid flags (age, base station id, base station status, number of channels).
+ * Has the layout of mip_gnss_1_dgps_info. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
+ * library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8,
+ * three floats and u16, which is that of mip_gnss_1_dgps_channel and does not agree with its own
+ * valid flags (age, base station id, base station status, number of channels).
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -225,7 +239,8 @@ extern "C" {
  *
  * Differential correction for one satellite.
  *
- * Has the layout of mip_gnss_1_dgps_channel.
+ * Has the layout of mip_gnss_1_dgps_channel. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * The active satellites come as one field each, all in one packet.
  *
@@ -243,7 +258,8 @@ extern "C" {
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info_2.
+ * Has the layout of mip_gnss_1_clock_info_2. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * It supersedes clock info.
  *
@@ -261,7 +277,8 @@ extern "C" {
  *
  * Difference between GPS time and UTC.
  *
- * Has the layout of mip_gnss_1_gps_leap_seconds.
+ * Has the layout of mip_gnss_1_gps_leap_seconds. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -277,7 +294,8 @@ extern "C" {
  *
  * Status of the satellite based augmentation.
  *
- * Has the layout of mip_gnss_1_sbas_info.
+ * Has the layout of mip_gnss_1_sbas_info. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -293,7 +311,8 @@ extern "C" {
  *
  * SBAS correction for one satellite.
  *
- * Has the layout of mip_gnss_1_sbas_correction.
+ * Has the layout of mip_gnss_1_sbas_correction. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -314,7 +333,8 @@ extern "C" {
  *
  * Jamming and spoofing as the receiver detects them in one band.
  *
- * Has the layout of mip_gnss_1_rf_error_detection.
+ * Has the layout of mip_gnss_1_rf_error_detection. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -330,7 +350,8 @@ extern "C" {
  *
  * Where one satellite stands, and its health.
  *
- * Has the layout of mip_gnss_1_satellite_status.
+ * Has the layout of mip_gnss_1_satellite_status. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -348,7 +369,8 @@ extern "C" {
  *
  * Raw observation of one signal of one satellite.
  *
- * Has the layout of mip_gnss_1_raw.
+ * Has the layout of mip_gnss_1_raw. No device profile lists it. Known from the MicroStrain MIP SDK
+ * only.
  *
  * An epoch is sent as one field for each signal; index and count number the fields.
  *
@@ -368,7 +390,8 @@ extern "C" {
  *
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
- * Has the layout of mip_gnss_1_base_station_info.
+ * Has the layout of mip_gnss_1_base_station_info. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -384,7 +407,8 @@ extern "C" {
  *
  * Which corrections come, and how old they are.
  *
- * Has the layout of mip_gnss_1_rtk_corrections_status.
+ * Has the layout of mip_gnss_1_rtk_corrections_status. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -400,9 +424,10 @@ extern "C" {
  *
  * Broadcast orbit and clock of one GPS satellite.
  *
- * Has the layout of mip_gnss_1_gps_ephemeris.
+ * Has the layout of mip_gnss_1_gps_ephemeris. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -418,7 +443,8 @@ extern "C" {
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
- * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`.
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. No device profile
+ * lists it. Known from the MicroStrain MIP SDK only.
  *
  * The interface control document of GLONASS explains p and ft.
  *
@@ -438,12 +464,13 @@ extern "C" {
  *
  * Broadcast orbit and clock of one Galileo satellite.
  *
- * Has the layout of mip_gnss_1_galileo_ephemeris.
+ * Has the layout of mip_gnss_1_galileo_ephemeris. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -459,12 +486,13 @@ extern "C" {
  *
  * Broadcast orbit and clock of one BeiDou satellite.
  *
- * Has the layout of mip_gnss_1_beidou_ephemeris.
+ * Has the layout of mip_gnss_1_beidou_ephemeris. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -480,7 +508,8 @@ extern "C" {
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. No device profile
+ * lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -496,7 +525,8 @@ extern "C" {
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. No device
+ * profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -512,7 +542,8 @@ extern "C" {
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. No device
+ * profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */

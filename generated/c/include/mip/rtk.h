@@ -2,6 +2,8 @@
  * @file
  *
  * RTK commands (0x0F). Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
+ * Uncertain: The SDK describes hardly anything of this set; most descriptions follow from the
+ * names. Uncertain: How the strings are padded or ended.
  */
 #ifndef MIP_RTK_H
 #define MIP_RTK_H
@@ -70,9 +72,10 @@ typedef uint8_t mip_rtk_led_action;
  *
  * Asks for the state of the modem and of the corrections.
  *
- * Answered by mip_rtk_get_status_flags_response.
+ * Answered by mip_rtk_get_status_flags_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
- * The word of the response has two forms, rtk_status_flags and rtk_status_flags_legacy.
+ * The word of the response has two forms, mip_rtk_status_flags and mip_rtk_status_flags_legacy.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -93,7 +96,7 @@ mip_error mip_rtk_get_status_flags_encode(const struct mip_rtk_get_status_flags 
 /**
  * Get status flags response: response (0x0F,0x81).
  *
- * Answers mip_rtk_get_status_flags.
+ * Answers mip_rtk_get_status_flags. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -116,7 +119,8 @@ mip_error mip_rtk_get_status_flags_response_encode(
  *
  * Asks for the identity of the modem.
  *
- * Answered by mip_rtk_get_imei_response.
+ * Answered by mip_rtk_get_imei_response. No device profile lists it. Known from the MicroStrain MIP
+ * SDK only.
  *
  * - mip-sdk-4: Get Imei (0x0F,0x02)
  */
@@ -136,7 +140,7 @@ mip_error mip_rtk_get_imei_encode(const struct mip_rtk_get_imei *value,
 /**
  * Get IMEI response: response (0x0F,0x82).
  *
- * Answers mip_rtk_get_imei.
+ * Answers mip_rtk_get_imei. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Get Imei (0x0F,0x02)
  */
@@ -159,7 +163,8 @@ mip_error mip_rtk_get_imei_response_encode(const struct mip_rtk_get_imei_respons
  *
  * Asks for the identity of the subscriber.
  *
- * Answered by mip_rtk_get_imsi_response.
+ * Answered by mip_rtk_get_imsi_response. No device profile lists it. Known from the MicroStrain MIP
+ * SDK only.
  *
  * - mip-sdk-4: Get Imsi (0x0F,0x03)
  */
@@ -179,7 +184,7 @@ mip_error mip_rtk_get_imsi_encode(const struct mip_rtk_get_imsi *value,
 /**
  * Get IMSI response: response (0x0F,0x83).
  *
- * Answers mip_rtk_get_imsi.
+ * Answers mip_rtk_get_imsi. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Get Imsi (0x0F,0x03)
  */
@@ -202,7 +207,8 @@ mip_error mip_rtk_get_imsi_response_encode(const struct mip_rtk_get_imsi_respons
  *
  * Asks for the number of the SIM card.
  *
- * Answered by mip_rtk_get_iccid_response.
+ * Answered by mip_rtk_get_iccid_response. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Get Iccid (0x0F,0x04)
  */
@@ -222,7 +228,7 @@ mip_error mip_rtk_get_iccid_encode(const struct mip_rtk_get_iccid *value,
 /**
  * Get ICCID response: response (0x0F,0x84).
  *
- * Answers mip_rtk_get_iccid.
+ * Answers mip_rtk_get_iccid. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Get Iccid (0x0F,0x04)
  */
@@ -245,7 +251,8 @@ mip_error mip_rtk_get_iccid_response_encode(const struct mip_rtk_get_iccid_respo
  *
  * Asks for the strength of the cellular signal.
  *
- * Answered by mip_rtk_get_rssi_response.
+ * Answered by mip_rtk_get_rssi_response. No device profile lists it. Known from the MicroStrain MIP
+ * SDK only.
  *
  * - mip-sdk-4: Get Rssi (0x0F,0x05)
  */
@@ -265,7 +272,8 @@ mip_error mip_rtk_get_rssi_encode(const struct mip_rtk_get_rssi *value,
 /**
  * Get RSSI response: response (0x0F,0x85).
  *
- * Answers mip_rtk_get_rssi. Uncertain: That `valid` vouches for the other values is inferred.
+ * Answers mip_rtk_get_rssi. Known from the MicroStrain MIP SDK only. Uncertain: That `valid`
+ * vouches for the other values is inferred.
  *
  * - mip-sdk-4: Get Rssi (0x0F,0x05)
  */
@@ -293,7 +301,8 @@ mip_error mip_rtk_get_rssi_response_encode(const struct mip_rtk_get_rssi_respons
  * The device that the modem serves.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_rtk_connected_device_type_response.
+ * mip_rtk_connected_device_type_response. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Connected Device Type (0x0F,0x06)
  */
@@ -329,7 +338,7 @@ struct mip_rtk_connected_device_type mip_rtk_connected_device_type_default(void)
 /**
  * Connected device type response: response (0x0F,0x86).
  *
- * Answers mip_rtk_connected_device_type.
+ * Answers mip_rtk_connected_device_type. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Connected Device Type (0x0F,0x06)
  */
@@ -352,7 +361,8 @@ mip_error mip_rtk_connected_device_type_response_encode(
  *
  * Asks for the activation code.
  *
- * Also called `get_act_code`. Answered by mip_rtk_get_activation_code_response.
+ * Also called `get_act_code`. Answered by mip_rtk_get_activation_code_response. No device profile
+ * lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */
@@ -373,7 +383,8 @@ mip_error mip_rtk_get_activation_code_encode(const struct mip_rtk_get_activation
 /**
  * Get activation code response: response (0x0F,0x87).
  *
- * Also called `get_act_code_response`. Answers mip_rtk_get_activation_code.
+ * Also called `get_act_code_response`. Answers mip_rtk_get_activation_code. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */
@@ -396,7 +407,8 @@ mip_error mip_rtk_get_activation_code_response_encode(
  *
  * Asks for the firmware version of the cellular modem.
  *
- * Answered by mip_rtk_get_modem_firmware_version_response.
+ * Answered by mip_rtk_get_modem_firmware_version_response. No device profile lists it. Known from
+ * the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
  */
@@ -417,7 +429,7 @@ mip_error mip_rtk_get_modem_firmware_version_encode(
 /**
  * Get modem firmware version response: response (0x0F,0x88).
  *
- * Answers mip_rtk_get_modem_firmware_version.
+ * Answers mip_rtk_get_modem_firmware_version. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
  */
@@ -440,7 +452,8 @@ mip_error mip_rtk_get_modem_firmware_version_response_encode(
  *
  * Asks a correction server about the connection, and so keeps it open.
  *
- * Answered by mip_rtk_service_status_response. The device sends it, and the host answers.
+ * Answered by mip_rtk_service_status_response. The device sends it, and the host answers. No device
+ * profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * The modem sends it as a host would, and the server answers as a device would.
  *
@@ -467,7 +480,8 @@ mip_error mip_rtk_service_status_encode(const struct mip_rtk_service_status *val
  *
  * What the server knows of the connection.
  *
- * Answers mip_rtk_service_status. Uncertain: What exactly the counters count.
+ * Answers mip_rtk_service_status. Known from the MicroStrain MIP SDK only. Uncertain: What exactly
+ * the counters count.
  *
  * - mip-sdk-4: Service Status (0x0F,0x0A)
  */
@@ -496,7 +510,8 @@ mip_error mip_rtk_service_status_response_encode(
  *
  * Erases a storage medium down to its raw state.
  *
- * For advanced use. Also called `prod_erase_storage`.
+ * For advanced use. Also called `prod_erase_storage`. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * All that is stored is lost. The command is for production.
  *
@@ -525,7 +540,7 @@ struct mip_rtk_erase_storage mip_rtk_erase_storage_make(mip_rtk_storage_medium m
  *
  * Colours and pattern of the LED.
  *
- * For advanced use.
+ * For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * Accepted in calibration mode and production test mode only.
  *
@@ -560,7 +575,7 @@ struct mip_rtk_led_control mip_rtk_led_control_make(const uint8_t primary_color[
  *
  * Clears the flash memory of the modem.
  *
- * For advanced use.
+ * For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * It wears the flash memory out; use it rarely.
  *

@@ -53,6 +53,8 @@ typedef uint16_t mip_sensor_odometer_flags;
  *
  * Raw acceleration in counts of the sensor, temperature compensated.
  *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ *
  * - mip-sdk-4: Raw Accel (0x80,0x01)
  */
 struct mip_sensor_raw_accel {
@@ -74,6 +76,8 @@ mip_error mip_sensor_raw_accel_encode(const struct mip_sensor_raw_accel *value,
  *
  * Raw angular rate in counts of the sensor, temperature compensated.
  *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ *
  * - mip-sdk-4: Raw Gyro (0x80,0x02)
  */
 struct mip_sensor_raw_gyro {
@@ -94,6 +98,8 @@ mip_error mip_sensor_raw_gyro_encode(const struct mip_sensor_raw_gyro *value,
  * Raw mag: data (0x80,0x03).
  *
  * Raw magnetic field in counts of the sensor, temperature compensated.
+ *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Raw Mag (0x80,0x03)
  */
@@ -243,7 +249,7 @@ mip_error mip_sensor_delta_velocity_encode(const struct mip_sensor_delta_velocit
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+ * `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)
  * - 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
@@ -272,7 +278,8 @@ mip_error mip_sensor_comp_orientation_matrix_encode(
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+ * `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on the
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
  * - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
@@ -299,8 +306,9 @@ mip_error mip_sensor_comp_quaternion_encode(const struct mip_sensor_comp_quatern
  *
  * Change of the attitude by the complementary filter as a matrix.
  *
- * Deprecated: the SDK marks it so and names no replacement. Uncertain: The interval of the change
- * and the frames. The SDK gives the name only.
+ * Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known from
+ * the MicroStrain MIP SDK only. Uncertain: The interval of the change and the frames. The SDK gives
+ * the name only.
  *
  * - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
  */
@@ -355,7 +363,8 @@ mip_error mip_sensor_comp_euler_angles_encode(const struct mip_sensor_comp_euler
  *
  * Raw readings of four temperature sensors.
  *
- * Deprecated: the SDK marks it so and names no replacement. Also called `orientation_raw_temp`.
+ * Deprecated: the SDK marks it so and names no replacement. Also called `orientation_raw_temp`. No
+ * device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
  */
@@ -380,7 +389,8 @@ mip_error mip_sensor_orientation_raw_temperature_encode(
  *
  * Free-running counter of the device.
  *
- * Deprecated: the SDK marks it so and names no replacement.
+ * Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known from
+ * the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Internal Timestamp (0x80,0x0E)
  */
@@ -403,7 +413,8 @@ mip_error mip_sensor_internal_timestamp_encode(const struct mip_sensor_internal_
  *
  * Time that is counted with the pulse per second.
  *
- * Deprecated: the SDK marks it so and names no replacement. Uncertain: The epoch.
+ * Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known from
+ * the MicroStrain MIP SDK only. Uncertain: The epoch.
  *
  * - mip-sdk-4: Pps Timestamp (0x80,0x0F)
  */
@@ -491,8 +502,7 @@ mip_error mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value,
  *
  * Without external synchronization it is the internal system time.
  *
- * Where the device has it, use the shared GPS timestamp (0xFF,0xD3) instead; this field may be
- * deprecated.
+ * Where the device has it, use mip_shared_gps_timestamp instead; this field may be deprecated.
  *
  * - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
  * - 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
@@ -556,6 +566,8 @@ mip_error mip_sensor_temperature_statistics_encode(
  * Raw pressure: data (0x80,0x16).
  *
  * Raw ambient pressure in counts of the sensor, temperature compensated.
+ *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Raw Pressure (0x80,0x16)
  */

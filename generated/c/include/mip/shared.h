@@ -51,9 +51,7 @@ typedef uint16_t mip_shared_external_time_delta_flags;
  * - 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0)
  */
 struct mip_shared_event_source {
-    /**
-     * Id of the trigger; 0 means that the packet was scheduled by the message format (0x0C,0x0F).
-     */
+    /** Id of the trigger; 0 means that the packet was scheduled by mip_3dm_message_format. */
     uint8_t trigger_id;
 };
 
@@ -71,8 +69,9 @@ mip_error mip_shared_event_source_encode(const struct mip_shared_event_source *v
  *
  * Base periods since power-up.
  *
- * Uncertain: The SDK has the counter return to 0 after about 50 days. That fits 2^32 ticks at 1000
- * Hz; at other rates it would take longer or shorter.
+ * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK has the
+ * counter return to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at other rates it would
+ * take longer or shorter.
  *
  * One tick is one period of the base rate.
  *
@@ -96,8 +95,8 @@ mip_error mip_shared_ticks_encode(const struct mip_shared_ticks *value,
  *
  * Base periods since this field was last sent.
  *
- * Uncertain: Whether each set and each event instance counts for itself, as with delta time
- * (0xFF,0xD4).
+ * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether each set
+ * and each event instance counts for itself, as with mip_shared_delta_time.
  *
  * One tick is one period of the base rate.
  *
@@ -126,12 +125,17 @@ mip_error mip_shared_delta_ticks_encode(const struct mip_shared_delta_ticks *val
  *
  * In event messages it is the time of the trigger.
  *
- * It becomes valid after the PPS is locked and (0x01,0x72) has set the time of week and the week
- * number.
+ * It becomes valid after the PPS is locked and mip_base_gps_time_update has set the time of week
+ * and the week number.
  *
- * An internal GNSS receiver as PPS source sets the time by itself.
+ * With an internal GNSS receiver as PPS source, the device sets the time by itself in most cases.
+ *
+ * With NMEA input, a ZDA sentence sets the time to UTC: the value is then behind GPS time by the
+ * leap seconds, which are 18 s since 2017. mip_base_gps_time_update sets GPS time.
  *
  * - 3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3)
+ * - 3dm-cv7-gnss-ins: Configure the External GNSS Receiver
+ * - 3dm-cv7-gnss-ins: RECEIVER Source
  */
 struct mip_shared_gps_timestamp {
     /**
@@ -163,7 +167,7 @@ mip_error mip_shared_gps_timestamp_encode(const struct mip_shared_gps_timestamp 
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * It is the same as external time delta (0xFF,0xD8), in other units.
+ * It is the same as mip_shared_external_time_delta, in other units.
  *
  * Sending either restarts the counter that both share, so use only one of them.
  *
@@ -242,7 +246,7 @@ mip_error mip_shared_reference_time_delta_encode(
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * It is the GPS timestamp (0xFF,0xD3) in nanoseconds.
+ * It is mip_shared_gps_timestamp in nanoseconds.
  *
  * In event messages it is the time of the trigger.
  *
@@ -276,7 +280,7 @@ mip_error mip_shared_external_timestamp_encode(const struct mip_shared_external_
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * It is the same as delta time (0xFF,0xD4), in other units.
+ * It is the same as mip_shared_delta_time, in other units.
  *
  * Sending either restarts the counter that both share, so use only one of them.
  *

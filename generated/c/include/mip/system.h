@@ -70,7 +70,7 @@ typedef uint8_t mip_system_protocol_mode;
  * Protocols that a port takes in and gives out.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_system_interface_control_response.
+ * mip_system_interface_control_response. No device profile lists it.
  *
  * Accepted on the main port only. The main port always keeps MIP in both directions.
  *
@@ -161,8 +161,7 @@ mip_error mip_system_interface_control_response_encode(
  *
  * The acknowledge is sent in the old mode, just before the switch.
  *
- * In a direct mode only this command and device status (0x0C,0x64) of the device itself are
- * answered.
+ * In a direct mode only this command and mip_3dm_device_status of the device itself are answered.
  *
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */

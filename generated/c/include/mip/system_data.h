@@ -99,9 +99,12 @@ mip_error mip_system_data_time_sync_status_encode(
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * The pins are sampled within one base period of this set; shorter pulses can be missed.
+ * A pulse that is shorter than the period at which the field is sent is missed.
  *
- * Only pins that are configured to the GPIO feature by (0x0C,0x41) are sure to give valid levels.
+ * The pins are sampled within one base period of this set.
+ *
+ * Only pins that are configured to the GPIO feature by mip_3dm_gpio_config are sure to give valid
+ * levels.
  *
  * For fast signals and exact times use the timestamp feature and the event system.
  *
@@ -125,6 +128,8 @@ mip_error mip_system_data_gpio_state_encode(const struct mip_system_data_gpio_st
  * GPIO analog value: data (0xA0,0x04).
  *
  * Voltage at one GPIO pin.
+ *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * Only for pins that are configured as analog inputs.
  *

@@ -641,7 +641,7 @@ struct mip_event_threshold_interval {
     double interval_threshold;
     /**
      * Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the
-     * two swap roles: the trigger is active while the value modulo interval_threshold is above
+     * two swap roles: the trigger is active while the value modulo `interval_threshold` is above
      * this.
      */
     double interval;
@@ -738,7 +738,8 @@ struct mip_event_action_message {
     uint8_t descriptor_set;
     /**
      * 0 sends one packet per activation. Any other value streams while the trigger is active, at
-     * the base rate of the descriptor set divided by it.
+     * the base rate of the descriptor set divided by it; a packet is sent at once, and the count
+     * begins anew at each activation.
      */
     uint16_t decimation;
     /** Number of fields in the packet. The number of elements of descriptors. Range: 0 to 12. */
@@ -1081,11 +1082,12 @@ void mip_nmea_message_read(struct mip_reader *r, struct mip_nmea_message *v);
 void mip_nmea_message_write(struct mip_writer *w, const struct mip_nmea_message *v);
 
 /**
- * State of the modem and of the corrections. Models of another kind send rtk_status_flags_legacy.
- * Uncertain: Which model sends which of the two forms. The SDK says only that the model number
- * decides it. Uncertain: Other software of the vendor looks at `version`: 0 is the legacy form, 1
- * is this one. In the legacy form of the SDK the same two bits are `sinr`. Uncertain: The SDK gives
- * the names only; the descriptions follow from them. What the values mean is open.
+ * State of the modem and of the corrections. Models of another kind send
+ * mip_rtk_status_flags_legacy. Uncertain: Which model sends which of the two forms. The SDK says
+ * only that the model number decides it. Uncertain: Other software of the vendor looks at
+ * `version`: 0 is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits
+ * are `sinr`. Uncertain: The SDK gives the names only; the descriptions follow from them. What the
+ * values mean is open.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -1191,9 +1193,9 @@ static inline void mip_rtk_status_flags_set_version(mip_rtk_status_flags *flags,
 
 /**
  * State of the modem and of the corrections, in its older form. Uncertain: Which model sends which
- * of the two forms; see rtk_status_flags. Uncertain: The SDK calls bits 20-31 reserved, and puts
- * the four last numbers there too. Uncertain: The SDK gives the names only; the descriptions follow
- * from them. What the values mean is open.
+ * of the two forms; see mip_rtk_status_flags. Uncertain: The SDK calls bits 20-31 reserved, and
+ * puts the four last numbers there too. Uncertain: The SDK gives the names only; the descriptions
+ * follow from them. What the values mean is open.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */

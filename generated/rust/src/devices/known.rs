@@ -5,7 +5,10 @@ use crate::protocol::AckCode;
 
 /// All devices.
 #[rustfmt::skip]
-pub static ALL: &[&Device] = &[&CV7_GNSS_INS, &GX5_15];
+pub static ALL: &[&Device] = &[
+    &CV7_GNSS_INS,
+    &GX5_15,
+];
 
 /// 3DM-CV7-GNSS/INS
 ///
@@ -29,7 +32,7 @@ pub static ALL: &[&Device] = &[&CV7_GNSS_INS, &GX5_15];
 ///
 /// # Anti-aliasing low-pass filter
 ///
-/// Data that the low-pass anti-aliasing filter command (0x0C,0x54) can filter.
+/// Data that [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter) can filter.
 ///
 /// | Set | Descriptor | Data |
 /// | --- | --- | --- |
@@ -76,9 +79,9 @@ pub static ALL: &[&Device] = &[&CV7_GNSS_INS, &GX5_15];
 ///
 /// # NMEA output
 ///
-/// Sentences of the NMEA message format (0x0C,0x0C). The talkers are GN (GNSS), GP (GPS), GA
-/// (Galileo) and GL (GLONASS). A sentence is sent only while its data are valid. A GNSS source has
-/// a base rate of 5 Hz, so its decimation must be 3 or more.
+/// Sentences of [`mip_3dm::NmeaMessageFormat`](crate::mip_3dm::NmeaMessageFormat). The talkers are
+/// GN (GNSS), GP (GPS), GA (Galileo) and GL (GLONASS). A sentence is sent only while its data are
+/// valid. A GNSS source has a base rate of 5 Hz, so its decimation must be 3 or more.
 ///
 /// | Sentence | Contents | Talkers | Sources |
 /// | --- | --- | --- | --- |
@@ -117,7 +120,7 @@ pub static ALL: &[&Device] = &[&CV7_GNSS_INS, &GX5_15];
 /// # GNSS signals
 ///
 /// GPS or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused. Signals that can be
-/// enabled together by (0x0E,0x02).
+/// enabled together by [`gnss::SignalConfig`](crate::gnss::SignalConfig).
 ///
 /// | Constellation | Choices |
 /// | --- | --- |
@@ -128,8 +131,9 @@ pub static ALL: &[&Device] = &[&CV7_GNSS_INS, &GX5_15];
 ///
 /// # Sensor ranges
 ///
-/// Settings of the sensor range command (0x0C,0x52). The manual prints them for sister models and
-/// cuts the gyroscope column off; ask the device by (0x0C,0x53).
+/// Settings of [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). The manual prints them for
+/// sister models and cuts the gyroscope column off; ask the device by
+/// [`mip_3dm::GetCalibratedSensorRanges`](crate::mip_3dm::GetCalibratedSensorRanges).
 ///
 /// | Sensor | Setting | Range |
 /// | --- | --- | --- |
@@ -584,14 +588,14 @@ pub static CV7_GNSS_INS: Device = Device {
 ///
 /// # Frame of the sensor data
 ///
-/// The sensor-to-vehicle transformation (0x0D,0x11) turns scaled acceleration and angular rate,
-/// delta theta and delta velocity, as well as the outputs of the estimation filter other than the
-/// gyroscope bias. Until it is set, they are in the sensor frame. It does not turn the outputs of
-/// the complementary filter.
+/// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler) turns
+/// scaled acceleration and angular rate, delta theta and delta velocity, as well as the outputs of
+/// the estimation filter other than the gyroscope bias. Until it is set, they are in the sensor
+/// frame. It does not turn the outputs of the complementary filter.
 ///
 /// # Low-pass filter
 ///
-/// Data that the low-pass filter command (0x0C,0x50) can select.
+/// Data that [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter) can select.
 ///
 /// | Set | Descriptor | Data |
 /// | --- | --- | --- |
@@ -605,13 +609,15 @@ pub static CV7_GNSS_INS: Device = Device {
 ///
 /// # Time synchronization
 ///
-/// The pulse per second goes to pin 7 of the connector. Send the GPS time update (0x01,0x72) once
-/// per second. The filter timestamp and the sensor timestamp follow it.
+/// The pulse per second goes to pin 7 of the connector. Send
+/// [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) once per second. The filter timestamp and
+/// the sensor timestamp follow it.
 ///
 /// # Direct mode
 ///
-/// Communication mode (0x7F,0x10) connects the port to the inertial sensor inside. Only that
-/// command and device status (0x0C,0x64) stay available meanwhile.
+/// [`system::CommMode`](crate::system::CommMode) connects the port to the inertial sensor inside.
+/// Only that command and [`mip_3dm::DeviceStatus`](crate::mip_3dm::DeviceStatus) stay available
+/// meanwhile.
 #[rustfmt::skip]
 pub static GX5_15: Device = Device {
     id: "3dm-gx5-15",

@@ -4,11 +4,11 @@
 /// others with its descriptor; and of a response the commands that it answers.
 macro_rules! field {
     (
-        $name:ident: $set:literal, $descriptor:literal, $text:literal
-        $(, in $sets:pat)?
-        $(, constants $([$offset:literal: $($byte:literal)+])+)?
-        $(, sizes $sizes:expr)?
-        $(, answers $($command:ident)+)?
+        $name:ident: $set:literal, $descriptor:literal, $text:literal;
+        $(in [$sets:pat];)?
+        $(constants $([$offset:literal: $($byte:literal)+])+;)?
+        $(sizes $sizes:expr;)?
+        $(answers $($command:ident)+;)?
     ) => {
         impl $crate::Field for $name {
             const SET: u8 = $set;

@@ -30,9 +30,32 @@ macro_rules! record {
             $($(#[$member_meta:meta])* pub $member:ident: $type:ty,)*
         }
     ) => {
-        members!($([$meta])* $name $($([$member_meta])* $member: $type,)*);
+        members!([$([$meta])*] $name $([$([$member_meta])*] $member: $type,)*);
         wire!($name { $($member)* } 0_usize$(.saturating_add(<$type as $crate::Wire>::SIZE))*;
             $([$member])*);
+    };
+    (
+        $(#[$meta:meta])*
+        pub struct $name:ident {
+            $(#[$selector_meta:meta])* pub $selector:ident: $selector_type:ty,
+            $($(#[$member_meta:meta])* pub $member:ident: $type:ty,)*
+        }
+        wire $size:literal {
+            [$selects:ident selects]
+            $([$($step:tt)*])*
+        }
+    ) => {
+        members!([$([$meta])*] $name
+            [$([$selector_meta])*] $selector: $selector_type,
+            $([$([$member_meta])*] $member: $type,)*);
+        wire!($name { $selector $($member)* } $size; [$selects selects] $([$($step)*])*);
+
+        impl $name {
+            /// A command that has nothing but its selector.
+            fn bare($selector: $selector_type) -> Self {
+                Self { $selector, $($member: None,)* }
+            }
+        }
     };
     (
         $(#[$meta:meta])*
@@ -43,14 +66,14 @@ macro_rules! record {
             $([$($step:tt)*])*
         }
     ) => {
-        members!($([$meta])* $name $($([$member_meta])* $member: $type,)*);
+        members!([$([$meta])*] $name $([$([$member_meta])*] $member: $type,)*);
         wire!($name { $($member)* } $size; $([$($step)*])*);
     };
 }
 
 /// The type of a record.
 macro_rules! members {
-    ($([$meta:meta])* $name:ident $($([$member_meta:meta])* $member:ident: $type:ty,)*) => {
+    ([$([$meta:meta])*] $name:ident $([$([$member_meta:meta])*] $member:ident: $type:ty,)*) => {
         $(#[$meta])*
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -86,10 +109,9 @@ macro_rules! wire {
     };
 }
 
-/// Functions that make a record of their arguments, and of values that follow from them.
+/// Constructors: their arguments, and the values of other members that follow from them.
 ///
-/// A command with a function selector names its members, all of which but the selector are optional,
-/// and for each function what the selector is.
+/// Those of a command with a function selector say what the selector is.
 macro_rules! constructors {
     (
         $name:ident
@@ -110,17 +132,13 @@ macro_rules! constructors {
         }
     };
     (
-        $name:ident { $function:ident $(, $member:ident)* }
+        $name:ident
         $(
             $(#[$meta:meta])*
             fn $new:ident($($given:ident: $type:ty),* $(,)?) = $selector:ident $(, $set:ident: $value:expr)*;
         )*
     ) => {
         impl $name {
-            fn bare($function: $crate::protocol::FunctionSelector) -> Self {
-                Self { $function, $($member: None,)* }
-            }
-
             $(
                 $(#[$meta])*
                 #[must_use]
@@ -137,14 +155,14 @@ macro_rules! constructors {
     };
 }
 
-/// Functions that add an optional value to a command.
+/// Methods that add an optional value to a command.
 macro_rules! setters {
-    ($name:ident { $(fn $function:ident($member:ident: $type:ty);)* }) => {
+    ($name:ident $(fn $with:ident($member:ident: $type:ty);)*) => {
         impl $name {
             $(
                 #[doc = concat!("With `", stringify!($member), "`, which is optional.")]
                 #[must_use]
-                pub fn $function(mut self, $member: $type) -> Self {
+                pub fn $with(mut self, $member: $type) -> Self {
                     self.$member = Some($member);
                     self
                 }

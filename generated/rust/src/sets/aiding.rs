@@ -118,7 +118,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - Aiding measurements name the frame by its number.
-    /// - P_vehicle = R \* p_frame + t, with the rotation R and the translation t.
+    /// - `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
     /// - The rotation does not matter for GNSS positions and velocities; set it to zero.
     /// - A read names the format that the answer shall have.
     ///
@@ -174,7 +174,7 @@ union! {
 }
 
 constructors! {
-    FrameConfig { function, frame_id, format, tracking_enabled, translation, rotation }
+    FrameConfig
 
     /// Apply the new setting.
     fn write(
@@ -198,7 +198,7 @@ constructors! {
 }
 
 field! {
-    FrameConfig: 0x13, 0x01, "aiding.frame_config"
+    FrameConfig: 0x13, 0x01, "aiding.frame_config";
 }
 
 command! {
@@ -233,7 +233,7 @@ record! {
 }
 
 constructors! {
-    EchoControl { function, mode }
+    EchoControl
 
     /// Apply the new setting.
     fn write(mode: AidingEchoMode) = WRITE;
@@ -252,7 +252,7 @@ constructors! {
 }
 
 field! {
-    EchoControl: 0x13, 0x1F, "aiding.echo_control"
+    EchoControl: 0x13, 0x1F, "aiding.echo_control";
 }
 
 command! {
@@ -269,9 +269,8 @@ record! {
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - Use only one form of position: ECEF or LLH.
-    /// - The uncertainty of a valid axis must be greater than 0.
-    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
-    ///   back in a response of unknown layout.
+    /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
+    ///   unknown layout.
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> ECEF Position.
@@ -279,7 +278,7 @@ record! {
     pub struct EcefPosition {
         /// When the measurement was taken.
         pub time: MeasurementTime,
-        /// Frame of the sensor.
+        /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -291,9 +290,9 @@ record! {
         pub position: types::Vector3d,
         /// Uncertainty of the position.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid by its bit: x by
-        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
-        /// [`valid_flags.z`](AxisFlags::z).
+        /// Elements: x, y, z. Unit: m. Frame: ecef. Range: greater than 0. Each element is valid by
+        /// its bit: x by [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z
+        /// by [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
@@ -314,7 +313,7 @@ constructors! {
 }
 
 field! {
-    EcefPosition: 0x13, 0x21, "aiding.ecef_position"
+    EcefPosition: 0x13, 0x21, "aiding.ecef_position";
 }
 
 command! {
@@ -330,9 +329,8 @@ record! {
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - Use only one form of position: ECEF or LLH.
-    /// - The uncertainty of a valid axis must be greater than 0.
-    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
-    ///   back in a response of unknown layout.
+    /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
+    ///   unknown layout.
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position (0x13,0x22); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> LLH Position.
@@ -340,7 +338,7 @@ record! {
     pub struct LlhPosition {
         /// When the measurement was taken.
         pub time: MeasurementTime,
-        /// Frame of the sensor.
+        /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -359,8 +357,8 @@ record! {
         pub height: f64,
         /// Uncertainty along north, east and down.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ned. Each element is valid by its bit: x by
-        /// [`valid_flags.latitude`](LlhAxisFlags::latitude), y by
+        /// Elements: x, y, z. Unit: m. Frame: ned. Range: greater than 0. Each element is valid by
+        /// its bit: x by [`valid_flags.latitude`](LlhAxisFlags::latitude), y by
         /// [`valid_flags.longitude`](LlhAxisFlags::longitude), z by
         /// [`valid_flags.height`](LlhAxisFlags::height).
         pub uncertainty: types::Vector3f,
@@ -385,7 +383,7 @@ constructors! {
 }
 
 field! {
-    LlhPosition: 0x13, 0x22, "aiding.llh_position"
+    LlhPosition: 0x13, 0x22, "aiding.llh_position";
 }
 
 command! {
@@ -400,15 +398,15 @@ record! {
     /// Not acknowledged if `mode` of [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported
     /// by 3DM-CV7-GNSS/INS.
     ///
-    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
-    ///   back in a response of unknown layout.
+    /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
+    ///   unknown layout.
     ///
     /// Source: 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23).
     #[derive(Default)]
     pub struct HeightAboveEllipsoid {
         /// When the measurement was taken.
         pub time: MeasurementTime,
-        /// Frame of the sensor.
+        /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -439,7 +437,7 @@ constructors! {
 }
 
 field! {
-    HeightAboveEllipsoid: 0x13, 0x23, "aiding.height_above_ellipsoid"
+    HeightAboveEllipsoid: 0x13, 0x23, "aiding.height_above_ellipsoid";
 }
 
 command! {
@@ -455,10 +453,9 @@ record! {
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - Use only one form of velocity: ECEF or NED.
-    /// - Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
-    /// - The uncertainty of a valid axis must be greater than 0.
-    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
-    ///   back in a response of unknown layout.
+    /// - Not for a sensor that is fixed to the vehicle; that takes [`BodyFrameVelocity`].
+    /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
+    ///   unknown layout.
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> ECEF Velocity.
@@ -466,7 +463,7 @@ record! {
     pub struct EcefVelocity {
         /// When the measurement was taken.
         pub time: MeasurementTime,
-        /// Frame of the sensor.
+        /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -478,9 +475,9 @@ record! {
         pub velocity: types::Vector3f,
         /// Uncertainty of the velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid by its bit: x by
-        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
-        /// [`valid_flags.z`](AxisFlags::z).
+        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Range: greater than 0. Each element is valid
+        /// by its bit: x by [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y),
+        /// z by [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
@@ -501,7 +498,7 @@ constructors! {
 }
 
 field! {
-    EcefVelocity: 0x13, 0x28, "aiding.ecef_velocity"
+    EcefVelocity: 0x13, 0x28, "aiding.ecef_velocity";
 }
 
 command! {
@@ -517,10 +514,9 @@ record! {
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - Use only one form of velocity: ECEF or NED.
-    /// - Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
-    /// - The uncertainty of a valid axis must be greater than 0.
-    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
-    ///   back in a response of unknown layout.
+    /// - Not for a sensor that is fixed to the vehicle; that takes [`BodyFrameVelocity`].
+    /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
+    ///   unknown layout.
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> NED Velocity.
@@ -528,7 +524,7 @@ record! {
     pub struct NedVelocity {
         /// When the measurement was taken.
         pub time: MeasurementTime,
-        /// Frame of the sensor.
+        /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -540,9 +536,9 @@ record! {
         pub velocity: types::Vector3f,
         /// Uncertainty of the velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid by its bit: x by
-        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
-        /// [`valid_flags.z`](AxisFlags::z).
+        /// Elements: x, y, z. Unit: m/s. Frame: ned. Range: greater than 0. Each element is valid
+        /// by its bit: x by [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y),
+        /// z by [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
@@ -563,7 +559,7 @@ constructors! {
 }
 
 field! {
-    NedVelocity: 0x13, 0x29, "aiding.ned_velocity"
+    NedVelocity: 0x13, 0x29, "aiding.ned_velocity";
 }
 
 command! {
@@ -578,15 +574,14 @@ record! {
     /// Also called `vel_body_frame`. Not acknowledged if `mode` of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - An uncertainty of a valid axis that is not greater than 0 is refused as an invalid
-    ///   parameter.
     /// - The device takes up to four sensors of this kind.
     /// - A wheeled vehicle constraint is a velocity of 0 with y valid only, sent at least once in a
     ///   second.
+    /// - With z valid too, and 0, the vehicle moves in a plane only (2D mode).
     /// - A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold
     ///   of the user.
-    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
-    ///   back in a response of unknown layout.
+    /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
+    ///   unknown layout.
     ///
     /// Source: 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> Body Frame Velocity; 3dm-cv7-gnss-ins: Filter Kinematic Constraints.
@@ -594,21 +589,21 @@ record! {
     pub struct BodyFrameVelocity {
         /// When the measurement was taken.
         pub time: MeasurementTime,
-        /// Frame of the sensor.
+        /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Velocity in the frame of the sensor.
+        /// Velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Each element is valid by its bit: x by
+        /// Elements: x, y, z. Unit: m/s. Frame: aiding. Each element is valid by its bit: x by
         /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
         /// [`valid_flags.z`](AxisFlags::z).
         pub velocity: types::Vector3f,
         /// Standard deviation of the velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Each element is valid by its bit: x by
-        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
-        /// [`valid_flags.z`](AxisFlags::z).
+        /// Elements: x, y, z. Unit: m/s. Frame: aiding. Range: greater than 0. Each element is
+        /// valid by its bit: x by [`valid_flags.x`](AxisFlags::x), y by
+        /// [`valid_flags.y`](AxisFlags::y), z by [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
@@ -629,7 +624,7 @@ constructors! {
 }
 
 field! {
-    BodyFrameVelocity: 0x13, 0x2A, "aiding.body_frame_velocity"
+    BodyFrameVelocity: 0x13, 0x2A, "aiding.body_frame_velocity";
 }
 
 command! {
@@ -644,9 +639,8 @@ record! {
     /// Also called `heading_true`. Not acknowledged if `mode` of [`EchoControl`] is
     /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - The uncertainty of a valid measurement must be greater than 0.
-    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
-    ///   back in a response of unknown layout.
+    /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
+    ///   unknown layout.
     ///
     /// Source: 3dm-cv7-gnss-ins: True Heading (0x13,0x31); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> True Heading.
@@ -654,7 +648,7 @@ record! {
     pub struct TrueHeading {
         /// When the measurement was taken.
         pub time: MeasurementTime,
-        /// Frame of the sensor.
+        /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -664,7 +658,7 @@ record! {
         pub heading: f32,
         /// Uncertainty of the heading.
         ///
-        /// Unit: rad.
+        /// Unit: rad. Range: greater than 0.
         pub uncertainty: f32,
         /// Not 0: the measurement is valid.
         pub valid_flags: u16,
@@ -685,7 +679,7 @@ constructors! {
 }
 
 field! {
-    TrueHeading: 0x13, 0x31, "aiding.true_heading"
+    TrueHeading: 0x13, 0x31, "aiding.true_heading";
 }
 
 command! {
@@ -701,9 +695,8 @@ record! {
     /// by 3DM-CV7-GNSS/INS.
     ///
     /// - The magnetometer must be calibrated.
-    /// - The uncertainty of a valid axis must be greater than 0.
-    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
-    ///   back in a response of unknown layout.
+    /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
+    ///   unknown layout.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> External Magnetometer.
@@ -711,21 +704,21 @@ record! {
     pub struct MagneticField {
         /// When the measurement was taken.
         pub time: MeasurementTime,
-        /// Frame of the sensor.
+        /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
-        /// Magnetic field in the frame of the sensor.
+        /// Magnetic field.
         ///
-        /// Elements: x, y, z. Unit: gauss. Each element is valid by its bit: x by
+        /// Elements: x, y, z. Unit: gauss. Frame: aiding. Each element is valid by its bit: x by
         /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
         /// [`valid_flags.z`](AxisFlags::z).
         pub magnetic_field: types::Vector3f,
         /// Standard deviation of the magnetic field.
         ///
-        /// Elements: x, y, z. Unit: gauss. Each element is valid by its bit: x by
-        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
-        /// [`valid_flags.z`](AxisFlags::z).
+        /// Elements: x, y, z. Unit: gauss. Frame: aiding. Range: greater than 0. Each element is
+        /// valid by its bit: x by [`valid_flags.x`](AxisFlags::x), y by
+        /// [`valid_flags.y`](AxisFlags::y), z by [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
@@ -746,7 +739,7 @@ constructors! {
 }
 
 field! {
-    MagneticField: 0x13, 0x32, "aiding.magnetic_field"
+    MagneticField: 0x13, 0x32, "aiding.magnetic_field";
 }
 
 command! {
@@ -761,9 +754,8 @@ record! {
     /// Not acknowledged if `mode` of [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported
     /// by 3DM-CV7-GNSS/INS.
     ///
-    /// - The uncertainty of a valid measurement must be greater than 0.
-    /// - In mode `response` of echo control [(0x13,0x1F)](EchoControl), the device sends the data
-    ///   back in a response of unknown layout.
+    /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
+    ///   unknown layout.
     ///
     /// Source: 3dm-cv7-gnss-ins: Pressure (0x13,0x33); 3dm-cv7-gnss-ins: Filter Aiding Measurements
     /// \> External Pressure.
@@ -771,7 +763,7 @@ record! {
     pub struct Pressure {
         /// When the measurement was taken.
         pub time: MeasurementTime,
-        /// Frame of the sensor.
+        /// Frame of the sensor, as [`FrameConfig`] defines it.
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -781,7 +773,7 @@ record! {
         pub pressure: f32,
         /// Standard deviation of the pressure.
         ///
-        /// Unit: mbar.
+        /// Unit: mbar. Range: greater than 0.
         pub uncertainty: f32,
         /// Not 0: the measurement is valid.
         pub valid_flags: u16,
@@ -802,7 +794,7 @@ constructors! {
 }
 
 field! {
-    Pressure: 0x13, 0x33, "aiding.pressure"
+    Pressure: 0x13, 0x33, "aiding.pressure";
 }
 
 command! {
@@ -844,7 +836,8 @@ record! {
 }
 
 field! {
-    FrameConfigResponse: 0x13, 0x81, "aiding.frame_config_response", answers FrameConfig
+    FrameConfigResponse: 0x13, 0x81, "aiding.frame_config_response";
+    answers FrameConfig;
 }
 
 record! {
@@ -862,5 +855,6 @@ record! {
 }
 
 field! {
-    EchoControlResponse: 0x13, 0x9F, "aiding.echo_control_response", answers EchoControl
+    EchoControlResponse: 0x13, 0x9F, "aiding.echo_control_response";
+    answers EchoControl;
 }

@@ -77,7 +77,7 @@ constructors! {
 }
 
 field! {
-    Ping: 0x01, 0x01, "base.ping"
+    Ping: 0x01, 0x01, "base.ping";
 }
 
 command! {
@@ -108,7 +108,7 @@ constructors! {
 }
 
 field! {
-    SetIdle: 0x01, 0x02, "base.set_idle"
+    SetIdle: 0x01, 0x02, "base.set_idle";
 }
 
 command! {
@@ -136,7 +136,7 @@ constructors! {
 }
 
 field! {
-    GetDeviceInfo: 0x01, 0x03, "base.get_device_info"
+    GetDeviceInfo: 0x01, 0x03, "base.get_device_info";
 }
 
 command! {
@@ -151,8 +151,8 @@ record! {
     ///
     /// Answered by [`GetDeviceDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - When the list contains [(0x01,0x07)](GetExtendedDescriptors), more descriptors come from
-    ///   the extended command.
+    /// - If the list contains the descriptor of [`GetExtendedDescriptors`], that command gives
+    ///   more.
     ///
     /// Source: 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04); 3dm-cv7-gnss-ins: Get
     /// device descriptors (0x01,0x04).
@@ -168,7 +168,7 @@ constructors! {
 }
 
 field! {
-    GetDeviceDescriptors: 0x01, 0x04, "base.get_device_descriptors"
+    GetDeviceDescriptors: 0x01, 0x04, "base.get_device_descriptors";
 }
 
 command! {
@@ -182,7 +182,8 @@ record! {
     /// Runs the self test of the device and gets its result.
     ///
     /// Answered by [`BuiltInTestResponse`]. The device may take 10 s to answer. Supported by
-    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: How long the test takes at most. The manual of
+    /// the 3DM-CV7 says several seconds; 10 s leaves room for that.
     ///
     /// - The test interrupts normal operation for up to several seconds; no data is available
     ///   meanwhile.
@@ -190,7 +191,7 @@ record! {
     /// - The continuous built-in test, where there is one, tells more about a failure.
     ///
     /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
-    /// (0x01,0x05).
+    /// (0x01,0x05); 3dm-cv7-gnss-ins: Commanded Built-in Test.
     #[derive(Default)]
     pub struct BuiltInTest;
 }
@@ -203,7 +204,7 @@ constructors! {
 }
 
 field! {
-    BuiltInTest: 0x01, 0x05, "base.built_in_test"
+    BuiltInTest: 0x01, 0x05, "base.built_in_test";
 }
 
 command! {
@@ -234,7 +235,7 @@ constructors! {
 }
 
 field! {
-    Resume: 0x01, 0x06, "base.resume"
+    Resume: 0x01, 0x06, "base.resume";
 }
 
 command! {
@@ -249,7 +250,7 @@ record! {
     /// Answered by [`GetExtendedDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS and
     /// 3DM-GX5-15.
     ///
-    /// - Only supported if get device descriptors lists [(0x01,0x07)](GetExtendedDescriptors).
+    /// - Only supported if [`GetDeviceDescriptors`] lists it.
     ///
     /// Source: 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07);
     /// 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07).
@@ -265,7 +266,7 @@ constructors! {
 }
 
 field! {
-    GetExtendedDescriptors: 0x01, 0x07, "base.get_extended_descriptors"
+    GetExtendedDescriptors: 0x01, 0x07, "base.get_extended_descriptors";
 }
 
 command! {
@@ -299,7 +300,7 @@ constructors! {
 }
 
 field! {
-    ContinuousBuiltInTest: 0x01, 0x08, "base.continuous_built_in_test"
+    ContinuousBuiltInTest: 0x01, 0x08, "base.continuous_built_in_test";
 }
 
 command! {
@@ -338,7 +339,7 @@ record! {
 }
 
 constructors! {
-    CommSpeed { function, port, baud }
+    CommSpeed
 
     /// Apply the new setting.
     fn write(port: u8, baud: u32) = WRITE;
@@ -357,7 +358,7 @@ constructors! {
 }
 
 field! {
-    CommSpeed: 0x01, 0x09, "base.comm_speed"
+    CommSpeed: 0x01, 0x09, "base.comm_speed";
 }
 
 command! {
@@ -389,7 +390,7 @@ record! {
         pub function: types::FunctionSelector,
         /// What the value is.
         pub field_id: Option<GpsTimeField>,
-        /// What field_id says.
+        /// What `field_id` says.
         ///
         /// Required for write and apply. If `field_id` is [`GpsTimeField::WEEK_NUMBER`]: unit week.
         /// GPS week number since 6 January 1980. If `field_id` is [`GpsTimeField::TOW`]: unit s.
@@ -404,7 +405,7 @@ record! {
 }
 
 constructors! {
-    GpsTimeUpdate { function, field_id, value }
+    GpsTimeUpdate
 
     /// Apply the new setting.
     fn write(field_id: GpsTimeField, value: u32) = WRITE;
@@ -417,7 +418,7 @@ constructors! {
 }
 
 field! {
-    GpsTimeUpdate: 0x01, 0x72, "base.gps_time_update"
+    GpsTimeUpdate: 0x01, 0x72, "base.gps_time_update";
 }
 
 command! {
@@ -458,7 +459,7 @@ constructors! {
 }
 
 field! {
-    SoftReset: 0x01, 0x7E, "base.soft_reset"
+    SoftReset: 0x01, 0x7E, "base.soft_reset";
 }
 
 command! {
@@ -480,7 +481,8 @@ record! {
 }
 
 field! {
-    GetDeviceInfoResponse: 0x01, 0x81, "base.get_device_info_response", answers GetDeviceInfo
+    GetDeviceInfoResponse: 0x01, 0x81, "base.get_device_info_response";
+    answers GetDeviceInfo;
 }
 
 record! {
@@ -499,7 +501,8 @@ record! {
 }
 
 field! {
-    GetDeviceDescriptorsResponse: 0x01, 0x82, "base.get_device_descriptors_response", answers GetDeviceDescriptors
+    GetDeviceDescriptorsResponse: 0x01, 0x82, "base.get_device_descriptors_response";
+    answers GetDeviceDescriptors;
 }
 
 record! {
@@ -508,7 +511,7 @@ record! {
     /// Answers [`BuiltInTest`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
-    /// (0x01,0x05).
+    /// (0x01,0x05); 3dm-cv7-gnss-ins: Commanded Built-in Test.
     #[derive(Default)]
     pub struct BuiltInTestResponse {
         /// Failure flags, defined by each device. Zero means that every test passed.
@@ -539,7 +542,8 @@ impl BuiltInTestResponse {
 }
 
 field! {
-    BuiltInTestResponse: 0x01, 0x83, "base.built_in_test_response", answers BuiltInTest
+    BuiltInTestResponse: 0x01, 0x83, "base.built_in_test_response";
+    answers BuiltInTest;
 }
 
 record! {
@@ -562,7 +566,8 @@ record! {
 }
 
 field! {
-    GpsTimeUpdateWeekNumberResponse: 0x01, 0x84, "base.gps_time_update_week_number_response", answers GpsTimeUpdate
+    GpsTimeUpdateWeekNumberResponse: 0x01, 0x84, "base.gps_time_update_week_number_response";
+    answers GpsTimeUpdate;
 }
 
 record! {
@@ -585,7 +590,8 @@ record! {
 }
 
 field! {
-    GpsTimeUpdateTowResponse: 0x01, 0x85, "base.gps_time_update_tow_response", answers GpsTimeUpdate
+    GpsTimeUpdateTowResponse: 0x01, 0x85, "base.gps_time_update_tow_response";
+    answers GpsTimeUpdate;
 }
 
 record! {
@@ -604,7 +610,8 @@ record! {
 }
 
 field! {
-    GetExtendedDescriptorsResponse: 0x01, 0x86, "base.get_extended_descriptors_response", answers GetExtendedDescriptors
+    GetExtendedDescriptorsResponse: 0x01, 0x86, "base.get_extended_descriptors_response";
+    answers GetExtendedDescriptors;
 }
 
 record! {
@@ -636,7 +643,8 @@ impl ContinuousBuiltInTestResponse {
 }
 
 field! {
-    ContinuousBuiltInTestResponse: 0x01, 0x88, "base.continuous_built_in_test_response", answers ContinuousBuiltInTest
+    ContinuousBuiltInTestResponse: 0x01, 0x88, "base.continuous_built_in_test_response";
+    answers ContinuousBuiltInTest;
 }
 
 record! {
@@ -657,5 +665,6 @@ record! {
 }
 
 field! {
-    CommSpeedResponse: 0x01, 0x89, "base.comm_speed_response", answers CommSpeed
+    CommSpeedResponse: 0x01, 0x89, "base.comm_speed_response";
+    answers CommSpeed;
 }

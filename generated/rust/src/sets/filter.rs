@@ -12,8 +12,8 @@ open_enum! {
     /// Kind of vehicle that the filter is tuned for.
     ///
     /// Uncertain: The SDK names the modes only; the descriptions follow from the names. Uncertain:
-    /// The filter status [(0x82,0x10)](crate::filter_data::Status) reports a mode too, but is known
-    /// to have the values 1 to 3 only.
+    /// [`filter_data::Status`](crate::filter_data::Status) reports a mode too, but is known to have
+    /// the values 1 to 3 only.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     DynamicsMode: u8 {
@@ -308,7 +308,7 @@ constructors! {
 }
 
 field! {
-    Reset: 0x0D, 0x01, "filter.reset"
+    Reset: 0x0D, 0x01, "filter.reset";
 }
 
 command! {
@@ -354,7 +354,7 @@ constructors! {
 }
 
 field! {
-    SetInitialAttitude: 0x0D, 0x02, "filter.set_initial_attitude"
+    SetInitialAttitude: 0x0D, 0x02, "filter.set_initial_attitude";
 }
 
 command! {
@@ -391,7 +391,7 @@ constructors! {
 }
 
 field! {
-    SetInitialHeading: 0x0D, 0x03, "filter.set_initial_heading"
+    SetInitialHeading: 0x0D, 0x03, "filter.set_initial_heading";
 }
 
 command! {
@@ -406,7 +406,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - The filter waits in its initialization state if `wait_for_run_command` of
-    ///   `initialization_config` is set.
+    ///   [`InitializationConfig`] is set.
     ///
     /// Source: 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05).
     #[derive(Default)]
@@ -421,7 +421,7 @@ constructors! {
 }
 
 field! {
-    Run: 0x0D, 0x05, "filter.run"
+    Run: 0x0D, 0x05, "filter.run";
 }
 
 command! {
@@ -434,6 +434,7 @@ record! {
     /// Kind of vehicle that the filter is tuned for.
     ///
     /// Functions: write, read, save, load and default. Answered by [`VehicleDynamicsModeResponse`].
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     pub struct VehicleDynamicsMode {
@@ -451,7 +452,7 @@ record! {
 }
 
 constructors! {
-    VehicleDynamicsMode { function, mode }
+    VehicleDynamicsMode
 
     /// Apply the new setting.
     fn write(mode: DynamicsMode) = WRITE;
@@ -470,7 +471,7 @@ constructors! {
 }
 
 field! {
-    VehicleDynamicsMode: 0x0D, 0x10, "filter.vehicle_dynamics_mode"
+    VehicleDynamicsMode: 0x0D, 0x10, "filter.vehicle_dynamics_mode";
 }
 
 command! {
@@ -518,7 +519,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleRotationEuler { function, roll, pitch, yaw }
+    SensorToVehicleRotationEuler
 
     /// Apply the new setting.
     fn write(
@@ -541,7 +542,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleRotationEuler: 0x0D, 0x11, "filter.sensor_to_vehicle_rotation_euler"
+    SensorToVehicleRotationEuler: 0x0D, 0x11, "filter.sensor_to_vehicle_rotation_euler";
 }
 
 command! {
@@ -555,13 +556,12 @@ record! {
     /// Origin of the vehicle frame, as seen from the sensor.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`SensorToVehicleOffsetResponse`]. Uncertain: The direction, from the sensor to the origin
-    /// of the vehicle frame, is inferred from the name.
+    /// [`SensorToVehicleOffsetResponse`]. No device profile lists it. Known from the MicroStrain
+    /// MIP SDK only. Uncertain: The direction, from the sensor to the origin of the vehicle frame,
+    /// is inferred from the name.
     ///
-    /// - It shifts the estimated position [(0x82,0x01)](crate::filter_data::LlhPosition) and
-    ///   nothing else.
+    /// - It shifts [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and nothing else.
     /// - The shift is constant. It does not follow the attitude, as a lever arm would.
-    /// - The magnitude of the vector is limited to 10 m.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
     pub struct SensorToVehicleOffset {
@@ -569,7 +569,8 @@ record! {
         pub function: types::FunctionSelector,
         /// From the sensor to the origin of the vehicle frame.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: sensor. Range: -10 to 10. Required for write.
+        /// Elements: x, y, z. Unit: m. Frame: sensor. Range: magnitude at most 10. Required for
+        /// write.
         pub offset: Option<types::Vector3f>,
     }
     wire 13 {
@@ -579,7 +580,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleOffset { function, offset }
+    SensorToVehicleOffset
 
     /// Apply the new setting.
     fn write(offset: impl Into<types::Vector3f>) = WRITE;
@@ -598,7 +599,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleOffset: 0x0D, 0x12, "filter.sensor_to_vehicle_offset"
+    SensorToVehicleOffset: 0x0D, 0x12, "filter.sensor_to_vehicle_offset";
 }
 
 command! {
@@ -614,7 +615,6 @@ record! {
     /// Functions: write, read, save, load and default. Answered by [`AntennaOffsetResponse`].
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - The magnitude of the vector is limited to 10.
     /// - 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
     /// - On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding
     ///   commands use [`aiding::FrameConfig`](crate::aiding::FrameConfig).
@@ -625,7 +625,8 @@ record! {
         pub function: types::FunctionSelector,
         /// From the sensor origin to the centre of the antenna.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10. Required for write.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
+        /// write.
         pub offset: Option<types::Vector3f>,
     }
     wire 13 {
@@ -635,7 +636,7 @@ record! {
 }
 
 constructors! {
-    AntennaOffset { function, offset }
+    AntennaOffset
 
     /// Apply the new setting.
     fn write(offset: impl Into<types::Vector3f>) = WRITE;
@@ -654,7 +655,7 @@ constructors! {
 }
 
 field! {
-    AntennaOffset: 0x0D, 0x13, "filter.antenna_offset"
+    AntennaOffset: 0x0D, 0x13, "filter.antenna_offset";
 }
 
 command! {
@@ -686,7 +687,7 @@ record! {
 }
 
 constructors! {
-    EstimationControl { function, flags }
+    EstimationControl
 
     /// Apply the new setting.
     fn write(flags: EstimatedStates) = WRITE;
@@ -705,7 +706,7 @@ constructors! {
 }
 
 field! {
-    EstimationControl: 0x0D, 0x14, "filter.estimation_control"
+    EstimationControl: 0x0D, 0x14, "filter.estimation_control";
 }
 
 command! {
@@ -740,7 +741,7 @@ record! {
 }
 
 constructors! {
-    GnssSource { function, source }
+    GnssSource
 
     /// Apply the new setting.
     fn write(source: GnssAidingSource) = WRITE;
@@ -759,7 +760,7 @@ constructors! {
 }
 
 field! {
-    GnssSource: 0x0D, 0x15, "filter.gnss_source"
+    GnssSource: 0x0D, 0x15, "filter.gnss_source";
 }
 
 command! {
@@ -772,7 +773,9 @@ record! {
     ///
     /// Gives the filter one position and velocity of a GNSS receiver that the user provides.
     ///
-    /// - Refused unless the GNSS aiding source [(0x0D,0x15)](GnssSource) is the external one.
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
+    /// - Refused unless [`GnssSource`] selects the external source.
     /// - The highest rate depends on the device.
     ///
     /// Source: mip-sdk-4: External Gnss Update (0x0D,0x16).
@@ -830,7 +833,7 @@ constructors! {
 }
 
 field! {
-    ExternalGnssUpdate: 0x0D, 0x16, "filter.external_gnss_update"
+    ExternalGnssUpdate: 0x0D, 0x16, "filter.external_gnss_update";
 }
 
 command! {
@@ -844,8 +847,8 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5
-    ///   and by `aiding_measurement_enable` on the 3DM-CV7.
+    /// - Refused unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
+    ///   and by [`AidingMeasurementEnable`] on the 3DM-CV7.
     /// - The 3DM-GX5-15 takes at most 20 updates per second.
     /// - If the declination source is not valid, -25 models refuse true headings and -45 models
     ///   magnetic ones.
@@ -884,7 +887,7 @@ constructors! {
 }
 
 field! {
-    ExternalHeadingUpdate: 0x0D, 0x17, "filter.external_heading_update"
+    ExternalHeadingUpdate: 0x0D, 0x17, "filter.external_heading_update";
 }
 
 command! {
@@ -915,7 +918,7 @@ record! {
 }
 
 constructors! {
-    HeadingSource { function, source }
+    HeadingSource
 
     /// Apply the new setting.
     fn write(source: HeadingUpdateSource) = WRITE;
@@ -934,7 +937,7 @@ constructors! {
 }
 
 field! {
-    HeadingSource: 0x0D, 0x18, "filter.heading_source"
+    HeadingSource: 0x0D, 0x18, "filter.heading_source";
 }
 
 command! {
@@ -968,7 +971,7 @@ record! {
 }
 
 constructors! {
-    AutoInitializationControl { function, enable }
+    AutoInitializationControl
 
     /// Apply the new setting.
     fn write(enable: u8) = WRITE;
@@ -987,7 +990,7 @@ constructors! {
 }
 
 field! {
-    AutoInitializationControl: 0x0D, 0x19, "filter.auto_initialization_control"
+    AutoInitializationControl: 0x0D, 0x19, "filter.auto_initialization_control";
 }
 
 command! {
@@ -1022,7 +1025,7 @@ record! {
 }
 
 constructors! {
-    AccelNoise { function, noise }
+    AccelNoise
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -1041,7 +1044,7 @@ constructors! {
 }
 
 field! {
-    AccelNoise: 0x0D, 0x1A, "filter.accel_noise"
+    AccelNoise: 0x0D, 0x1A, "filter.accel_noise";
 }
 
 command! {
@@ -1076,7 +1079,7 @@ record! {
 }
 
 constructors! {
-    GyroNoise { function, noise }
+    GyroNoise
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -1095,7 +1098,7 @@ constructors! {
 }
 
 field! {
-    GyroNoise: 0x0D, 0x1B, "filter.gyro_noise"
+    GyroNoise: 0x0D, 0x1B, "filter.gyro_noise";
 }
 
 command! {
@@ -1132,7 +1135,7 @@ record! {
 }
 
 constructors! {
-    AccelBiasModel { function, beta, noise }
+    AccelBiasModel
 
     /// Apply the new setting.
     fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) = WRITE;
@@ -1151,7 +1154,7 @@ constructors! {
 }
 
 field! {
-    AccelBiasModel: 0x0D, 0x1C, "filter.accel_bias_model"
+    AccelBiasModel: 0x0D, 0x1C, "filter.accel_bias_model";
 }
 
 command! {
@@ -1189,7 +1192,7 @@ record! {
 }
 
 constructors! {
-    GyroBiasModel { function, beta, noise }
+    GyroBiasModel
 
     /// Apply the new setting.
     fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) = WRITE;
@@ -1208,7 +1211,7 @@ constructors! {
 }
 
 field! {
-    GyroBiasModel: 0x0D, 0x1D, "filter.gyro_bias_model"
+    GyroBiasModel: 0x0D, 0x1D, "filter.gyro_bias_model";
 }
 
 command! {
@@ -1221,11 +1224,11 @@ record! {
     ///
     /// Lets the filter take the device as standing still while its GNSS speed is small.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`AutoZuptResponse`].
+    /// Functions: write, read, save, load and default. Answered by [`AutoZuptResponse`]. No device
+    /// profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - The update applies while the magnitude of the GNSS velocity vector is at or below the
     ///   threshold.
-    /// - The device refuses a negative threshold.
     ///
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
     pub struct AutoZupt {
@@ -1248,7 +1251,7 @@ record! {
 }
 
 constructors! {
-    AutoZupt { function, enable, threshold }
+    AutoZupt
 
     /// Apply the new setting.
     fn write(enable: u8, threshold: f32) = WRITE;
@@ -1267,7 +1270,7 @@ constructors! {
 }
 
 field! {
-    AutoZupt: 0x0D, 0x1E, "filter.auto_zupt"
+    AutoZupt: 0x0D, 0x1E, "filter.auto_zupt";
 }
 
 command! {
@@ -1282,10 +1285,10 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - Better than `external_heading_update` where the heading changes quickly; the time must be
+    /// - Better than [`ExternalHeadingUpdate`] where the heading changes quickly; the time must be
     ///   accurate.
-    /// - Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5
-    ///   and by `aiding_measurement_enable` on the 3DM-CV7.
+    /// - Refused unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
+    ///   and by [`AidingMeasurementEnable`] on the 3DM-CV7.
     /// - The 3DM-GX5-15 takes at most 20 updates per second.
     /// - If the declination source is not valid, -25 models refuse true headings and -45 models
     ///   magnetic ones.
@@ -1336,7 +1339,7 @@ constructors! {
 }
 
 field! {
-    ExternalHeadingUpdateWithTime: 0x0D, 0x1F, "filter.external_heading_update_with_time"
+    ExternalHeadingUpdateWithTime: 0x0D, 0x1F, "filter.external_heading_update_with_time";
 }
 
 command! {
@@ -1376,7 +1379,7 @@ record! {
 }
 
 constructors! {
-    AutoAngularZupt { function, enable, threshold }
+    AutoAngularZupt
 
     /// Apply the new setting.
     fn write(enable: u8, threshold: f32) = WRITE;
@@ -1395,7 +1398,7 @@ constructors! {
 }
 
 field! {
-    AutoAngularZupt: 0x0D, 0x20, "filter.auto_angular_zupt"
+    AutoAngularZupt: 0x0D, 0x20, "filter.auto_angular_zupt";
 }
 
 command! {
@@ -1430,7 +1433,7 @@ record! {
 }
 
 constructors! {
-    TareOrientation { function, axes }
+    TareOrientation
 
     /// Apply the new setting.
     fn write(axes: TareAxes) = WRITE;
@@ -1449,7 +1452,7 @@ constructors! {
 }
 
 field! {
-    TareOrientation: 0x0D, 0x21, "filter.tare_orientation"
+    TareOrientation: 0x0D, 0x21, "filter.tare_orientation";
 }
 
 command! {
@@ -1461,6 +1464,8 @@ record! {
     /// Commanded zero velocity update (0x0D,0x22).
     ///
     /// Tells the filter once that the device stands still.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - The highest rate depends on the device.
     ///
@@ -1477,7 +1482,7 @@ constructors! {
 }
 
 field! {
-    CommandedZupt: 0x0D, 0x22, "filter.commanded_zupt"
+    CommandedZupt: 0x0D, 0x22, "filter.commanded_zupt";
 }
 
 command! {
@@ -1506,7 +1511,7 @@ constructors! {
 }
 
 field! {
-    CommandedAngularZupt: 0x0D, 0x23, "filter.commanded_angular_zupt"
+    CommandedAngularZupt: 0x0D, 0x23, "filter.commanded_angular_zupt";
 }
 
 command! {
@@ -1552,7 +1557,7 @@ record! {
 }
 
 constructors! {
-    ReferencePosition { function, enable, latitude, longitude, altitude }
+    ReferencePosition
 
     /// Apply the new setting.
     fn write(
@@ -1576,7 +1581,7 @@ constructors! {
 }
 
 field! {
-    ReferencePosition: 0x0D, 0x26, "filter.reference_position"
+    ReferencePosition: 0x0D, 0x26, "filter.reference_position";
 }
 
 command! {
@@ -1589,11 +1594,12 @@ record! {
     ///
     /// Makes the automatic magnetometer calibration part of the fixed one.
     ///
-    /// Also called `mag_capture_auto_cal`. Functions: write and save.
+    /// Also called `mag_capture_auto_cal`. Functions: write and save. No device profile lists it.
+    /// Known from the MicroStrain MIP SDK only.
     ///
-    /// - A write combines the automatic calibration with the hard iron offset
-    ///   [(0x0C,0x3A)](crate::mip_3dm::MagHardIronOffset) and the soft iron matrix
-    ///   [(0x0C,0x3B)](crate::mip_3dm::MagSoftIronMatrix), and resets it.
+    /// - A write combines the automatic calibration with
+    ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset) and
+    ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix), and resets it.
     /// - A save does the same as the save of both of these commands.
     ///
     /// Source: mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27).
@@ -1601,10 +1607,13 @@ record! {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
     }
+    wire 1 {
+        [function selects]
+    }
 }
 
 constructors! {
-    MagCaptureAutoCalibration { function }
+    MagCaptureAutoCalibration
 
     /// Apply the new setting.
     fn write() = WRITE;
@@ -1614,7 +1623,7 @@ constructors! {
 }
 
 field! {
-    MagCaptureAutoCalibration: 0x0D, 0x27, "filter.mag_capture_auto_calibration"
+    MagCaptureAutoCalibration: 0x0D, 0x27, "filter.mag_capture_auto_calibration";
 }
 
 command! {
@@ -1648,7 +1657,7 @@ record! {
 }
 
 constructors! {
-    GravityNoise { function, noise }
+    GravityNoise
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -1667,7 +1676,7 @@ constructors! {
 }
 
 field! {
-    GravityNoise: 0x0D, 0x28, "filter.gravity_noise"
+    GravityNoise: 0x0D, 0x28, "filter.gravity_noise";
 }
 
 command! {
@@ -1681,7 +1690,8 @@ record! {
     /// Standard deviation of the noise of the pressure altitude model that the filter assumes.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`PressureAltitudeNoiseResponse`].
+    /// [`PressureAltitudeNoiseResponse`]. No device profile lists it. Known from the MicroStrain
+    /// MIP SDK only.
     ///
     /// - A small value follows the pressure faster, and takes weather and draughts for changes of
     ///   height.
@@ -1702,7 +1712,7 @@ record! {
 }
 
 constructors! {
-    PressureAltitudeNoise { function, noise }
+    PressureAltitudeNoise
 
     /// Apply the new setting.
     fn write(noise: f32) = WRITE;
@@ -1721,7 +1731,7 @@ constructors! {
 }
 
 field! {
-    PressureAltitudeNoise: 0x0D, 0x29, "filter.pressure_altitude_noise"
+    PressureAltitudeNoise: 0x0D, 0x29, "filter.pressure_altitude_noise";
 }
 
 command! {
@@ -1735,6 +1745,7 @@ record! {
     /// Standard deviation of the noise of the estimated hard iron offset (process noise).
     ///
     /// Functions: write, read, save, load and default. Answered by [`HardIronOffsetNoiseResponse`].
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
     pub struct HardIronOffsetNoise {
@@ -1752,7 +1763,7 @@ record! {
 }
 
 constructors! {
-    HardIronOffsetNoise { function, noise }
+    HardIronOffsetNoise
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -1771,7 +1782,7 @@ constructors! {
 }
 
 field! {
-    HardIronOffsetNoise: 0x0D, 0x2B, "filter.hard_iron_offset_noise"
+    HardIronOffsetNoise: 0x0D, 0x2B, "filter.hard_iron_offset_noise";
 }
 
 command! {
@@ -1785,6 +1796,7 @@ record! {
     /// Standard deviation of the noise of the estimated soft iron matrix (process noise).
     ///
     /// Functions: write, read, save, load and default. Answered by [`SoftIronMatrixNoiseResponse`].
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
     pub struct SoftIronMatrixNoise {
@@ -1803,7 +1815,7 @@ record! {
 }
 
 constructors! {
-    SoftIronMatrixNoise { function, noise }
+    SoftIronMatrixNoise
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Matrix3f>) = WRITE;
@@ -1822,7 +1834,7 @@ constructors! {
 }
 
 field! {
-    SoftIronMatrixNoise: 0x0D, 0x2C, "filter.soft_iron_matrix_noise"
+    SoftIronMatrixNoise: 0x0D, 0x2C, "filter.soft_iron_matrix_noise";
 }
 
 command! {
@@ -1854,7 +1866,7 @@ record! {
 }
 
 constructors! {
-    EnableMeasurements { function, control }
+    EnableMeasurements
 
     /// Apply the new setting.
     fn write(control: MeasurementFlags) = WRITE;
@@ -1873,7 +1885,7 @@ constructors! {
 }
 
 field! {
-    EnableMeasurements: 0x0D, 0x41, "filter.enable_measurements"
+    EnableMeasurements: 0x0D, 0x41, "filter.enable_measurements";
 }
 
 command! {
@@ -1886,8 +1898,9 @@ record! {
     ///
     /// Standard deviation of the magnetometer noise that the filter assumes.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`MagNoiseResponse`]. Uncertain:
-    /// The SDK calls it process noise, although the noise is that of a measurement.
+    /// Functions: write, read, save, load and default. Answered by [`MagNoiseResponse`]. No device
+    /// profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it
+    /// process noise, although the noise is that of a measurement.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     pub struct MagNoise {
@@ -1905,7 +1918,7 @@ record! {
 }
 
 constructors! {
-    MagNoise { function, noise }
+    MagNoise
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -1924,7 +1937,7 @@ constructors! {
 }
 
 field! {
-    MagNoise: 0x0D, 0x42, "filter.mag_noise"
+    MagNoise: 0x0D, 0x42, "filter.mag_noise";
 }
 
 command! {
@@ -1963,7 +1976,7 @@ record! {
 }
 
 constructors! {
-    MagneticDeclinationSource { function, source, declination }
+    MagneticDeclinationSource
 
     /// Apply the new setting.
     fn write(source: MagParameterSource, declination: f32) = WRITE;
@@ -1982,7 +1995,7 @@ constructors! {
 }
 
 field! {
-    MagneticDeclinationSource: 0x0D, 0x43, "filter.magnetic_declination_source"
+    MagneticDeclinationSource: 0x0D, 0x43, "filter.magnetic_declination_source";
 }
 
 command! {
@@ -2050,7 +2063,7 @@ record! {
 }
 
 constructors! {
-    AccelMagnitudeErrorAdaptiveMeasurement { function, adaptive_measurement, frequency, low_limit, high_limit, low_limit_uncertainty, high_limit_uncertainty, minimum_uncertainty }
+    AccelMagnitudeErrorAdaptiveMeasurement
 
     /// Apply the new setting.
     fn write(adaptive_measurement: AdaptiveMeasurementSelector) = WRITE;
@@ -2069,18 +2082,17 @@ constructors! {
 }
 
 setters! {
-    AccelMagnitudeErrorAdaptiveMeasurement {
-        fn with_frequency(frequency: f32);
-        fn with_low_limit(low_limit: f32);
-        fn with_high_limit(high_limit: f32);
-        fn with_low_limit_uncertainty(low_limit_uncertainty: f32);
-        fn with_high_limit_uncertainty(high_limit_uncertainty: f32);
-        fn with_minimum_uncertainty(minimum_uncertainty: f32);
-    }
+    AccelMagnitudeErrorAdaptiveMeasurement
+    fn with_frequency(frequency: f32);
+    fn with_low_limit(low_limit: f32);
+    fn with_high_limit(high_limit: f32);
+    fn with_low_limit_uncertainty(low_limit_uncertainty: f32);
+    fn with_high_limit_uncertainty(high_limit_uncertainty: f32);
+    fn with_minimum_uncertainty(minimum_uncertainty: f32);
 }
 
 field! {
-    AccelMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x44, "filter.accel_magnitude_error_adaptive_measurement"
+    AccelMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x44, "filter.accel_magnitude_error_adaptive_measurement";
 }
 
 command! {
@@ -2094,9 +2106,9 @@ record! {
     /// How far the filter trusts a magnetic field whose magnitude is not as expected.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. Uncertain: Whether the parameters behind
-    /// the selector may be left out on write, as those of
-    /// [(0x0D,0x44)](AccelMagnitudeErrorAdaptiveMeasurement) may.
+    /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only. Uncertain: Whether the parameters behind the selector may be left
+    /// out on write, as those of [`AccelMagnitudeErrorAdaptiveMeasurement`] may.
     ///
     /// - The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
     ///   finds limits.
@@ -2154,7 +2166,7 @@ record! {
 }
 
 constructors! {
-    MagMagnitudeErrorAdaptiveMeasurement { function, adaptive_measurement, frequency, low_limit, high_limit, low_limit_uncertainty, high_limit_uncertainty, minimum_uncertainty }
+    MagMagnitudeErrorAdaptiveMeasurement
 
     /// Apply the new setting.
     fn write(
@@ -2181,7 +2193,7 @@ constructors! {
 }
 
 field! {
-    MagMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x45, "filter.mag_magnitude_error_adaptive_measurement"
+    MagMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x45, "filter.mag_magnitude_error_adaptive_measurement";
 }
 
 command! {
@@ -2195,10 +2207,11 @@ record! {
     /// How far the filter trusts a magnetic field whose dip angle is not as expected.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`MagDipAngleErrorAdaptiveMeasurementResponse`].
+    /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
-    /// - It has no effect while [(0x0D,0x44)](AccelMagnitudeErrorAdaptiveMeasurement) or
-    ///   [(0x0D,0x45)](MagMagnitudeErrorAdaptiveMeasurement) is set to `auto`.
+    /// - It has no effect while [`AccelMagnitudeErrorAdaptiveMeasurement`] or
+    ///   [`MagMagnitudeErrorAdaptiveMeasurement`] is set to `auto`.
     /// - High limits suit high dynamics but let disturbances of the field through; low limits can
     ///   spoil the heading.
     ///
@@ -2241,7 +2254,7 @@ record! {
 }
 
 constructors! {
-    MagDipAngleErrorAdaptiveMeasurement { function, enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty }
+    MagDipAngleErrorAdaptiveMeasurement
 
     /// Apply the new setting.
     fn write(
@@ -2266,7 +2279,7 @@ constructors! {
 }
 
 field! {
-    MagDipAngleErrorAdaptiveMeasurement: 0x0D, 0x46, "filter.mag_dip_angle_error_adaptive_measurement"
+    MagDipAngleErrorAdaptiveMeasurement: 0x0D, 0x46, "filter.mag_dip_angle_error_adaptive_measurement";
 }
 
 command! {
@@ -2279,7 +2292,8 @@ record! {
     ///
     /// What aids the altitude beside GNSS.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`AltitudeAidingResponse`].
+    /// Functions: write, read, save, load and default. Answered by [`AltitudeAidingResponse`]. No
+    /// device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - GNSS stays the main source of altitude; the aid improves it and bridges outages.
     /// - Weather and place shift the pressure altitude, at times by more than 40 m.
@@ -2300,7 +2314,7 @@ record! {
 }
 
 constructors! {
-    AltitudeAiding { function, selector }
+    AltitudeAiding
 
     /// Apply the new setting.
     fn write(selector: AltitudeAidingSource) = WRITE;
@@ -2319,7 +2333,7 @@ constructors! {
 }
 
 field! {
-    AltitudeAiding: 0x0D, 0x47, "filter.altitude_aiding"
+    AltitudeAiding: 0x0D, 0x47, "filter.altitude_aiding";
 }
 
 command! {
@@ -2351,7 +2365,7 @@ record! {
 }
 
 constructors! {
-    PitchRollAiding { function, aiding }
+    PitchRollAiding
 
     /// Apply the new setting.
     fn write(aiding: PitchRollAidingSource) = WRITE;
@@ -2370,7 +2384,7 @@ constructors! {
 }
 
 field! {
-    PitchRollAiding: 0x0D, 0x4B, "filter.pitch_roll_aiding"
+    PitchRollAiding: 0x0D, 0x4B, "filter.pitch_roll_aiding";
 }
 
 command! {
@@ -2384,7 +2398,8 @@ record! {
     /// Source of the local inclination (dip angle) of the magnetic field.
     ///
     /// Also called `inclination_source`. Functions: write, read, save, load and default. Answered
-    /// by [`MagneticInclinationSourceResponse`].
+    /// by [`MagneticInclinationSourceResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// - Without a good inclination source, keep automatic magnetometer calibration off.
     ///
@@ -2410,7 +2425,7 @@ record! {
 }
 
 constructors! {
-    MagneticInclinationSource { function, source, inclination }
+    MagneticInclinationSource
 
     /// Apply the new setting.
     fn write(source: MagParameterSource, inclination: f32) = WRITE;
@@ -2429,7 +2444,7 @@ constructors! {
 }
 
 field! {
-    MagneticInclinationSource: 0x0D, 0x4C, "filter.magnetic_inclination_source"
+    MagneticInclinationSource: 0x0D, 0x4C, "filter.magnetic_inclination_source";
 }
 
 command! {
@@ -2443,11 +2458,11 @@ record! {
     /// Source of the local magnitude of the magnetic field.
     ///
     /// Also called `mag_field_magnitude_source`. Functions: write, read, save, load and default.
-    /// Answered by [`MagneticMagnitudeSourceResponse`].
+    /// Answered by [`MagneticMagnitudeSourceResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// - Without a good magnitude source, keep automatic magnetometer calibration off.
-    /// - The adaptive measurement [(0x0D,0x45)](MagMagnitudeErrorAdaptiveMeasurement) relies on it
-    ///   too.
+    /// - [`MagMagnitudeErrorAdaptiveMeasurement`] relies on it too.
     ///
     /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
     pub struct MagneticMagnitudeSource {
@@ -2471,7 +2486,7 @@ record! {
 }
 
 constructors! {
-    MagneticMagnitudeSource { function, source, magnitude }
+    MagneticMagnitudeSource
 
     /// Apply the new setting.
     fn write(source: MagParameterSource, magnitude: f32) = WRITE;
@@ -2490,7 +2505,7 @@ constructors! {
 }
 
 field! {
-    MagneticMagnitudeSource: 0x0D, 0x4D, "filter.magnetic_magnitude_source"
+    MagneticMagnitudeSource: 0x0D, 0x4D, "filter.magnetic_magnitude_source";
 }
 
 command! {
@@ -2504,10 +2519,12 @@ record! {
     /// Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`SensorToVehicleRotationDcmResponse`].
+    /// [`SensorToVehicleRotationDcmResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// - It is the inverse of the matrix that
-    ///   [(0x0C,0x33)](crate::mip_3dm::SensorToVehicleTransformDcm) takes.
+    ///   [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm)
+    ///   takes.
     /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     ///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
     ///   filter.
@@ -2531,7 +2548,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleRotationDcm { function, dcm }
+    SensorToVehicleRotationDcm
 
     /// Apply the new setting.
     fn write(dcm: impl Into<types::Matrix3f>) = WRITE;
@@ -2550,7 +2567,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleRotationDcm: 0x0D, 0x4E, "filter.sensor_to_vehicle_rotation_dcm"
+    SensorToVehicleRotationDcm: 0x0D, 0x4E, "filter.sensor_to_vehicle_rotation_dcm";
 }
 
 command! {
@@ -2564,14 +2581,15 @@ record! {
     /// Rotation from the sensor frame to the vehicle frame as a quaternion.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`SensorToVehicleRotationQuaternionResponse`].
+    /// [`SensorToVehicleRotationQuaternionResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// - It is the inverse of the quaternion that
-    ///   [(0x0C,0x32)](crate::mip_3dm::SensorToVehicleTransformQuaternion) takes.
+    ///   [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion)
+    ///   takes.
     /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     ///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
     ///   filter.
-    /// - The device refuses a quaternion whose length is not 1 to 0.001.
     /// - The device normalizes it, so the elements read back may differ a little from those
     ///   written.
     ///
@@ -2581,7 +2599,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Unit quaternion, scalar part first.
         ///
-        /// Elements: w, x, y, z. Unit: 1. Required for write.
+        /// Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001. Required for write.
         pub q: Option<types::Quatf>,
     }
     wire 17 {
@@ -2591,7 +2609,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleRotationQuaternion { function, q }
+    SensorToVehicleRotationQuaternion
 
     /// Apply the new setting.
     fn write(q: impl Into<types::Quatf>) = WRITE;
@@ -2610,7 +2628,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleRotationQuaternion: 0x0D, 0x4F, "filter.sensor_to_vehicle_rotation_quaternion"
+    SensorToVehicleRotationQuaternion: 0x0D, 0x4F, "filter.sensor_to_vehicle_rotation_quaternion";
 }
 
 command! {
@@ -2645,7 +2663,7 @@ record! {
 }
 
 constructors! {
-    AidingMeasurementEnable { function, aiding_source, enable }
+    AidingMeasurementEnable
 
     /// Apply the new setting.
     fn write(aiding_source: AidingSource, enable: bool) = WRITE;
@@ -2664,7 +2682,7 @@ constructors! {
 }
 
 field! {
-    AidingMeasurementEnable: 0x0D, 0x50, "filter.aiding_measurement_enable"
+    AidingMeasurementEnable: 0x0D, 0x50, "filter.aiding_measurement_enable";
 }
 
 command! {
@@ -2678,8 +2696,8 @@ record! {
     /// Assumptions about the motion that the filter uses as measurements.
     ///
     /// Functions: write, read, save, load and default. Answered by [`KinematicConstraintResponse`].
-    /// Uncertain: Whether there are further values. The SDK has plain numbers and gives the values
-    /// in remarks.
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether
+    /// there are further values. The SDK has plain numbers and gives the values in remarks.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     pub struct KinematicConstraint {
@@ -2707,7 +2725,7 @@ record! {
 }
 
 constructors! {
-    KinematicConstraint { function, accel_constraint, velocity_constraint, angular_constraint }
+    KinematicConstraint
 
     /// Apply the new setting.
     fn write(
@@ -2730,7 +2748,7 @@ constructors! {
 }
 
 field! {
-    KinematicConstraint: 0x0D, 0x51, "filter.kinematic_constraint"
+    KinematicConstraint: 0x0D, 0x51, "filter.kinematic_constraint";
 }
 
 command! {
@@ -2755,7 +2773,7 @@ record! {
     pub struct InitializationConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// 1: the filter starts only after `run`; 0: as soon as it can.
+        /// 1: the filter starts only after [`Run`]; 0: as soon as it can.
         ///
         /// Range: 0 to 1. Required for write.
         pub wait_for_run_command: Option<u8>,
@@ -2811,7 +2829,7 @@ record! {
 }
 
 constructors! {
-    InitializationConfig { function, wait_for_run_command, initial_condition_source, auto_heading_alignment_selector, initial_heading, initial_pitch, initial_roll, initial_position, initial_velocity, reference_frame_selector }
+    InitializationConfig
 
     /// Apply the new setting.
     fn write(
@@ -2840,7 +2858,7 @@ constructors! {
 }
 
 field! {
-    InitializationConfig: 0x0D, 0x52, "filter.initialization_config"
+    InitializationConfig: 0x0D, 0x52, "filter.initialization_config";
 }
 
 command! {
@@ -2877,7 +2895,7 @@ record! {
 }
 
 constructors! {
-    AdaptiveFilterOptions { function, level, time_limit }
+    AdaptiveFilterOptions
 
     /// Apply the new setting.
     fn write(level: AdaptiveLevel, time_limit: u16) = WRITE;
@@ -2896,7 +2914,7 @@ constructors! {
 }
 
 field! {
-    AdaptiveFilterOptions: 0x0D, 0x53, "filter.adaptive_filter_options"
+    AdaptiveFilterOptions: 0x0D, 0x53, "filter.adaptive_filter_options";
 }
 
 command! {
@@ -2912,8 +2930,6 @@ record! {
     /// Functions: write, read, save, load and default. Answered by [`MultiAntennaOffsetResponse`].
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - The magnitude of the vector is limited to 10.
-    ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
     pub struct MultiAntennaOffset {
         /// What to do with the setting.
@@ -2924,7 +2940,8 @@ record! {
         pub receiver_id: Option<u8>,
         /// From the sensor to the antenna.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10. Required for write.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
+        /// write.
         pub antenna_offset: Option<types::Vector3f>,
     }
     wire 14 {
@@ -2935,7 +2952,7 @@ record! {
 }
 
 constructors! {
-    MultiAntennaOffset { function, receiver_id, antenna_offset }
+    MultiAntennaOffset
 
     /// Apply the new setting.
     fn write(receiver_id: u8, antenna_offset: impl Into<types::Vector3f>) = WRITE;
@@ -2954,7 +2971,7 @@ constructors! {
 }
 
 field! {
-    MultiAntennaOffset: 0x0D, 0x54, "filter.multi_antenna_offset"
+    MultiAntennaOffset: 0x0D, 0x54, "filter.multi_antenna_offset";
 }
 
 command! {
@@ -2998,7 +3015,7 @@ record! {
 }
 
 constructors! {
-    RelativePositionConfig { function, source, reference_frame_selector, reference_coordinates }
+    RelativePositionConfig
 
     /// Apply the new setting.
     fn write(
@@ -3021,7 +3038,7 @@ constructors! {
 }
 
 field! {
-    RelativePositionConfig: 0x0D, 0x55, "filter.relative_position_config"
+    RelativePositionConfig: 0x0D, 0x55, "filter.relative_position_config";
 }
 
 command! {
@@ -3037,10 +3054,12 @@ record! {
     /// Also called `ref_point_lever_arm`. Functions: write, read, save, load and default. Answered
     /// by [`ReferencePointLeverArmResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - It shifts `llh_position`, `ned_velocity`, `ecef_position`, `ecef_velocity` and
-    ///   `ned_relative_position` of set `filter_data`, depending on the attitude and, for
-    ///   velocities, on the angular rate.
-    /// - The magnitude of the vector is limited to 10.
+    /// - It shifts [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
+    ///   [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    ///   [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
+    ///   [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
+    ///   [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition), depending
+    ///   on the attitude and, for velocities, on the angular rate.
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
     pub struct ReferencePointLeverArm {
@@ -3052,7 +3071,8 @@ record! {
         pub reference_point: Option<ReferencePoint>,
         /// From the sensor to the point.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10. Required for write.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
+        /// write.
         pub lever_arm_offset: Option<types::Vector3f>,
     }
     wire 14 {
@@ -3063,7 +3083,7 @@ record! {
 }
 
 constructors! {
-    ReferencePointLeverArm { function, reference_point, lever_arm_offset }
+    ReferencePointLeverArm
 
     /// Apply the new setting.
     fn write(reference_point: ReferencePoint, lever_arm_offset: impl Into<types::Vector3f>) = WRITE;
@@ -3082,7 +3102,7 @@ constructors! {
 }
 
 field! {
-    ReferencePointLeverArm: 0x0D, 0x56, "filter.reference_point_lever_arm"
+    ReferencePointLeverArm: 0x0D, 0x56, "filter.reference_point_lever_arm";
 }
 
 command! {
@@ -3095,7 +3115,8 @@ record! {
     ///
     /// Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
     ///
-    /// Uncertain: The SDK names a response (0x0D,0xE0) but has no layout of it.
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK
+    /// names a response, `filter.speed_measurement_response`, but has no layout of it.
     ///
     /// - It must not be used together with the odometer of the device.
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
@@ -3145,7 +3166,7 @@ constructors! {
 }
 
 field! {
-    SpeedMeasurement: 0x0D, 0x60, "filter.speed_measurement"
+    SpeedMeasurement: 0x0D, 0x60, "filter.speed_measurement";
 }
 
 command! {
@@ -3181,7 +3202,7 @@ record! {
 }
 
 constructors! {
-    SpeedLeverArm { function, source, lever_arm_offset }
+    SpeedLeverArm
 
     /// Apply the new setting.
     fn write(lever_arm_offset: impl Into<types::Vector3f>) = WRITE, source: 1;
@@ -3200,7 +3221,7 @@ constructors! {
 }
 
 field! {
-    SpeedLeverArm: 0x0D, 0x61, "filter.speed_lever_arm"
+    SpeedLeverArm: 0x0D, 0x61, "filter.speed_lever_arm";
 }
 
 command! {
@@ -3214,7 +3235,8 @@ record! {
     /// Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`VerticalGyroConstraintControlResponse`].
+    /// [`VerticalGyroConstraintControlResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// - It takes the linear acceleration as zero.
     ///
@@ -3234,7 +3256,7 @@ record! {
 }
 
 constructors! {
-    VerticalGyroConstraintControl { function, enable }
+    VerticalGyroConstraintControl
 
     /// Apply the new setting.
     fn write(enable: u8) = WRITE;
@@ -3253,7 +3275,7 @@ constructors! {
 }
 
 field! {
-    VerticalGyroConstraintControl: 0x0D, 0x62, "filter.vertical_gyro_constraint_control"
+    VerticalGyroConstraintControl: 0x0D, 0x62, "filter.vertical_gyro_constraint_control";
 }
 
 command! {
@@ -3288,7 +3310,7 @@ record! {
 }
 
 constructors! {
-    WheeledVehicleConstraintControl { function, enable }
+    WheeledVehicleConstraintControl
 
     /// Apply the new setting.
     fn write(enable: u8) = WRITE;
@@ -3307,7 +3329,7 @@ constructors! {
 }
 
 field! {
-    WheeledVehicleConstraintControl: 0x0D, 0x63, "filter.wheeled_vehicle_constraint_control"
+    WheeledVehicleConstraintControl: 0x0D, 0x63, "filter.wheeled_vehicle_constraint_control";
 }
 
 command! {
@@ -3345,7 +3367,7 @@ record! {
 }
 
 constructors! {
-    GnssAntennaCalibrationControl { function, enable, max_offset }
+    GnssAntennaCalibrationControl
 
     /// Apply the new setting.
     fn write(enable: u8, max_offset: f32) = WRITE;
@@ -3364,7 +3386,7 @@ constructors! {
 }
 
 field! {
-    GnssAntennaCalibrationControl: 0x0D, 0x64, "filter.gnss_antenna_calibration_control"
+    GnssAntennaCalibrationControl: 0x0D, 0x64, "filter.gnss_antenna_calibration_control";
 }
 
 command! {
@@ -3375,7 +3397,7 @@ command! {
 record! {
     /// Vehicle dynamics mode response (0x0D,0x80).
     ///
-    /// Answers [`VehicleDynamicsMode`].
+    /// Answers [`VehicleDynamicsMode`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     #[derive(Default)]
@@ -3386,7 +3408,8 @@ record! {
 }
 
 field! {
-    VehicleDynamicsModeResponse: 0x0D, 0x80, "filter.vehicle_dynamics_mode_response", answers VehicleDynamicsMode
+    VehicleDynamicsModeResponse: 0x0D, 0x80, "filter.vehicle_dynamics_mode_response";
+    answers VehicleDynamicsMode;
 }
 
 record! {
@@ -3413,26 +3436,28 @@ record! {
 }
 
 field! {
-    SensorToVehicleRotationEulerResponse: 0x0D, 0x81, "filter.sensor_to_vehicle_rotation_euler_response", answers SensorToVehicleRotationEuler
+    SensorToVehicleRotationEulerResponse: 0x0D, 0x81, "filter.sensor_to_vehicle_rotation_euler_response";
+    answers SensorToVehicleRotationEuler;
 }
 
 record! {
     /// Sensor to vehicle offset response (0x0D,0x82).
     ///
-    /// Answers [`SensorToVehicleOffset`].
+    /// Answers [`SensorToVehicleOffset`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
     #[derive(Default)]
     pub struct SensorToVehicleOffsetResponse {
         /// From the sensor to the origin of the vehicle frame.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: sensor. Range: -10 to 10.
+        /// Elements: x, y, z. Unit: m. Frame: sensor. Range: magnitude at most 10.
         pub offset: types::Vector3f,
     }
 }
 
 field! {
-    SensorToVehicleOffsetResponse: 0x0D, 0x82, "filter.sensor_to_vehicle_offset_response", answers SensorToVehicleOffset
+    SensorToVehicleOffsetResponse: 0x0D, 0x82, "filter.sensor_to_vehicle_offset_response";
+    answers SensorToVehicleOffset;
 }
 
 record! {
@@ -3445,13 +3470,14 @@ record! {
     pub struct AntennaOffsetResponse {
         /// From the sensor origin to the centre of the antenna.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
         pub offset: types::Vector3f,
     }
 }
 
 field! {
-    AntennaOffsetResponse: 0x0D, 0x83, "filter.antenna_offset_response", answers AntennaOffset
+    AntennaOffsetResponse: 0x0D, 0x83, "filter.antenna_offset_response";
+    answers AntennaOffset;
 }
 
 record! {
@@ -3468,7 +3494,8 @@ record! {
 }
 
 field! {
-    EstimationControlResponse: 0x0D, 0x84, "filter.estimation_control_response", answers EstimationControl
+    EstimationControlResponse: 0x0D, 0x84, "filter.estimation_control_response";
+    answers EstimationControl;
 }
 
 record! {
@@ -3485,7 +3512,8 @@ record! {
 }
 
 field! {
-    GnssSourceResponse: 0x0D, 0x86, "filter.gnss_source_response", answers GnssSource
+    GnssSourceResponse: 0x0D, 0x86, "filter.gnss_source_response";
+    answers GnssSource;
 }
 
 record! {
@@ -3502,7 +3530,8 @@ record! {
 }
 
 field! {
-    HeadingSourceResponse: 0x0D, 0x87, "filter.heading_source_response", answers HeadingSource
+    HeadingSourceResponse: 0x0D, 0x87, "filter.heading_source_response";
+    answers HeadingSource;
 }
 
 record! {
@@ -3522,7 +3551,8 @@ record! {
 }
 
 field! {
-    AutoInitializationControlResponse: 0x0D, 0x88, "filter.auto_initialization_control_response", answers AutoInitializationControl
+    AutoInitializationControlResponse: 0x0D, 0x88, "filter.auto_initialization_control_response";
+    answers AutoInitializationControl;
 }
 
 record! {
@@ -3542,7 +3572,8 @@ record! {
 }
 
 field! {
-    AccelNoiseResponse: 0x0D, 0x89, "filter.accel_noise_response", answers AccelNoise
+    AccelNoiseResponse: 0x0D, 0x89, "filter.accel_noise_response";
+    answers AccelNoise;
 }
 
 record! {
@@ -3562,7 +3593,8 @@ record! {
 }
 
 field! {
-    GyroNoiseResponse: 0x0D, 0x8A, "filter.gyro_noise_response", answers GyroNoise
+    GyroNoiseResponse: 0x0D, 0x8A, "filter.gyro_noise_response";
+    answers GyroNoise;
 }
 
 record! {
@@ -3585,7 +3617,8 @@ record! {
 }
 
 field! {
-    AccelBiasModelResponse: 0x0D, 0x8B, "filter.accel_bias_model_response", answers AccelBiasModel
+    AccelBiasModelResponse: 0x0D, 0x8B, "filter.accel_bias_model_response";
+    answers AccelBiasModel;
 }
 
 record! {
@@ -3609,13 +3642,14 @@ record! {
 }
 
 field! {
-    GyroBiasModelResponse: 0x0D, 0x8C, "filter.gyro_bias_model_response", answers GyroBiasModel
+    GyroBiasModelResponse: 0x0D, 0x8C, "filter.gyro_bias_model_response";
+    answers GyroBiasModel;
 }
 
 record! {
     /// Automatic zero velocity update response (0x0D,0x8D).
     ///
-    /// Answers [`AutoZupt`].
+    /// Answers [`AutoZupt`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
     #[derive(Default)]
@@ -3632,7 +3666,8 @@ record! {
 }
 
 field! {
-    AutoZuptResponse: 0x0D, 0x8D, "filter.auto_zupt_response", answers AutoZupt
+    AutoZuptResponse: 0x0D, 0x8D, "filter.auto_zupt_response";
+    answers AutoZupt;
 }
 
 record! {
@@ -3656,7 +3691,8 @@ record! {
 }
 
 field! {
-    AutoAngularZuptResponse: 0x0D, 0x8E, "filter.auto_angular_zupt_response", answers AutoAngularZupt
+    AutoAngularZuptResponse: 0x0D, 0x8E, "filter.auto_angular_zupt_response";
+    answers AutoAngularZupt;
 }
 
 record! {
@@ -3687,7 +3723,8 @@ record! {
 }
 
 field! {
-    ReferencePositionResponse: 0x0D, 0x90, "filter.reference_position_response", answers ReferencePosition
+    ReferencePositionResponse: 0x0D, 0x90, "filter.reference_position_response";
+    answers ReferencePosition;
 }
 
 record! {
@@ -3707,13 +3744,14 @@ record! {
 }
 
 field! {
-    GravityNoiseResponse: 0x0D, 0x93, "filter.gravity_noise_response", answers GravityNoise
+    GravityNoiseResponse: 0x0D, 0x93, "filter.gravity_noise_response";
+    answers GravityNoise;
 }
 
 record! {
     /// Pressure altitude noise response (0x0D,0x94).
     ///
-    /// Answers [`PressureAltitudeNoise`].
+    /// Answers [`PressureAltitudeNoise`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Pressure Altitude Noise (0x0D,0x29).
     #[derive(Default)]
@@ -3726,13 +3764,14 @@ record! {
 }
 
 field! {
-    PressureAltitudeNoiseResponse: 0x0D, 0x94, "filter.pressure_altitude_noise_response", answers PressureAltitudeNoise
+    PressureAltitudeNoiseResponse: 0x0D, 0x94, "filter.pressure_altitude_noise_response";
+    answers PressureAltitudeNoise;
 }
 
 record! {
     /// Hard iron offset noise response (0x0D,0x96).
     ///
-    /// Answers [`HardIronOffsetNoise`].
+    /// Answers [`HardIronOffsetNoise`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
     #[derive(Default)]
@@ -3745,13 +3784,14 @@ record! {
 }
 
 field! {
-    HardIronOffsetNoiseResponse: 0x0D, 0x96, "filter.hard_iron_offset_noise_response", answers HardIronOffsetNoise
+    HardIronOffsetNoiseResponse: 0x0D, 0x96, "filter.hard_iron_offset_noise_response";
+    answers HardIronOffsetNoise;
 }
 
 record! {
     /// Soft iron matrix noise response (0x0D,0x97).
     ///
-    /// Answers [`SoftIronMatrixNoise`].
+    /// Answers [`SoftIronMatrixNoise`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
     #[derive(Default)]
@@ -3764,7 +3804,8 @@ record! {
 }
 
 field! {
-    SoftIronMatrixNoiseResponse: 0x0D, 0x97, "filter.soft_iron_matrix_noise_response", answers SoftIronMatrixNoise
+    SoftIronMatrixNoiseResponse: 0x0D, 0x97, "filter.soft_iron_matrix_noise_response";
+    answers SoftIronMatrixNoise;
 }
 
 record! {
@@ -3784,7 +3825,8 @@ record! {
 }
 
 field! {
-    TareOrientationResponse: 0x0D, 0xA1, "filter.tare_orientation_response", answers TareOrientation
+    TareOrientationResponse: 0x0D, 0xA1, "filter.tare_orientation_response";
+    answers TareOrientation;
 }
 
 record! {
@@ -3801,13 +3843,14 @@ record! {
 }
 
 field! {
-    EnableMeasurementsResponse: 0x0D, 0xB0, "filter.enable_measurements_response", answers EnableMeasurements
+    EnableMeasurementsResponse: 0x0D, 0xB0, "filter.enable_measurements_response";
+    answers EnableMeasurements;
 }
 
 record! {
     /// Magnetometer noise response (0x0D,0xB1).
     ///
-    /// Answers [`MagNoise`].
+    /// Answers [`MagNoise`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     #[derive(Default)]
@@ -3820,7 +3863,8 @@ record! {
 }
 
 field! {
-    MagNoiseResponse: 0x0D, 0xB1, "filter.mag_noise_response", answers MagNoise
+    MagNoiseResponse: 0x0D, 0xB1, "filter.mag_noise_response";
+    answers MagNoise;
 }
 
 record! {
@@ -3841,7 +3885,8 @@ record! {
 }
 
 field! {
-    MagneticDeclinationSourceResponse: 0x0D, 0xB2, "filter.magnetic_declination_source_response", answers MagneticDeclinationSource
+    MagneticDeclinationSourceResponse: 0x0D, 0xB2, "filter.magnetic_declination_source_response";
+    answers MagneticDeclinationSource;
 }
 
 record! {
@@ -3882,13 +3927,14 @@ record! {
 }
 
 field! {
-    AccelMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB3, "filter.accel_magnitude_error_adaptive_measurement_response", answers AccelMagnitudeErrorAdaptiveMeasurement
+    AccelMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB3, "filter.accel_magnitude_error_adaptive_measurement_response";
+    answers AccelMagnitudeErrorAdaptiveMeasurement;
 }
 
 record! {
     /// Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
     ///
-    /// Answers [`MagMagnitudeErrorAdaptiveMeasurement`].
+    /// Answers [`MagMagnitudeErrorAdaptiveMeasurement`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
     #[derive(Default)]
@@ -3928,13 +3974,14 @@ record! {
 }
 
 field! {
-    MagMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB4, "filter.mag_magnitude_error_adaptive_measurement_response", answers MagMagnitudeErrorAdaptiveMeasurement
+    MagMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB4, "filter.mag_magnitude_error_adaptive_measurement_response";
+    answers MagMagnitudeErrorAdaptiveMeasurement;
 }
 
 record! {
     /// Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
     ///
-    /// Answers [`MagDipAngleErrorAdaptiveMeasurement`].
+    /// Answers [`MagDipAngleErrorAdaptiveMeasurement`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
     #[derive(Default)]
@@ -3961,13 +4008,14 @@ record! {
 }
 
 field! {
-    MagDipAngleErrorAdaptiveMeasurementResponse: 0x0D, 0xB5, "filter.mag_dip_angle_error_adaptive_measurement_response", answers MagDipAngleErrorAdaptiveMeasurement
+    MagDipAngleErrorAdaptiveMeasurementResponse: 0x0D, 0xB5, "filter.mag_dip_angle_error_adaptive_measurement_response";
+    answers MagDipAngleErrorAdaptiveMeasurement;
 }
 
 record! {
     /// Altitude aiding response (0x0D,0xB7).
     ///
-    /// Answers [`AltitudeAiding`].
+    /// Answers [`AltitudeAiding`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
     #[derive(Default)]
@@ -3978,7 +4026,8 @@ record! {
 }
 
 field! {
-    AltitudeAidingResponse: 0x0D, 0xB7, "filter.altitude_aiding_response", answers AltitudeAiding
+    AltitudeAidingResponse: 0x0D, 0xB7, "filter.altitude_aiding_response";
+    answers AltitudeAiding;
 }
 
 record! {
@@ -3995,13 +4044,15 @@ record! {
 }
 
 field! {
-    PitchRollAidingResponse: 0x0D, 0xBB, "filter.pitch_roll_aiding_response", answers PitchRollAiding
+    PitchRollAidingResponse: 0x0D, 0xBB, "filter.pitch_roll_aiding_response";
+    answers PitchRollAiding;
 }
 
 record! {
     /// Magnetic inclination source response (0x0D,0xBC).
     ///
-    /// Also called `inclination_source_response`. Answers [`MagneticInclinationSource`].
+    /// Also called `inclination_source_response`. Answers [`MagneticInclinationSource`]. Known from
+    /// the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Inclination Source (0x0D,0x4C).
     #[derive(Default)]
@@ -4017,13 +4068,15 @@ record! {
 }
 
 field! {
-    MagneticInclinationSourceResponse: 0x0D, 0xBC, "filter.magnetic_inclination_source_response", answers MagneticInclinationSource
+    MagneticInclinationSourceResponse: 0x0D, 0xBC, "filter.magnetic_inclination_source_response";
+    answers MagneticInclinationSource;
 }
 
 record! {
     /// Magnetic field magnitude source response (0x0D,0xBD).
     ///
     /// Also called `mag_field_magnitude_source_response`. Answers [`MagneticMagnitudeSource`].
+    /// Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
     #[derive(Default)]
@@ -4039,13 +4092,14 @@ record! {
 }
 
 field! {
-    MagneticMagnitudeSourceResponse: 0x0D, 0xBD, "filter.magnetic_magnitude_source_response", answers MagneticMagnitudeSource
+    MagneticMagnitudeSourceResponse: 0x0D, 0xBD, "filter.magnetic_magnitude_source_response";
+    answers MagneticMagnitudeSource;
 }
 
 record! {
     /// Sensor to vehicle rotation, matrix response (0x0D,0xBE).
     ///
-    /// Answers [`SensorToVehicleRotationDcm`].
+    /// Answers [`SensorToVehicleRotationDcm`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E).
     #[derive(Default)]
@@ -4058,26 +4112,28 @@ record! {
 }
 
 field! {
-    SensorToVehicleRotationDcmResponse: 0x0D, 0xBE, "filter.sensor_to_vehicle_rotation_dcm_response", answers SensorToVehicleRotationDcm
+    SensorToVehicleRotationDcmResponse: 0x0D, 0xBE, "filter.sensor_to_vehicle_rotation_dcm_response";
+    answers SensorToVehicleRotationDcm;
 }
 
 record! {
     /// Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
     ///
-    /// Answers [`SensorToVehicleRotationQuaternion`].
+    /// Answers [`SensorToVehicleRotationQuaternion`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F).
     #[derive(Default)]
     pub struct SensorToVehicleRotationQuaternionResponse {
         /// Unit quaternion, scalar part first.
         ///
-        /// Elements: w, x, y, z. Unit: 1.
+        /// Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001.
         pub q: types::Quatf,
     }
 }
 
 field! {
-    SensorToVehicleRotationQuaternionResponse: 0x0D, 0xBF, "filter.sensor_to_vehicle_rotation_quaternion_response", answers SensorToVehicleRotationQuaternion
+    SensorToVehicleRotationQuaternionResponse: 0x0D, 0xBF, "filter.sensor_to_vehicle_rotation_quaternion_response";
+    answers SensorToVehicleRotationQuaternion;
 }
 
 record! {
@@ -4096,13 +4152,14 @@ record! {
 }
 
 field! {
-    AidingMeasurementEnableResponse: 0x0D, 0xD0, "filter.aiding_measurement_enable_response", answers AidingMeasurementEnable
+    AidingMeasurementEnableResponse: 0x0D, 0xD0, "filter.aiding_measurement_enable_response";
+    answers AidingMeasurementEnable;
 }
 
 record! {
     /// Kinematic constraint response (0x0D,0xD1).
     ///
-    /// Answers [`KinematicConstraint`].
+    /// Answers [`KinematicConstraint`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     #[derive(Default)]
@@ -4123,7 +4180,8 @@ record! {
 }
 
 field! {
-    KinematicConstraintResponse: 0x0D, 0xD1, "filter.kinematic_constraint_response", answers KinematicConstraint
+    KinematicConstraintResponse: 0x0D, 0xD1, "filter.kinematic_constraint_response";
+    answers KinematicConstraint;
 }
 
 record! {
@@ -4135,7 +4193,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
     #[derive(Default)]
     pub struct InitializationConfigResponse {
-        /// 1: the filter starts only after `run`; 0: as soon as it can.
+        /// 1: the filter starts only after [`Run`]; 0: as soon as it can.
         ///
         /// Range: 0 to 1.
         pub wait_for_run_command: u8,
@@ -4172,7 +4230,8 @@ record! {
 }
 
 field! {
-    InitializationConfigResponse: 0x0D, 0xD2, "filter.initialization_config_response", answers InitializationConfig
+    InitializationConfigResponse: 0x0D, 0xD2, "filter.initialization_config_response";
+    answers InitializationConfig;
 }
 
 record! {
@@ -4195,7 +4254,8 @@ record! {
 }
 
 field! {
-    AdaptiveFilterOptionsResponse: 0x0D, 0xD3, "filter.adaptive_filter_options_response", answers AdaptiveFilterOptions
+    AdaptiveFilterOptionsResponse: 0x0D, 0xD3, "filter.adaptive_filter_options_response";
+    answers AdaptiveFilterOptions;
 }
 
 record! {
@@ -4212,13 +4272,14 @@ record! {
         pub receiver_id: u8,
         /// From the sensor to the antenna.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
         pub antenna_offset: types::Vector3f,
     }
 }
 
 field! {
-    MultiAntennaOffsetResponse: 0x0D, 0xD4, "filter.multi_antenna_offset_response", answers MultiAntennaOffset
+    MultiAntennaOffsetResponse: 0x0D, 0xD4, "filter.multi_antenna_offset_response";
+    answers MultiAntennaOffset;
 }
 
 record! {
@@ -4244,7 +4305,8 @@ record! {
 }
 
 field! {
-    RelativePositionConfigResponse: 0x0D, 0xD5, "filter.relative_position_config_response", answers RelativePositionConfig
+    RelativePositionConfigResponse: 0x0D, 0xD5, "filter.relative_position_config_response";
+    answers RelativePositionConfig;
 }
 
 record! {
@@ -4260,13 +4322,14 @@ record! {
         pub reference_point: ReferencePoint,
         /// From the sensor to the point.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
         pub lever_arm_offset: types::Vector3f,
     }
 }
 
 field! {
-    ReferencePointLeverArmResponse: 0x0D, 0xD6, "filter.reference_point_lever_arm_response", answers ReferencePointLeverArm
+    ReferencePointLeverArmResponse: 0x0D, 0xD6, "filter.reference_point_lever_arm_response";
+    answers ReferencePointLeverArm;
 }
 
 record! {
@@ -4296,13 +4359,14 @@ impl core::default::Default for SpeedLeverArmResponse {
 }
 
 field! {
-    SpeedLeverArmResponse: 0x0D, 0xE1, "filter.speed_lever_arm_response", answers SpeedLeverArm
+    SpeedLeverArmResponse: 0x0D, 0xE1, "filter.speed_lever_arm_response";
+    answers SpeedLeverArm;
 }
 
 record! {
     /// Vertical gyro constraint response (0x0D,0xE2).
     ///
-    /// Answers [`VerticalGyroConstraintControl`].
+    /// Answers [`VerticalGyroConstraintControl`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62).
     #[derive(Default)]
@@ -4315,7 +4379,8 @@ record! {
 }
 
 field! {
-    VerticalGyroConstraintControlResponse: 0x0D, 0xE2, "filter.vertical_gyro_constraint_control_response", answers VerticalGyroConstraintControl
+    VerticalGyroConstraintControlResponse: 0x0D, 0xE2, "filter.vertical_gyro_constraint_control_response";
+    answers VerticalGyroConstraintControl;
 }
 
 record! {
@@ -4334,7 +4399,8 @@ record! {
 }
 
 field! {
-    WheeledVehicleConstraintControlResponse: 0x0D, 0xE3, "filter.wheeled_vehicle_constraint_control_response", answers WheeledVehicleConstraintControl
+    WheeledVehicleConstraintControlResponse: 0x0D, 0xE3, "filter.wheeled_vehicle_constraint_control_response";
+    answers WheeledVehicleConstraintControl;
 }
 
 record! {
@@ -4359,5 +4425,6 @@ record! {
 }
 
 field! {
-    GnssAntennaCalibrationControlResponse: 0x0D, 0xE4, "filter.gnss_antenna_calibration_control_response", answers GnssAntennaCalibrationControl
+    GnssAntennaCalibrationControlResponse: 0x0D, 0xE4, "filter.gnss_antenna_calibration_control_response";
+    answers GnssAntennaCalibrationControl;
 }

@@ -378,7 +378,7 @@ record! {
 }
 
 field! {
-    LlhPosition: 0x82, 0x01, "filter_data.llh_position"
+    LlhPosition: 0x82, 0x01, "filter_data.llh_position";
 }
 
 record! {
@@ -409,7 +409,7 @@ record! {
 }
 
 field! {
-    NedVelocity: 0x82, 0x02, "filter_data.ned_velocity"
+    NedVelocity: 0x82, 0x02, "filter_data.ned_velocity";
 }
 
 record! {
@@ -419,7 +419,7 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - V_vehicle = q^-1 \* v_ned \* q. The 3DM-GX5-15 manual prints the inverse rotation.
+    /// - `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual prints the inverse rotation.
     ///
     /// Source: 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03); 3dm-gx5-15: 5.2.3 Orientation,
     /// Quaternion (0x82, 0x03).
@@ -436,7 +436,7 @@ record! {
 }
 
 field! {
-    AttitudeQuaternion: 0x82, 0x03, "filter_data.attitude_quaternion"
+    AttitudeQuaternion: 0x82, 0x03, "filter_data.attitude_quaternion";
 }
 
 record! {
@@ -446,7 +446,7 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm \* v_ned.
+    /// - The matrix turns NED vectors into vehicle vectors: `v_vehicle = dcm * v_ned`.
     ///
     /// Source: 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04); 3dm-gx5-15: 5.2.7 Orientation, Matrix
     /// (0x82, 0x04).
@@ -463,7 +463,7 @@ record! {
 }
 
 field! {
-    AttitudeDcm: 0x82, 0x04, "filter_data.attitude_dcm"
+    AttitudeDcm: 0x82, 0x04, "filter_data.attitude_dcm";
 }
 
 record! {
@@ -497,7 +497,7 @@ record! {
 }
 
 field! {
-    EulerAngles: 0x82, 0x05, "filter_data.euler_angles"
+    EulerAngles: 0x82, 0x05, "filter_data.euler_angles";
 }
 
 record! {
@@ -521,7 +521,7 @@ record! {
 }
 
 field! {
-    GyroBias: 0x82, 0x06, "filter_data.gyro_bias"
+    GyroBias: 0x82, 0x06, "filter_data.gyro_bias";
 }
 
 record! {
@@ -545,7 +545,7 @@ record! {
 }
 
 field! {
-    AccelBias: 0x82, 0x07, "filter_data.accel_bias"
+    AccelBias: 0x82, 0x07, "filter_data.accel_bias";
 }
 
 record! {
@@ -576,7 +576,7 @@ record! {
 }
 
 field! {
-    LlhPositionUncertainty: 0x82, 0x08, "filter_data.llh_position_uncertainty"
+    LlhPositionUncertainty: 0x82, 0x08, "filter_data.llh_position_uncertainty";
 }
 
 record! {
@@ -607,7 +607,7 @@ record! {
 }
 
 field! {
-    NedVelocityUncertainty: 0x82, 0x09, "filter_data.ned_velocity_uncertainty"
+    NedVelocityUncertainty: 0x82, 0x09, "filter_data.ned_velocity_uncertainty";
 }
 
 record! {
@@ -642,7 +642,7 @@ record! {
 }
 
 field! {
-    EulerAnglesUncertainty: 0x82, 0x0A, "filter_data.euler_angles_uncertainty"
+    EulerAnglesUncertainty: 0x82, 0x0A, "filter_data.euler_angles_uncertainty";
 }
 
 record! {
@@ -667,7 +667,7 @@ record! {
 }
 
 field! {
-    GyroBiasUncertainty: 0x82, 0x0B, "filter_data.gyro_bias_uncertainty"
+    GyroBiasUncertainty: 0x82, 0x0B, "filter_data.gyro_bias_uncertainty";
 }
 
 record! {
@@ -691,7 +691,7 @@ record! {
 }
 
 field! {
-    AccelBiasUncertainty: 0x82, 0x0C, "filter_data.accel_bias_uncertainty"
+    AccelBiasUncertainty: 0x82, 0x0C, "filter_data.accel_bias_uncertainty";
 }
 
 record! {
@@ -716,7 +716,7 @@ record! {
 }
 
 field! {
-    LinearAccel: 0x82, 0x0D, "filter_data.linear_accel"
+    LinearAccel: 0x82, 0x0D, "filter_data.linear_accel";
 }
 
 record! {
@@ -741,7 +741,7 @@ record! {
 }
 
 field! {
-    CompAngularRate: 0x82, 0x0E, "filter_data.comp_angular_rate"
+    CompAngularRate: 0x82, 0x0E, "filter_data.comp_angular_rate";
 }
 
 record! {
@@ -766,7 +766,7 @@ record! {
 }
 
 field! {
-    Wgs84GravityMagnitude: 0x82, 0x0F, "filter_data.wgs84_gravity_magnitude"
+    Wgs84GravityMagnitude: 0x82, 0x0F, "filter_data.wgs84_gravity_magnitude";
 }
 
 record! {
@@ -854,7 +854,7 @@ impl Status {
 }
 
 field! {
-    Status: 0x82, 0x10, "filter_data.status"
+    Status: 0x82, 0x10, "filter_data.status";
 }
 
 record! {
@@ -888,7 +888,7 @@ record! {
 }
 
 field! {
-    Timestamp: 0x82, 0x11, "filter_data.timestamp"
+    Timestamp: 0x82, 0x11, "filter_data.timestamp";
 }
 
 record! {
@@ -912,7 +912,7 @@ record! {
 }
 
 field! {
-    QuaternionAttitudeUncertainty: 0x82, 0x12, "filter_data.quaternion_attitude_uncertainty"
+    QuaternionAttitudeUncertainty: 0x82, 0x12, "filter_data.quaternion_attitude_uncertainty";
 }
 
 record! {
@@ -937,7 +937,7 @@ record! {
 }
 
 field! {
-    GravityVector: 0x82, 0x13, "filter_data.gravity_vector"
+    GravityVector: 0x82, 0x13, "filter_data.gravity_vector";
 }
 
 record! {
@@ -968,7 +968,7 @@ record! {
 }
 
 field! {
-    HeadingUpdateState: 0x82, 0x14, "filter_data.heading_update_state"
+    HeadingUpdateState: 0x82, 0x14, "filter_data.heading_update_state";
 }
 
 record! {
@@ -1009,13 +1009,15 @@ record! {
 }
 
 field! {
-    MagneticModel: 0x82, 0x15, "filter_data.magnetic_model"
+    MagneticModel: 0x82, 0x15, "filter_data.magnetic_model";
 }
 
 record! {
     /// Gyroscope scale factor (0x82,0x16).
     ///
     /// Estimated scale factor of the gyroscope.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor (0x82,0x16).
     #[derive(Default)]
@@ -1031,13 +1033,15 @@ record! {
 }
 
 field! {
-    GyroScaleFactor: 0x82, 0x16, "filter_data.gyro_scale_factor"
+    GyroScaleFactor: 0x82, 0x16, "filter_data.gyro_scale_factor";
 }
 
 record! {
     /// Accelerometer scale factor (0x82,0x17).
     ///
     /// Estimated scale factor of the accelerometer.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor (0x82,0x17).
     #[derive(Default)]
@@ -1053,13 +1057,15 @@ record! {
 }
 
 field! {
-    AccelScaleFactor: 0x82, 0x17, "filter_data.accel_scale_factor"
+    AccelScaleFactor: 0x82, 0x17, "filter_data.accel_scale_factor";
 }
 
 record! {
     /// Gyroscope scale factor uncertainty (0x82,0x18).
     ///
     /// Standard deviation of the estimated scale factor of the gyroscope.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18).
     #[derive(Default)]
@@ -1075,13 +1081,15 @@ record! {
 }
 
 field! {
-    GyroScaleFactorUncertainty: 0x82, 0x18, "filter_data.gyro_scale_factor_uncertainty"
+    GyroScaleFactorUncertainty: 0x82, 0x18, "filter_data.gyro_scale_factor_uncertainty";
 }
 
 record! {
     /// Accelerometer scale factor uncertainty (0x82,0x19).
     ///
     /// Standard deviation of the estimated scale factor of the accelerometer.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19).
     #[derive(Default)]
@@ -1097,13 +1105,15 @@ record! {
 }
 
 field! {
-    AccelScaleFactorUncertainty: 0x82, 0x19, "filter_data.accel_scale_factor_uncertainty"
+    AccelScaleFactorUncertainty: 0x82, 0x19, "filter_data.accel_scale_factor_uncertainty";
 }
 
 record! {
     /// Magnetometer bias (0x82,0x1A).
     ///
     /// Estimated bias of the magnetometer.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Bias (0x82,0x1A).
     #[derive(Default)]
@@ -1119,13 +1129,15 @@ record! {
 }
 
 field! {
-    MagBias: 0x82, 0x1A, "filter_data.mag_bias"
+    MagBias: 0x82, 0x1A, "filter_data.mag_bias";
 }
 
 record! {
     /// Magnetometer bias uncertainty (0x82,0x1B).
     ///
     /// Standard deviation of the estimated bias of the magnetometer.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B).
     #[derive(Default)]
@@ -1141,7 +1153,7 @@ record! {
 }
 
 field! {
-    MagBiasUncertainty: 0x82, 0x1B, "filter_data.mag_bias_uncertainty"
+    MagBiasUncertainty: 0x82, 0x1B, "filter_data.mag_bias_uncertainty";
 }
 
 record! {
@@ -1166,13 +1178,15 @@ record! {
 }
 
 field! {
-    CompAccel: 0x82, 0x1C, "filter_data.comp_accel"
+    CompAccel: 0x82, 0x1C, "filter_data.comp_accel";
 }
 
 record! {
     /// Standard atmosphere (0x82,0x20).
     ///
     /// US Standard Atmosphere of 1976 at the altitude of the device.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - It is valid only with a valid GNSS position.
     ///
@@ -1205,7 +1219,7 @@ record! {
 }
 
 field! {
-    StandardAtmosphere: 0x82, 0x20, "filter_data.standard_atmosphere"
+    StandardAtmosphere: 0x82, 0x20, "filter_data.standard_atmosphere";
 }
 
 record! {
@@ -1232,7 +1246,7 @@ record! {
 }
 
 field! {
-    PressureAltitude: 0x82, 0x21, "filter_data.pressure_altitude"
+    PressureAltitude: 0x82, 0x21, "filter_data.pressure_altitude";
 }
 
 record! {
@@ -1240,7 +1254,8 @@ record! {
     ///
     /// Altitude at which the standard atmosphere has the density of the air around the device.
     ///
-    /// Uncertain: The SDK gives the name only; the description is the usual meaning of the term.
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK
+    /// gives the name only; the description is the usual meaning of the term.
     ///
     /// Source: mip-sdk-4: Density Altitude (0x82,0x22).
     #[derive(Default)]
@@ -1255,7 +1270,7 @@ record! {
 }
 
 field! {
-    DensityAltitude: 0x82, 0x22, "filter_data.density_altitude"
+    DensityAltitude: 0x82, 0x22, "filter_data.density_altitude";
 }
 
 record! {
@@ -1263,10 +1278,11 @@ record! {
     ///
     /// Estimated hard iron offset of the magnetometer.
     ///
-    /// Also called `magnetometer_offset`.
+    /// Also called `magnetometer_offset`. No device profile lists it. Known from the MicroStrain
+    /// MIP SDK only.
     ///
-    /// - The filter adds it to the stored hard iron offset
-    ///   [(0x0C,0x3A)](crate::mip_3dm::MagHardIronOffset).
+    /// - The filter adds it to the stored offset of
+    ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset).
     ///
     /// Source: mip-sdk-4: Magnetometer Offset (0x82,0x25).
     #[derive(Default)]
@@ -1282,7 +1298,7 @@ record! {
 }
 
 field! {
-    MagOffset: 0x82, 0x25, "filter_data.mag_offset"
+    MagOffset: 0x82, 0x25, "filter_data.mag_offset";
 }
 
 record! {
@@ -1290,10 +1306,11 @@ record! {
     ///
     /// Estimated soft iron matrix of the magnetometer.
     ///
-    /// Also called `magnetometer_matrix`.
+    /// Also called `magnetometer_matrix`. No device profile lists it. Known from the MicroStrain
+    /// MIP SDK only.
     ///
-    /// - The filter multiplies the stored soft iron matrix
-    ///   [(0x0C,0x3B)](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
+    /// - The filter multiplies the stored matrix of
+    ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
     ///
     /// Source: mip-sdk-4: Magnetometer Matrix (0x82,0x26).
     #[derive(Default)]
@@ -1309,7 +1326,7 @@ record! {
 }
 
 field! {
-    MagMatrix: 0x82, 0x26, "filter_data.mag_matrix"
+    MagMatrix: 0x82, 0x26, "filter_data.mag_matrix";
 }
 
 record! {
@@ -1317,7 +1334,8 @@ record! {
     ///
     /// Standard deviation of the estimated hard iron offset.
     ///
-    /// Also called `magnetometer_offset_uncertainty`.
+    /// Also called `magnetometer_offset_uncertainty`. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28).
     #[derive(Default)]
@@ -1333,7 +1351,7 @@ record! {
 }
 
 field! {
-    MagOffsetUncertainty: 0x82, 0x28, "filter_data.mag_offset_uncertainty"
+    MagOffsetUncertainty: 0x82, 0x28, "filter_data.mag_offset_uncertainty";
 }
 
 record! {
@@ -1341,7 +1359,8 @@ record! {
     ///
     /// Standard deviation of the estimated soft iron matrix.
     ///
-    /// Also called `magnetometer_matrix_uncertainty`.
+    /// Also called `magnetometer_matrix_uncertainty`. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29).
     #[derive(Default)]
@@ -1357,7 +1376,7 @@ record! {
 }
 
 field! {
-    MagMatrixUncertainty: 0x82, 0x29, "filter_data.mag_matrix_uncertainty"
+    MagMatrixUncertainty: 0x82, 0x29, "filter_data.mag_matrix_uncertainty";
 }
 
 record! {
@@ -1365,7 +1384,8 @@ record! {
     ///
     /// Covariance of the magnetometer measurement.
     ///
-    /// Also called `magnetometer_covariance_matrix`.
+    /// Also called `magnetometer_covariance_matrix`. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A).
     #[derive(Default)]
@@ -1382,7 +1402,7 @@ record! {
 }
 
 field! {
-    MagCovarianceMatrix: 0x82, 0x2A, "filter_data.mag_covariance_matrix"
+    MagCovarianceMatrix: 0x82, 0x2A, "filter_data.mag_covariance_matrix";
 }
 
 record! {
@@ -1390,7 +1410,8 @@ record! {
     ///
     /// Residual of the magnetometer measurement.
     ///
-    /// Also called `magnetometer_residual_vector`.
+    /// Also called `magnetometer_residual_vector`. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C).
     #[derive(Default)]
@@ -1406,7 +1427,7 @@ record! {
 }
 
 field! {
-    MagResidualVector: 0x82, 0x2C, "filter_data.mag_residual_vector"
+    MagResidualVector: 0x82, 0x2C, "filter_data.mag_residual_vector";
 }
 
 record! {
@@ -1414,7 +1435,10 @@ record! {
     ///
     /// Estimated error of the offset of the GNSS antenna.
     ///
-    /// - The filter adds it to the stored offset [(0x0D,0x13)](crate::filter::AntennaOffset).
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
+    /// - The filter adds it to the stored offset of
+    ///   [`filter::AntennaOffset`](crate::filter::AntennaOffset).
     ///
     /// Source: mip-sdk-4: Antenna Offset Correction (0x82,0x30).
     #[derive(Default)]
@@ -1430,13 +1454,15 @@ record! {
 }
 
 field! {
-    AntennaOffsetCorrection: 0x82, 0x30, "filter_data.antenna_offset_correction"
+    AntennaOffsetCorrection: 0x82, 0x30, "filter_data.antenna_offset_correction";
 }
 
 record! {
     /// Antenna offset correction uncertainty (0x82,0x31).
     ///
     /// Standard deviation of the estimated error of the offset of the GNSS antenna.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31).
     #[derive(Default)]
@@ -1452,13 +1478,15 @@ record! {
 }
 
 field! {
-    AntennaOffsetCorrectionUncertainty: 0x82, 0x31, "filter_data.antenna_offset_correction_uncertainty"
+    AntennaOffsetCorrectionUncertainty: 0x82, 0x31, "filter_data.antenna_offset_correction_uncertainty";
 }
 
 record! {
     /// Clock correction (0x82,0x32).
     ///
     /// Estimated clock error of one GNSS receiver.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Clock Correction (0x82,0x32).
     #[derive(Default)]
@@ -1481,13 +1509,15 @@ record! {
 }
 
 field! {
-    ClockCorrection: 0x82, 0x32, "filter_data.clock_correction"
+    ClockCorrection: 0x82, 0x32, "filter_data.clock_correction";
 }
 
 record! {
     /// Clock correction uncertainty (0x82,0x33).
     ///
     /// Standard deviation of the estimated clock error of one GNSS receiver.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Clock Correction Uncertainty (0x82,0x33).
     #[derive(Default)]
@@ -1510,7 +1540,7 @@ record! {
 }
 
 field! {
-    ClockCorrectionUncertainty: 0x82, 0x33, "filter_data.clock_correction_uncertainty"
+    ClockCorrectionUncertainty: 0x82, 0x33, "filter_data.clock_correction_uncertainty";
 }
 
 record! {
@@ -1538,7 +1568,7 @@ record! {
 }
 
 field! {
-    MultiAntennaOffsetCorrection: 0x82, 0x34, "filter_data.multi_antenna_offset_correction"
+    MultiAntennaOffsetCorrection: 0x82, 0x34, "filter_data.multi_antenna_offset_correction";
 }
 
 record! {
@@ -1564,7 +1594,7 @@ record! {
 }
 
 field! {
-    MultiAntennaOffsetCorrectionUncertainty: 0x82, 0x35, "filter_data.multi_antenna_offset_correction_uncertainty"
+    MultiAntennaOffsetCorrectionUncertainty: 0x82, 0x35, "filter_data.multi_antenna_offset_correction_uncertainty";
 }
 
 record! {
@@ -1588,7 +1618,7 @@ record! {
 }
 
 field! {
-    EcefPositionUncertainty: 0x82, 0x36, "filter_data.ecef_position_uncertainty"
+    EcefPositionUncertainty: 0x82, 0x36, "filter_data.ecef_position_uncertainty";
 }
 
 record! {
@@ -1612,7 +1642,7 @@ record! {
 }
 
 field! {
-    EcefVelocityUncertainty: 0x82, 0x37, "filter_data.ecef_velocity_uncertainty"
+    EcefVelocityUncertainty: 0x82, 0x37, "filter_data.ecef_velocity_uncertainty";
 }
 
 record! {
@@ -1636,7 +1666,7 @@ record! {
 }
 
 field! {
-    EcefPosition: 0x82, 0x40, "filter_data.ecef_position"
+    EcefPosition: 0x82, 0x40, "filter_data.ecef_position";
 }
 
 record! {
@@ -1660,7 +1690,7 @@ record! {
 }
 
 field! {
-    EcefVelocity: 0x82, 0x41, "filter_data.ecef_velocity"
+    EcefVelocity: 0x82, 0x41, "filter_data.ecef_velocity";
 }
 
 record! {
@@ -1685,7 +1715,7 @@ record! {
 }
 
 field! {
-    NedRelativePosition: 0x82, 0x42, "filter_data.ned_relative_position"
+    NedRelativePosition: 0x82, 0x42, "filter_data.ned_relative_position";
 }
 
 record! {
@@ -1714,7 +1744,7 @@ record! {
 }
 
 field! {
-    GnssPositionAidingStatus: 0x82, 0x43, "filter_data.gnss_position_aiding_status"
+    GnssPositionAidingStatus: 0x82, 0x43, "filter_data.gnss_position_aiding_status";
 }
 
 record! {
@@ -1722,7 +1752,8 @@ record! {
     ///
     /// How the filter uses the attitude that two GNSS antennas give.
     ///
-    /// Also called `gnss_att_aid_status`.
+    /// Also called `gnss_att_aid_status`. No device profile lists it. Known from the MicroStrain
+    /// MIP SDK only.
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -1743,7 +1774,7 @@ record! {
 }
 
 field! {
-    GnssAttitudeAidingStatus: 0x82, 0x44, "filter_data.gnss_attitude_aiding_status"
+    GnssAttitudeAidingStatus: 0x82, 0x44, "filter_data.gnss_attitude_aiding_status";
 }
 
 record! {
@@ -1751,7 +1782,8 @@ record! {
     ///
     /// The heading measurement that the filter used last.
     ///
-    /// Also called `head_aid_status`.
+    /// Also called `head_aid_status`. No device profile lists it. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -1777,7 +1809,7 @@ record! {
 }
 
 field! {
-    HeadingAidingStatus: 0x82, 0x45, "filter_data.heading_aiding_status"
+    HeadingAidingStatus: 0x82, 0x45, "filter_data.heading_aiding_status";
 }
 
 record! {
@@ -1812,7 +1844,7 @@ record! {
 }
 
 field! {
-    AidingMeasurementSummary: 0x82, 0x46, "filter_data.aiding_measurement_summary"
+    AidingMeasurementSummary: 0x82, 0x46, "filter_data.aiding_measurement_summary";
 }
 
 record! {
@@ -1837,7 +1869,7 @@ record! {
 }
 
 field! {
-    OdometerScaleFactorError: 0x82, 0x47, "filter_data.odometer_scale_factor_error"
+    OdometerScaleFactorError: 0x82, 0x47, "filter_data.odometer_scale_factor_error";
 }
 
 record! {
@@ -1860,7 +1892,7 @@ record! {
 }
 
 field! {
-    OdometerScaleFactorErrorUncertainty: 0x82, 0x48, "filter_data.odometer_scale_factor_error_uncertainty"
+    OdometerScaleFactorErrorUncertainty: 0x82, 0x48, "filter_data.odometer_scale_factor_error_uncertainty";
 }
 
 record! {
@@ -1897,7 +1929,7 @@ record! {
 }
 
 field! {
-    GnssDualAntennaStatus: 0x82, 0x49, "filter_data.gnss_dual_antenna_status"
+    GnssDualAntennaStatus: 0x82, 0x49, "filter_data.gnss_dual_antenna_status";
 }
 
 record! {
@@ -1925,7 +1957,7 @@ record! {
 }
 
 field! {
-    AidingFrameConfigError: 0x82, 0x50, "filter_data.aiding_frame_config_error"
+    AidingFrameConfigError: 0x82, 0x50, "filter_data.aiding_frame_config_error";
 }
 
 record! {
@@ -1953,5 +1985,5 @@ record! {
 }
 
 field! {
-    AidingFrameConfigErrorUncertainty: 0x82, 0x51, "filter_data.aiding_frame_config_error_uncertainty"
+    AidingFrameConfigErrorUncertainty: 0x82, 0x51, "filter_data.aiding_frame_config_error_uncertainty";
 }

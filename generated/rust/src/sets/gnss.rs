@@ -127,7 +127,7 @@ constructors! {
 }
 
 field! {
-    ReceiverInfo: 0x0E, 0x01, "gnss.receiver_info"
+    ReceiverInfo: 0x0E, 0x01, "gnss.receiver_info";
 }
 
 command! {
@@ -182,7 +182,7 @@ record! {
 }
 
 constructors! {
-    SignalConfig { function, gps_enable, glonass_enable, galileo_enable, beidou_enable, reserved }
+    SignalConfig
 
     /// Apply the new setting.
     fn write(
@@ -206,7 +206,7 @@ constructors! {
 }
 
 field! {
-    SignalConfig: 0x0E, 0x02, "gnss.signal_config"
+    SignalConfig: 0x0E, 0x02, "gnss.signal_config";
 }
 
 command! {
@@ -220,7 +220,8 @@ record! {
     /// Whether the device talks to the RTK dongle that is connected to it.
     ///
     /// Also called `rtk_dongle_configuration`. Functions: write, read, save, load and default.
-    /// Answered by [`RtkDongleConfigResponse`].
+    /// Answered by [`RtkDongleConfigResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
     pub struct RtkDongleConfig {
@@ -241,7 +242,7 @@ record! {
 }
 
 constructors! {
-    RtkDongleConfig { function, enable, reserved }
+    RtkDongleConfig
 
     /// Apply the new setting.
     fn write(enable: u8) = WRITE, reserved: [0; 3];
@@ -260,7 +261,7 @@ constructors! {
 }
 
 field! {
-    RtkDongleConfig: 0x0E, 0x10, "gnss.rtk_dongle_config"
+    RtkDongleConfig: 0x0E, 0x10, "gnss.rtk_dongle_config";
 }
 
 command! {
@@ -274,12 +275,14 @@ record! {
     /// Source and keys of SPARTN corrections.
     ///
     /// Also called `spartn_configuration`. Functions: write, read, save, load and default. Answered
-    /// by [`SpartnConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// by [`SpartnConfigResponse`]. Supported by 3DM-CV7-GNSS/INS. Uncertain: Whether the device
+    /// takes upper and lower case. The section on UART has the digits 0-9 and A-F, the description
+    /// of the command has "bc" for 0xBC.
     ///
     /// - A change of enable or type has an effect after a power cycle only; keys can be changed
     ///   while running.
     /// - While SPARTN corrections are enabled, RTCM corrections are blocked.
-    /// - A key of 16 bytes, none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each
+    /// - A key of 16 bytes, none of them 0, is sent as 32 ASCII digits in hexadecimal, two for each
     ///   byte.
     ///
     /// Source: 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20); 3dm-cv7-gnss-ins: SPARTN
@@ -334,7 +337,7 @@ record! {
 }
 
 constructors! {
-    SpartnConfig { function, enable, type_, current_key_tow, current_key_week, current_key, next_key_tow, next_key_week, next_key }
+    SpartnConfig
 
     /// Apply the new setting.
     fn write(
@@ -362,7 +365,7 @@ constructors! {
 }
 
 field! {
-    SpartnConfig: 0x0E, 0x20, "gnss.spartn_config"
+    SpartnConfig: 0x0E, 0x20, "gnss.spartn_config";
 }
 
 command! {
@@ -391,7 +394,8 @@ record! {
 }
 
 field! {
-    ReceiverInfoResponse: 0x0E, 0x81, "gnss.receiver_info_response", answers ReceiverInfo
+    ReceiverInfoResponse: 0x0E, 0x81, "gnss.receiver_info_response";
+    answers ReceiverInfo;
 }
 
 record! {
@@ -417,13 +421,15 @@ record! {
 }
 
 field! {
-    SignalConfigResponse: 0x0E, 0x82, "gnss.signal_config_response", answers SignalConfig
+    SignalConfigResponse: 0x0E, 0x82, "gnss.signal_config_response";
+    answers SignalConfig;
 }
 
 record! {
     /// RTK dongle configuration response (0x0E,0x90).
     ///
-    /// Also called `rtk_dongle_configuration_response`. Answers [`RtkDongleConfig`].
+    /// Also called `rtk_dongle_configuration_response`. Answers [`RtkDongleConfig`]. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
     #[derive(Default)]
@@ -438,7 +444,8 @@ record! {
 }
 
 field! {
-    RtkDongleConfigResponse: 0x0E, 0x90, "gnss.rtk_dongle_config_response", answers RtkDongleConfig
+    RtkDongleConfigResponse: 0x0E, 0x90, "gnss.rtk_dongle_config_response";
+    answers RtkDongleConfig;
 }
 
 record! {
@@ -491,5 +498,6 @@ record! {
 }
 
 field! {
-    SpartnConfigResponse: 0x0E, 0xA0, "gnss.spartn_config_response", answers SpartnConfig
+    SpartnConfigResponse: 0x0E, 0xA0, "gnss.spartn_config_response";
+    answers SpartnConfig;
 }

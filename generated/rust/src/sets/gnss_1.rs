@@ -1,5 +1,8 @@
 //! GNSS receiver 1 data (0x91): Measurements and status of the first internal GNSS receiver.
 //!
+//! Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
+//! GNSS data sets the same fields.
+//!
 //! Source: 3dm-cv7-gnss-ins: GNSS Recv 1 (0x91).
 
 #[allow(unused_imports)] // some sets name a type in comments only, or none
@@ -745,7 +748,7 @@ bitfield! {
         /// The data of the modernized navigation message are included. Bit 1.
         MODERN_DATA: bool = 1,
             modern_data, set_modern_data, with_modern_data;
-        /// isc_l2c is the correction for L5, not for L2. Bit 2.
+        /// `isc_l2c` is the correction for L5, not for L2. Bit 2.
         ISC_L5: bool = 2,
             isc_l5, set_isc_l5, with_isc_l5;
         /// All of them. Bits 0 to 2. Overlaps other bits.
@@ -887,7 +890,8 @@ record! {
 }
 
 field! {
-    LlhPosition: 0x91, 0x03, "gnss_1.llh_position", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    LlhPosition: 0x91, 0x03, "gnss_1.llh_position";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -916,7 +920,8 @@ record! {
 }
 
 field! {
-    EcefPosition: 0x91, 0x04, "gnss_1.ecef_position", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    EcefPosition: 0x91, 0x04, "gnss_1.ecef_position";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -963,7 +968,8 @@ record! {
 }
 
 field! {
-    NedVelocity: 0x91, 0x05, "gnss_1.ned_velocity", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    NedVelocity: 0x91, 0x05, "gnss_1.ned_velocity";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -992,7 +998,8 @@ record! {
 }
 
 field! {
-    EcefVelocity: 0x91, 0x06, "gnss_1.ecef_velocity", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    EcefVelocity: 0x91, 0x06, "gnss_1.ecef_velocity";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1039,7 +1046,8 @@ record! {
 }
 
 field! {
-    Dop: 0x91, 0x07, "gnss_1.dop", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    Dop: 0x91, 0x07, "gnss_1.dop";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1092,7 +1100,8 @@ record! {
 }
 
 field! {
-    UtcTime: 0x91, 0x08, "gnss_1.utc_time", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    UtcTime: 0x91, 0x08, "gnss_1.utc_time";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1119,13 +1128,16 @@ record! {
 }
 
 field! {
-    GpsTime: 0x91, 0x09, "gnss_1.gps_time", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    GpsTime: 0x91, 0x09, "gnss_1.gps_time";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
     /// Clock info (0x91,0x0A).
     ///
     /// Bias and drift of the receiver clock.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - Clock info 2 replaces it and tells more.
     ///
@@ -1151,7 +1163,8 @@ record! {
 }
 
 field! {
-    ClockInfo: 0x91, 0x0A, "gnss_1.clock_info", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    ClockInfo: 0x91, 0x0A, "gnss_1.clock_info";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1182,7 +1195,8 @@ record! {
 }
 
 field! {
-    FixInfo: 0x91, 0x0B, "gnss_1.fix_info", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    FixInfo: 0x91, 0x0B, "gnss_1.fix_info";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1190,7 +1204,8 @@ record! {
     ///
     /// One satellite that is tracked.
     ///
-    /// Uncertain: Whether a packet holds one of these fields or several.
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether a
+    /// packet holds one of these fields or several.
     ///
     /// - The satellites come as one field each, in packets apart from other GNSS data.
     ///
@@ -1228,7 +1243,8 @@ record! {
 }
 
 field! {
-    SvInfo: 0x91, 0x0C, "gnss_1.sv_info", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    SvInfo: 0x91, 0x0C, "gnss_1.sv_info";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1259,7 +1275,8 @@ record! {
 }
 
 field! {
-    HardwareStatus: 0x91, 0x0D, "gnss_1.hardware_status", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    HardwareStatus: 0x91, 0x0D, "gnss_1.hardware_status";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1267,10 +1284,11 @@ record! {
     ///
     /// State of the differential corrections.
     ///
-    /// Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of
-    /// the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8, three
-    /// floats and u16, which is that of dgps_channel and does not agree with its own valid flags
-    /// (age, base station id, base station status, number of channels).
+    /// No device profile lists it. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and
+    /// of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK
+    /// has another one, u8, three floats and u16, which is that of [`DgpsChannel`] and does not
+    /// agree with its own valid flags (age, base station id, base station status, number of
+    /// channels).
     ///
     /// Source: 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E); mip-sdk-4: Dgps Info (0x81,0x0E).
     #[derive(Default)]
@@ -1278,7 +1296,7 @@ record! {
         /// Age of the corrections.
         ///
         /// Unit: s. Valid if [`valid_flags.age`](DgpsInfoFlags::age) is set. Uncertain: The unit,
-        /// which follows from dgps_channel.
+        /// which follows from [`DgpsChannel`].
         pub age: f32,
         /// Number of the base station.
         ///
@@ -1299,13 +1317,16 @@ record! {
 }
 
 field! {
-    DgpsInfo: 0x91, 0x0E, "gnss_1.dgps_info", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    DgpsInfo: 0x91, 0x0E, "gnss_1.dgps_info";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
     /// DGPS channel (0x91,0x0F).
     ///
     /// Differential correction for one satellite.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - The active satellites come as one field each, all in one packet.
     ///
@@ -1336,7 +1357,8 @@ record! {
 }
 
 field! {
-    DgpsChannel: 0x91, 0x0F, "gnss_1.dgps_channel", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    DgpsChannel: 0x91, 0x0F, "gnss_1.dgps_channel";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1374,7 +1396,8 @@ record! {
 }
 
 field! {
-    ClockInfo2: 0x91, 0x10, "gnss_1.clock_info_2", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    ClockInfo2: 0x91, 0x10, "gnss_1.clock_info_2";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1398,7 +1421,8 @@ record! {
 }
 
 field! {
-    GpsLeapSeconds: 0x91, 0x11, "gnss_1.gps_leap_seconds", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    GpsLeapSeconds: 0x91, 0x11, "gnss_1.gps_leap_seconds";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1441,13 +1465,16 @@ record! {
 }
 
 field! {
-    SbasInfo: 0x91, 0x12, "gnss_1.sbas_info", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    SbasInfo: 0x91, 0x12, "gnss_1.sbas_info";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
     /// SBAS correction (0x91,0x13).
     ///
     /// SBAS correction for one satellite.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     /// - Udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
@@ -1494,13 +1521,16 @@ record! {
 }
 
 field! {
-    SbasCorrection: 0x91, 0x13, "gnss_1.sbas_correction", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    SbasCorrection: 0x91, 0x13, "gnss_1.sbas_correction";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
     /// RF error detection (0x91,0x14).
     ///
     /// Jamming and spoofing as the receiver detects them in one band.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Rf Error Detection (0x81,0x14).
     #[derive(Default)]
@@ -1525,7 +1555,8 @@ record! {
 }
 
 field! {
-    RfErrorDetection: 0x91, 0x14, "gnss_1.rf_error_detection", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    RfErrorDetection: 0x91, 0x14, "gnss_1.rf_error_detection";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1579,7 +1610,8 @@ record! {
 }
 
 field! {
-    SatelliteStatus: 0x91, 0x20, "gnss_1.satellite_status", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    SatelliteStatus: 0x91, 0x20, "gnss_1.satellite_status";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1671,13 +1703,16 @@ record! {
 }
 
 field! {
-    Raw: 0x91, 0x22, "gnss_1.raw", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    Raw: 0x91, 0x22, "gnss_1.raw";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
     /// Base station info (0x91,0x30).
     ///
     /// The base station of the corrections, from an RTCM message 1005 or 1006.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Base Station Info (0x81,0x30).
     #[derive(Default)]
@@ -1715,13 +1750,16 @@ record! {
 }
 
 field! {
-    BaseStationInfo: 0x91, 0x30, "gnss_1.base_station_info", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    BaseStationInfo: 0x91, 0x30, "gnss_1.base_station_info";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
     /// RTK corrections status (0x91,0x31).
     ///
     /// Which corrections come, and how old they are.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Rtk Corrections Status (0x81,0x31).
     #[derive(Default)]
@@ -1743,8 +1781,8 @@ record! {
         ///
         /// Valid if [`valid_flags.dongle_status`](RtkCorrectionsStatusFlags::dongle_status) is set.
         ///
-        /// - The same word as that of get status flags [(0x0F,0x01)](crate::rtk::GetStatusFlags),
-        ///   in one of its two forms.
+        /// - The same word as that of [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags), in one
+        ///   of its two forms.
         pub dongle_status: types::RtkStatusFlags,
         /// Latency of the last GPS correction.
         ///
@@ -1774,7 +1812,8 @@ record! {
 }
 
 field! {
-    RtkCorrectionsStatus: 0x91, 0x31, "gnss_1.rtk_corrections_status", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    RtkCorrectionsStatus: 0x91, 0x31, "gnss_1.rtk_corrections_status";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1784,7 +1823,7 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - Iodc changes with the clock data; the manual has it roll over at 4.
+    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61).
     #[derive(Default)]
@@ -1839,7 +1878,7 @@ record! {
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub isc_l1ca: f64,
-        /// Inter-signal correction for L2, or for L5 if isc_l5 is set.
+        /// Inter-signal correction for L2, or for L5 if `isc_l5` is set.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub isc_l2c: f64,
@@ -1921,7 +1960,8 @@ record! {
 }
 
 field! {
-    GpsEphemeris: 0x91, 0x61, "gnss_1.gps_ephemeris", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    GpsEphemeris: 0x91, 0x61, "gnss_1.gps_ephemeris";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2038,7 +2078,8 @@ record! {
 }
 
 field! {
-    GlonassEphemeris: 0x91, 0x62, "gnss_1.glonass_ephemeris", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    GlonassEphemeris: 0x91, 0x62, "gnss_1.glonass_ephemeris";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2050,7 +2091,7 @@ record! {
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections hold here.
-    /// - Iodc changes with the clock data; the manual has it roll over at 4.
+    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63).
     #[derive(Default)]
@@ -2187,7 +2228,8 @@ record! {
 }
 
 field! {
-    GalileoEphemeris: 0x91, 0x63, "gnss_1.galileo_ephemeris", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    GalileoEphemeris: 0x91, 0x63, "gnss_1.galileo_ephemeris";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2199,7 +2241,7 @@ record! {
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections hold here.
-    /// - Iodc changes with the clock data; the manual has it roll over at 4.
+    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64).
     #[derive(Default)]
@@ -2336,7 +2378,8 @@ record! {
 }
 
 field! {
-    BeidouEphemeris: 0x91, 0x64, "gnss_1.beidou_ephemeris", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    BeidouEphemeris: 0x91, 0x64, "gnss_1.beidou_ephemeris";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2344,7 +2387,8 @@ record! {
     ///
     /// Model of the ionosphere that GPS broadcasts.
     ///
-    /// Also called `gps_iono_corr`.
+    /// Also called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
+    /// only.
     ///
     /// Source: mip-sdk-4: Gps Iono Corr (0x81,0x71).
     #[derive(Default)]
@@ -2374,7 +2418,8 @@ record! {
 }
 
 field! {
-    GpsIonoCorrection: 0x91, 0x71, "gnss_1.gps_iono_correction", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    GpsIonoCorrection: 0x91, 0x71, "gnss_1.gps_iono_correction";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2382,7 +2427,8 @@ record! {
     ///
     /// Model of the ionosphere that Galileo broadcasts.
     ///
-    /// Also called `galileo_iono_corr`.
+    /// Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// Source: mip-sdk-4: Galileo Iono Corr (0x81,0x73).
     #[derive(Default)]
@@ -2413,7 +2459,8 @@ record! {
 }
 
 field! {
-    GalileoIonoCorrection: 0x91, 0x73, "gnss_1.galileo_iono_correction", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    GalileoIonoCorrection: 0x91, 0x73, "gnss_1.galileo_iono_correction";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2421,7 +2468,8 @@ record! {
     ///
     /// Model of the ionosphere that BeiDou broadcasts.
     ///
-    /// Also called `beidou_iono_corr`.
+    /// Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// Source: mip-sdk-4: Beidou Iono Corr (0x81,0x74).
     #[derive(Default)]
@@ -2456,5 +2504,6 @@ record! {
 }
 
 field! {
-    BeidouIonoCorrection: 0x91, 0x74, "gnss_1.beidou_iono_correction", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    BeidouIonoCorrection: 0x91, 0x74, "gnss_1.beidou_iono_correction";
+    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }

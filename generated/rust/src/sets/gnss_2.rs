@@ -1,5 +1,8 @@
 //! GNSS receiver 2 data (0x92): Measurements and status of the second internal GNSS receiver.
 //!
+//! Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
+//! GNSS data sets the same fields.
+//!
 //! Source: 3dm-cv7-gnss-ins: GNSS Recv 2 (0x92).
 
 #[allow(unused_imports)] // some sets name a type in comments only, or none
@@ -79,7 +82,8 @@ pub type GpsTime = crate::gnss_1::GpsTime;
 ///
 /// Bias and drift of the receiver clock.
 ///
-/// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo).
+/// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). No device profile lists it.
+/// Known from the MicroStrain MIP SDK only.
 ///
 /// - Clock info 2 replaces it and tells more.
 ///
@@ -99,8 +103,9 @@ pub type FixInfo = crate::gnss_1::FixInfo;
 ///
 /// One satellite that is tracked.
 ///
-/// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). Uncertain: Whether a packet holds
-/// one of these fields or several.
+/// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). No device profile lists it. Known
+/// from the MicroStrain MIP SDK only. Uncertain: Whether a packet holds one of these fields or
+/// several.
 ///
 /// - The satellites come as one field each, in packets apart from other GNSS data.
 ///
@@ -121,11 +126,12 @@ pub type HardwareStatus = crate::gnss_1::HardwareStatus;
 ///
 /// State of the differential corrections.
 ///
-/// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). Uncertain: The layout is that
-/// of a manual of the 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the
-/// valid flags. Uncertain: The SDK has another one, u8, three floats and u16, which is that of
-/// dgps_channel and does not agree with its own valid flags (age, base station id, base station
-/// status, number of channels).
+/// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). No device profile lists it.
+/// Known from the MicroStrain MIP SDK only. Uncertain: The layout is that of a manual of the
+/// 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the valid flags.
+/// Uncertain: The SDK has another one, u8, three floats and u16, which is that of
+/// [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel) and does not agree with its own valid flags
+/// (age, base station id, base station status, number of channels).
 ///
 /// Source: mip-sdk-4: Gnss2 Data (0x92).
 pub type DgpsInfo = crate::gnss_1::DgpsInfo;
@@ -134,7 +140,8 @@ pub type DgpsInfo = crate::gnss_1::DgpsInfo;
 ///
 /// Differential correction for one satellite.
 ///
-/// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel).
+/// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). No device profile lists
+/// it. Known from the MicroStrain MIP SDK only.
 ///
 /// - The active satellites come as one field each, all in one packet.
 ///
@@ -176,7 +183,8 @@ pub type SbasInfo = crate::gnss_1::SbasInfo;
 ///
 /// SBAS correction for one satellite.
 ///
-/// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection).
+/// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection). No device profile
+/// lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// - An epoch is sent as one field for each satellite; index and count number the fields.
 /// - Udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
@@ -189,7 +197,8 @@ pub type SbasCorrection = crate::gnss_1::SbasCorrection;
 ///
 /// Jamming and spoofing as the receiver detects them in one band.
 ///
-/// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection).
+/// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). No device
+/// profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss2 Data (0x92).
 pub type RfErrorDetection = crate::gnss_1::RfErrorDetection;
@@ -222,7 +231,8 @@ pub type Raw = crate::gnss_1::Raw;
 ///
 /// The base station of the corrections, from an RTCM message 1005 or 1006.
 ///
-/// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo).
+/// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). No device profile
+/// lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss2 Data (0x92).
 pub type BaseStationInfo = crate::gnss_1::BaseStationInfo;
@@ -231,7 +241,8 @@ pub type BaseStationInfo = crate::gnss_1::BaseStationInfo;
 ///
 /// Which corrections come, and how old they are.
 ///
-/// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus).
+/// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). No
+/// device profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss2 Data (0x92).
 pub type RtkCorrectionsStatus = crate::gnss_1::RtkCorrectionsStatus;
@@ -243,7 +254,7 @@ pub type RtkCorrectionsStatus = crate::gnss_1::RtkCorrectionsStatus;
 /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris). Supported by
 /// 3DM-CV7-GNSS/INS.
 ///
-/// - Iodc changes with the clock data; the manual has it roll over at 4.
+/// - `iodc` changes with the clock data; the manual has it roll over at 4.
 ///
 /// Source: 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61).
 pub type GpsEphemeris = crate::gnss_1::GpsEphemeris;
@@ -270,7 +281,7 @@ pub type GlonassEphemeris = crate::gnss_1::GlonassEphemeris;
 ///
 /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
 ///   corrections hold here.
-/// - Iodc changes with the clock data; the manual has it roll over at 4.
+/// - `iodc` changes with the clock data; the manual has it roll over at 4.
 ///
 /// Source: 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63).
 pub type GalileoEphemeris = crate::gnss_1::GalileoEphemeris;
@@ -284,7 +295,7 @@ pub type GalileoEphemeris = crate::gnss_1::GalileoEphemeris;
 ///
 /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
 ///   corrections hold here.
-/// - Iodc changes with the clock data; the manual has it roll over at 4.
+/// - `iodc` changes with the clock data; the manual has it roll over at 4.
 ///
 /// Source: 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64).
 pub type BeidouEphemeris = crate::gnss_1::BeidouEphemeris;
@@ -294,7 +305,7 @@ pub type BeidouEphemeris = crate::gnss_1::BeidouEphemeris;
 /// Model of the ionosphere that GPS broadcasts.
 ///
 /// Has the layout of [`gnss_1::GpsIonoCorrection`](crate::gnss_1::GpsIonoCorrection). Also called
-/// `gps_iono_corr`.
+/// `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss2 Data (0x92).
 pub type GpsIonoCorrection = crate::gnss_1::GpsIonoCorrection;
@@ -304,7 +315,7 @@ pub type GpsIonoCorrection = crate::gnss_1::GpsIonoCorrection;
 /// Model of the ionosphere that Galileo broadcasts.
 ///
 /// Has the layout of [`gnss_1::GalileoIonoCorrection`](crate::gnss_1::GalileoIonoCorrection). Also
-/// called `galileo_iono_corr`.
+/// called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss2 Data (0x92).
 pub type GalileoIonoCorrection = crate::gnss_1::GalileoIonoCorrection;
@@ -314,7 +325,7 @@ pub type GalileoIonoCorrection = crate::gnss_1::GalileoIonoCorrection;
 /// Model of the ionosphere that BeiDou broadcasts.
 ///
 /// Has the layout of [`gnss_1::BeidouIonoCorrection`](crate::gnss_1::BeidouIonoCorrection). Also
-/// called `beidou_iono_corr`.
+/// called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss2 Data (0x92).
 pub type BeidouIonoCorrection = crate::gnss_1::BeidouIonoCorrection;

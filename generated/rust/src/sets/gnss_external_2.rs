@@ -1,5 +1,9 @@
 //! External GNSS data 2 (0x95): What a second external GNSS receiver tells the device.
 //!
+//! Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
+//! GNSS data sets the same fields. Uncertain: The name. It is that of a page on the 3DM-CV7-INS
+//! that the vendor put up for trial; the SDK calls the set GNSS 5.
+//!
 //! Source: mip-sdk-4: Gnss5 Data (0x95).
 
 #[allow(unused_imports)] // some sets name a type in comments only, or none
@@ -12,7 +16,8 @@ pub const SET: u8 = 0x95;
 ///
 /// GNSS position as latitude, longitude and height.
 ///
-/// Has the layout of [`gnss_1::LlhPosition`](crate::gnss_1::LlhPosition). Also called `pos_llh`.
+/// Has the layout of [`gnss_1::LlhPosition`](crate::gnss_1::LlhPosition). Also called `pos_llh`. No
+/// device profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type LlhPosition = crate::gnss_1::LlhPosition;
@@ -22,6 +27,7 @@ pub type LlhPosition = crate::gnss_1::LlhPosition;
 /// GNSS position in Earth-fixed coordinates.
 ///
 /// Has the layout of [`gnss_1::EcefPosition`](crate::gnss_1::EcefPosition). Also called `pos_ecef`.
+/// No device profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type EcefPosition = crate::gnss_1::EcefPosition;
@@ -30,7 +36,8 @@ pub type EcefPosition = crate::gnss_1::EcefPosition;
 ///
 /// GNSS velocity in the local level frame.
 ///
-/// Has the layout of [`gnss_1::NedVelocity`](crate::gnss_1::NedVelocity). Also called `vel_ned`.
+/// Has the layout of [`gnss_1::NedVelocity`](crate::gnss_1::NedVelocity). Also called `vel_ned`. No
+/// device profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type NedVelocity = crate::gnss_1::NedVelocity;
@@ -40,6 +47,7 @@ pub type NedVelocity = crate::gnss_1::NedVelocity;
 /// GNSS velocity in Earth-fixed coordinates.
 ///
 /// Has the layout of [`gnss_1::EcefVelocity`](crate::gnss_1::EcefVelocity). Also called `vel_ecef`.
+/// No device profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type EcefVelocity = crate::gnss_1::EcefVelocity;
@@ -48,7 +56,8 @@ pub type EcefVelocity = crate::gnss_1::EcefVelocity;
 ///
 /// Dilution of precision of the satellite geometry.
 ///
-/// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop).
+/// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). No device profile lists it. Known from
+/// the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type Dop = crate::gnss_1::Dop;
@@ -57,7 +66,8 @@ pub type Dop = crate::gnss_1::Dop;
 ///
 /// Coordinated universal time as the receiver knows it.
 ///
-/// Has the layout of [`gnss_1::UtcTime`](crate::gnss_1::UtcTime).
+/// Has the layout of [`gnss_1::UtcTime`](crate::gnss_1::UtcTime). No device profile lists it. Known
+/// from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type UtcTime = crate::gnss_1::UtcTime;
@@ -66,7 +76,8 @@ pub type UtcTime = crate::gnss_1::UtcTime;
 ///
 /// GPS time as the receiver knows it.
 ///
-/// Has the layout of [`gnss_1::GpsTime`](crate::gnss_1::GpsTime).
+/// Has the layout of [`gnss_1::GpsTime`](crate::gnss_1::GpsTime). No device profile lists it. Known
+/// from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type GpsTime = crate::gnss_1::GpsTime;
@@ -75,7 +86,8 @@ pub type GpsTime = crate::gnss_1::GpsTime;
 ///
 /// Bias and drift of the receiver clock.
 ///
-/// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo).
+/// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). No device profile lists it.
+/// Known from the MicroStrain MIP SDK only.
 ///
 /// - Clock info 2 replaces it and tells more.
 ///
@@ -86,7 +98,8 @@ pub type ClockInfo = crate::gnss_1::ClockInfo;
 ///
 /// Type of the position fix and what it is made of.
 ///
-/// Has the layout of [`gnss_1::FixInfo`](crate::gnss_1::FixInfo).
+/// Has the layout of [`gnss_1::FixInfo`](crate::gnss_1::FixInfo). No device profile lists it. Known
+/// from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type FixInfo = crate::gnss_1::FixInfo;
@@ -95,8 +108,9 @@ pub type FixInfo = crate::gnss_1::FixInfo;
 ///
 /// One satellite that is tracked.
 ///
-/// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). Uncertain: Whether a packet holds
-/// one of these fields or several.
+/// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). No device profile lists it. Known
+/// from the MicroStrain MIP SDK only. Uncertain: Whether a packet holds one of these fields or
+/// several.
 ///
 /// - The satellites come as one field each, in packets apart from other GNSS data.
 ///
@@ -108,7 +122,7 @@ pub type SvInfo = crate::gnss_1::SvInfo;
 /// State of the receiver and of its antenna.
 ///
 /// Has the layout of [`gnss_1::HardwareStatus`](crate::gnss_1::HardwareStatus). Also called
-/// `hw_status`.
+/// `hw_status`. No device profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type HardwareStatus = crate::gnss_1::HardwareStatus;
@@ -117,11 +131,12 @@ pub type HardwareStatus = crate::gnss_1::HardwareStatus;
 ///
 /// State of the differential corrections.
 ///
-/// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). Uncertain: The layout is that
-/// of a manual of the 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the
-/// valid flags. Uncertain: The SDK has another one, u8, three floats and u16, which is that of
-/// dgps_channel and does not agree with its own valid flags (age, base station id, base station
-/// status, number of channels).
+/// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). No device profile lists it.
+/// Known from the MicroStrain MIP SDK only. Uncertain: The layout is that of a manual of the
+/// 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the valid flags.
+/// Uncertain: The SDK has another one, u8, three floats and u16, which is that of
+/// [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel) and does not agree with its own valid flags
+/// (age, base station id, base station status, number of channels).
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type DgpsInfo = crate::gnss_1::DgpsInfo;
@@ -130,7 +145,8 @@ pub type DgpsInfo = crate::gnss_1::DgpsInfo;
 ///
 /// Differential correction for one satellite.
 ///
-/// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel).
+/// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). No device profile lists
+/// it. Known from the MicroStrain MIP SDK only.
 ///
 /// - The active satellites come as one field each, all in one packet.
 ///
@@ -141,7 +157,8 @@ pub type DgpsChannel = crate::gnss_1::DgpsChannel;
 ///
 /// Bias and drift of the receiver clock.
 ///
-/// Has the layout of [`gnss_1::ClockInfo2`](crate::gnss_1::ClockInfo2).
+/// Has the layout of [`gnss_1::ClockInfo2`](crate::gnss_1::ClockInfo2). No device profile lists it.
+/// Known from the MicroStrain MIP SDK only.
 ///
 /// - It supersedes clock info.
 ///
@@ -152,7 +169,8 @@ pub type ClockInfo2 = crate::gnss_1::ClockInfo2;
 ///
 /// Difference between GPS time and UTC.
 ///
-/// Has the layout of [`gnss_1::GpsLeapSeconds`](crate::gnss_1::GpsLeapSeconds).
+/// Has the layout of [`gnss_1::GpsLeapSeconds`](crate::gnss_1::GpsLeapSeconds). No device profile
+/// lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type GpsLeapSeconds = crate::gnss_1::GpsLeapSeconds;
@@ -161,7 +179,8 @@ pub type GpsLeapSeconds = crate::gnss_1::GpsLeapSeconds;
 ///
 /// Status of the satellite based augmentation.
 ///
-/// Has the layout of [`gnss_1::SbasInfo`](crate::gnss_1::SbasInfo).
+/// Has the layout of [`gnss_1::SbasInfo`](crate::gnss_1::SbasInfo). No device profile lists it.
+/// Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type SbasInfo = crate::gnss_1::SbasInfo;
@@ -170,7 +189,8 @@ pub type SbasInfo = crate::gnss_1::SbasInfo;
 ///
 /// SBAS correction for one satellite.
 ///
-/// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection).
+/// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection). No device profile
+/// lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// - An epoch is sent as one field for each satellite; index and count number the fields.
 /// - Udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
@@ -183,7 +203,8 @@ pub type SbasCorrection = crate::gnss_1::SbasCorrection;
 ///
 /// Jamming and spoofing as the receiver detects them in one band.
 ///
-/// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection).
+/// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). No device
+/// profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type RfErrorDetection = crate::gnss_1::RfErrorDetection;
@@ -192,7 +213,8 @@ pub type RfErrorDetection = crate::gnss_1::RfErrorDetection;
 ///
 /// Where one satellite stands, and its health.
 ///
-/// Has the layout of [`gnss_1::SatelliteStatus`](crate::gnss_1::SatelliteStatus).
+/// Has the layout of [`gnss_1::SatelliteStatus`](crate::gnss_1::SatelliteStatus). No device profile
+/// lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// - An epoch is sent as one field for each satellite; index and count number the fields.
 ///
@@ -203,7 +225,8 @@ pub type SatelliteStatus = crate::gnss_1::SatelliteStatus;
 ///
 /// Raw observation of one signal of one satellite.
 ///
-/// Has the layout of [`gnss_1::Raw`](crate::gnss_1::Raw).
+/// Has the layout of [`gnss_1::Raw`](crate::gnss_1::Raw). No device profile lists it. Known from
+/// the MicroStrain MIP SDK only.
 ///
 /// - An epoch is sent as one field for each signal; index and count number the fields.
 /// - The greatest lock time depends on the receiver.
@@ -215,7 +238,8 @@ pub type Raw = crate::gnss_1::Raw;
 ///
 /// The base station of the corrections, from an RTCM message 1005 or 1006.
 ///
-/// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo).
+/// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). No device profile
+/// lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type BaseStationInfo = crate::gnss_1::BaseStationInfo;
@@ -224,7 +248,8 @@ pub type BaseStationInfo = crate::gnss_1::BaseStationInfo;
 ///
 /// Which corrections come, and how old they are.
 ///
-/// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus).
+/// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). No
+/// device profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type RtkCorrectionsStatus = crate::gnss_1::RtkCorrectionsStatus;
@@ -233,9 +258,10 @@ pub type RtkCorrectionsStatus = crate::gnss_1::RtkCorrectionsStatus;
 ///
 /// Broadcast orbit and clock of one GPS satellite.
 ///
-/// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris).
+/// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris). No device profile lists
+/// it. Known from the MicroStrain MIP SDK only.
 ///
-/// - Iodc changes with the clock data; the manual has it roll over at 4.
+/// - `iodc` changes with the clock data; the manual has it roll over at 4.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type GpsEphemeris = crate::gnss_1::GpsEphemeris;
@@ -245,7 +271,7 @@ pub type GpsEphemeris = crate::gnss_1::GpsEphemeris;
 /// Broadcast orbit and clock of one GLONASS satellite.
 ///
 /// Has the layout of [`gnss_1::GlonassEphemeris`](crate::gnss_1::GlonassEphemeris). Also called
-/// `glo_ephemeris`.
+/// `glo_ephemeris`. No device profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// - The interface control document of GLONASS explains p and ft.
 /// - A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
@@ -257,11 +283,12 @@ pub type GlonassEphemeris = crate::gnss_1::GlonassEphemeris;
 ///
 /// Broadcast orbit and clock of one Galileo satellite.
 ///
-/// Has the layout of [`gnss_1::GalileoEphemeris`](crate::gnss_1::GalileoEphemeris).
+/// Has the layout of [`gnss_1::GalileoEphemeris`](crate::gnss_1::GalileoEphemeris). No device
+/// profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
 ///   corrections hold here.
-/// - Iodc changes with the clock data; the manual has it roll over at 4.
+/// - `iodc` changes with the clock data; the manual has it roll over at 4.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type GalileoEphemeris = crate::gnss_1::GalileoEphemeris;
@@ -270,11 +297,12 @@ pub type GalileoEphemeris = crate::gnss_1::GalileoEphemeris;
 ///
 /// Broadcast orbit and clock of one BeiDou satellite.
 ///
-/// Has the layout of [`gnss_1::BeidouEphemeris`](crate::gnss_1::BeidouEphemeris).
+/// Has the layout of [`gnss_1::BeidouEphemeris`](crate::gnss_1::BeidouEphemeris). No device profile
+/// lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
 ///   corrections hold here.
-/// - Iodc changes with the clock data; the manual has it roll over at 4.
+/// - `iodc` changes with the clock data; the manual has it roll over at 4.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type BeidouEphemeris = crate::gnss_1::BeidouEphemeris;
@@ -284,7 +312,7 @@ pub type BeidouEphemeris = crate::gnss_1::BeidouEphemeris;
 /// Model of the ionosphere that GPS broadcasts.
 ///
 /// Has the layout of [`gnss_1::GpsIonoCorrection`](crate::gnss_1::GpsIonoCorrection). Also called
-/// `gps_iono_corr`.
+/// `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type GpsIonoCorrection = crate::gnss_1::GpsIonoCorrection;
@@ -294,7 +322,7 @@ pub type GpsIonoCorrection = crate::gnss_1::GpsIonoCorrection;
 /// Model of the ionosphere that Galileo broadcasts.
 ///
 /// Has the layout of [`gnss_1::GalileoIonoCorrection`](crate::gnss_1::GalileoIonoCorrection). Also
-/// called `galileo_iono_corr`.
+/// called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type GalileoIonoCorrection = crate::gnss_1::GalileoIonoCorrection;
@@ -304,7 +332,7 @@ pub type GalileoIonoCorrection = crate::gnss_1::GalileoIonoCorrection;
 /// Model of the ionosphere that BeiDou broadcasts.
 ///
 /// Has the layout of [`gnss_1::BeidouIonoCorrection`](crate::gnss_1::BeidouIonoCorrection). Also
-/// called `beidou_iono_corr`.
+/// called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss5 Data (0x95).
 pub type BeidouIonoCorrection = crate::gnss_1::BeidouIonoCorrection;

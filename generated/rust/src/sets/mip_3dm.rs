@@ -45,8 +45,8 @@ open_enum! {
 }
 
 open_enum! {
-    /// Constellation in the settings of a receiver. The values are not those of gnss_constellation,
-    /// which GNSS data use.
+    /// Constellation in the settings of a receiver. The values are not those of
+    /// [`types::GnssConstellation`], which GNSS data use.
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21).
     ConstellationId: u8 {
@@ -179,7 +179,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Info.
     #[derive(Default)]
     pub struct EventSupportInfo {
-        /// A value of event_trigger_type if triggers were asked about, else of event_action_type.
+        /// Type of triggers, or of actions.
         pub type_: u8,
         /// Instances of this type at most.
         ///
@@ -256,19 +256,19 @@ open_enum! {
 }
 
 open_enum! {
-    /// A sensor whose range can be set, which also decides the unit of the range.
+    /// A sensor whose range can be set.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
     SensorRangeType: u8 {
         /// All sensors; for save, load and default only.
         ALL = 0, "all";
-        /// Accelerometer; standard gravities.
+        /// Accelerometer.
         ACCEL = 1, "accel";
-        /// Gyroscope; degrees per second.
+        /// Gyroscope.
         GYRO = 2, "gyro";
-        /// Magnetometer; gauss.
+        /// Magnetometer.
         MAG = 3, "mag";
-        /// Pressure sensor; hectopascals, that is millibars.
+        /// Pressure sensor.
         PRESSURE = 4, "pressure";
     }
 }
@@ -281,7 +281,7 @@ record! {
     pub struct SensorRangeEntry {
         /// Value for the sensor range command.
         pub setting: u8,
-        /// Largest measurable value; sensor_range_type gives the unit.
+        /// Largest measurable value.
         pub range: f32,
     }
 }
@@ -359,7 +359,7 @@ constructors! {
 }
 
 field! {
-    PollImuData: 0x0C, 0x01, "3dm.poll_imu_data"
+    PollImuData: 0x0C, 0x01, "3dm.poll_imu_data";
 }
 
 command! {
@@ -372,13 +372,14 @@ record! {
     ///
     /// Asks for one GNSS data packet with the fields listed, in their order.
     ///
-    /// Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true.
+    /// Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. No device
+    /// profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
     /// `descriptors`. Range: 0 to 83.
     ///
-    /// - An empty list polls the stored GNSS message format [(0x0C,0x09)](GnssMessageFormat);
-    ///   without one the device refuses.
+    /// - An empty list polls what [`GnssMessageFormat`] has stored; without that the device
+    ///   refuses.
     /// - Descriptors that the device does not know are left out.
     /// - The data comes in a packet of its own behind the reply.
     ///
@@ -408,7 +409,7 @@ constructors! {
 }
 
 field! {
-    PollGnssData: 0x0C, 0x02, "3dm.poll_gnss_data"
+    PollGnssData: 0x0C, 0x02, "3dm.poll_gnss_data";
 }
 
 command! {
@@ -454,7 +455,7 @@ constructors! {
 }
 
 field! {
-    PollFilterData: 0x0C, 0x03, "3dm.poll_filter_data"
+    PollFilterData: 0x0C, 0x03, "3dm.poll_filter_data";
 }
 
 command! {
@@ -501,7 +502,7 @@ constructors! {
 }
 
 field! {
-    PollNmeaData: 0x0C, 0x04, "3dm.poll_nmea_data"
+    PollNmeaData: 0x0C, 0x04, "3dm.poll_nmea_data";
 }
 
 command! {
@@ -530,7 +531,7 @@ constructors! {
 }
 
 field! {
-    GetImuBaseRate: 0x0C, 0x06, "3dm.get_imu_base_rate"
+    GetImuBaseRate: 0x0C, 0x06, "3dm.get_imu_base_rate";
 }
 
 command! {
@@ -543,7 +544,8 @@ record! {
     ///
     /// Asks for the rate that the decimations of the GNSS message format divide.
     ///
-    /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`].
+    /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`]. No device profile
+    /// lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Default)]
@@ -558,7 +560,7 @@ constructors! {
 }
 
 field! {
-    GetGnssBaseRate: 0x0C, 0x07, "3dm.get_gnss_base_rate"
+    GetGnssBaseRate: 0x0C, 0x07, "3dm.get_gnss_base_rate";
 }
 
 command! {
@@ -594,7 +596,6 @@ record! {
     wire 251 {
         [function selects]
         [(descriptors) for WRITE {
-
             [num_descriptors: u8 counts descriptors]
             [descriptors by num_descriptors]
         }]
@@ -602,7 +603,7 @@ record! {
 }
 
 constructors! {
-    ImuMessageFormat { function, descriptors }
+    ImuMessageFormat
 
     /// Apply the new setting.
     fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
@@ -621,7 +622,7 @@ constructors! {
 }
 
 field! {
-    ImuMessageFormat: 0x0C, 0x08, "3dm.imu_message_format"
+    ImuMessageFormat: 0x0C, 0x08, "3dm.imu_message_format";
 }
 
 command! {
@@ -635,6 +636,7 @@ record! {
     /// Fields of the GNSS data packets, in order, with their decimations.
     ///
     /// Functions: write, read, save, load and default. Answered by [`GnssMessageFormatResponse`].
+    /// No device profile lists it.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
     /// `descriptors`. Range: 0 to 82. Required for write.
@@ -655,7 +657,6 @@ record! {
     wire 251 {
         [function selects]
         [(descriptors) for WRITE {
-
             [num_descriptors: u8 counts descriptors]
             [descriptors by num_descriptors]
         }]
@@ -663,7 +664,7 @@ record! {
 }
 
 constructors! {
-    GnssMessageFormat { function, descriptors }
+    GnssMessageFormat
 
     /// Apply the new setting.
     fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
@@ -682,7 +683,7 @@ constructors! {
 }
 
 field! {
-    GnssMessageFormat: 0x0C, 0x09, "3dm.gnss_message_format"
+    GnssMessageFormat: 0x0C, 0x09, "3dm.gnss_message_format";
 }
 
 command! {
@@ -718,7 +719,6 @@ record! {
     wire 251 {
         [function selects]
         [(descriptors) for WRITE {
-
             [num_descriptors: u8 counts descriptors]
             [descriptors by num_descriptors]
         }]
@@ -726,7 +726,7 @@ record! {
 }
 
 constructors! {
-    FilterMessageFormat { function, descriptors }
+    FilterMessageFormat
 
     /// Apply the new setting.
     fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
@@ -745,7 +745,7 @@ constructors! {
 }
 
 field! {
-    FilterMessageFormat: 0x0C, 0x0A, "3dm.filter_message_format"
+    FilterMessageFormat: 0x0C, 0x0A, "3dm.filter_message_format";
 }
 
 command! {
@@ -774,7 +774,7 @@ constructors! {
 }
 
 field! {
-    GetFilterBaseRate: 0x0C, 0x0B, "3dm.get_filter_base_rate"
+    GetFilterBaseRate: 0x0C, 0x0B, "3dm.get_filter_base_rate";
 }
 
 command! {
@@ -808,7 +808,6 @@ record! {
     wire 252 {
         [function selects]
         [(format_entries) for WRITE {
-
             [count: u8 counts format_entries]
             [format_entries by count]
         }]
@@ -816,7 +815,7 @@ record! {
 }
 
 constructors! {
-    NmeaMessageFormat { function, format_entries }
+    NmeaMessageFormat
 
     /// Apply the new setting.
     fn write(format_entries: impl Into<crate::List<types::NmeaMessage, 50>>) = WRITE;
@@ -835,7 +834,7 @@ constructors! {
 }
 
 field! {
-    NmeaMessageFormat: 0x0C, 0x0C, "3dm.nmea_message_format"
+    NmeaMessageFormat: 0x0C, 0x0C, "3dm.nmea_message_format";
 }
 
 command! {
@@ -890,7 +889,7 @@ constructors! {
 }
 
 field! {
-    PollData: 0x0C, 0x0D, "3dm.poll_data"
+    PollData: 0x0C, 0x0D, "3dm.poll_data";
 }
 
 command! {
@@ -923,7 +922,7 @@ constructors! {
 }
 
 field! {
-    GetBaseRate: 0x0C, 0x0E, "3dm.get_base_rate"
+    GetBaseRate: 0x0C, 0x0E, "3dm.get_base_rate";
 }
 
 command! {
@@ -962,7 +961,6 @@ record! {
         [function selects]
         [descriptor_set for WRITE READ SAVE LOAD DEFAULT]
         [(descriptors) for WRITE {
-
             [num_descriptors: u8 counts descriptors]
             [descriptors by num_descriptors]
         }]
@@ -970,7 +968,7 @@ record! {
 }
 
 constructors! {
-    MessageFormat { function, descriptor_set, descriptors }
+    MessageFormat
 
     /// Apply the new setting.
     fn write(descriptor_set: u8, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
@@ -989,7 +987,7 @@ constructors! {
 }
 
 field! {
-    MessageFormat: 0x0C, 0x0F, "3dm.message_format"
+    MessageFormat: 0x0C, 0x0F, "3dm.message_format";
 }
 
 command! {
@@ -1022,7 +1020,7 @@ constructors! {
 }
 
 field! {
-    FactoryStreaming: 0x0C, 0x10, "3dm.factory_streaming"
+    FactoryStreaming: 0x0C, 0x10, "3dm.factory_streaming";
 }
 
 command! {
@@ -1037,8 +1035,8 @@ record! {
     /// Also called `datastream_control`. Functions: write, read, save, load and default. Answered
     /// by [`DataStreamControlResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - 5-series devices name the stream by a number of their own (legacy_data_stream), others by
-    ///   its descriptor set.
+    /// - 5-series devices name the stream by a number of their own ([`LegacyDataStream`]), others
+    ///   by its descriptor set.
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
@@ -1062,7 +1060,7 @@ record! {
 }
 
 constructors! {
-    DataStreamControl { function, descriptor_set, enable }
+    DataStreamControl
 
     /// Apply the new setting.
     fn write(descriptor_set: u8, enable: bool) = WRITE;
@@ -1092,7 +1090,7 @@ impl DataStreamControl {
 }
 
 field! {
-    DataStreamControl: 0x0C, 0x11, "3dm.data_stream_control"
+    DataStreamControl: 0x0C, 0x11, "3dm.data_stream_control";
 }
 
 command! {
@@ -1106,8 +1104,9 @@ record! {
     /// Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`ConstellationSettingsResponse`]. Uncertain: The factory default, as the SDK gives it,
-    /// names GPS and GLONASS alone as enabled but has channels for SBAS and QZSS too.
+    /// [`ConstellationSettingsResponse`]. No device profile lists it. Uncertain: The factory
+    /// default, as the SDK gives it, names GPS and GLONASS alone as enabled but has channels for
+    /// SBAS and QZSS too.
     ///
     /// On the wire there is also `config_count`: Number of entries. The number of elements of
     /// `settings`. Range: 0 to 41. Required for write.
@@ -1139,7 +1138,6 @@ record! {
         [function selects]
         [max_channels for WRITE]
         [(settings) for WRITE {
-
             [config_count: u8 counts settings]
             [settings by config_count]
         }]
@@ -1147,7 +1145,7 @@ record! {
 }
 
 constructors! {
-    ConstellationSettings { function, max_channels, settings }
+    ConstellationSettings
 
     /// Apply the new setting.
     fn write(max_channels: u16, settings: impl Into<crate::List<ConstellationSettingsEntry, 41>>) = WRITE;
@@ -1166,7 +1164,7 @@ constructors! {
 }
 
 field! {
-    ConstellationSettings: 0x0C, 0x21, "3dm.constellation_settings"
+    ConstellationSettings: 0x0C, 0x21, "3dm.constellation_settings";
 }
 
 command! {
@@ -1207,7 +1205,6 @@ record! {
         [enable_sbas for WRITE]
         [sbas_options for WRITE]
         [(included_prns) for WRITE {
-
             [num_included_prns: u8 counts included_prns]
             [included_prns by num_included_prns]
         }]
@@ -1215,7 +1212,7 @@ record! {
 }
 
 constructors! {
-    GnssSbasSettings { function, enable_sbas, sbas_options, included_prns }
+    GnssSbasSettings
 
     /// Apply the new setting.
     fn write(
@@ -1238,7 +1235,7 @@ constructors! {
 }
 
 field! {
-    GnssSbasSettings: 0x0C, 0x22, "3dm.gnss_sbas_settings"
+    GnssSbasSettings: 0x0C, 0x22, "3dm.gnss_sbas_settings";
 }
 
 command! {
@@ -1251,11 +1248,12 @@ record! {
     ///
     /// Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`GnssAssistedFixResponse`].
+    /// Functions: write, read, save, load and default. Answered by [`GnssAssistedFixResponse`]. No
+    /// device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - The last fix is kept in the flash memory and the FRAM of the receiver.
-    /// - With the time of GNSS time assistance [(0x0C,0x24)](GnssTimeAssistance) right after
-    ///   power-up, the first fix takes 1 s at best.
+    /// - With the time of [`GnssTimeAssistance`] right after power-up, the first fix takes 1 s at
+    ///   best.
     /// - A change from enabled to none erases the flash memory of the receiver, which stands 100
     ///   000 erasures.
     /// - It takes slightly more power.
@@ -1279,7 +1277,7 @@ record! {
 }
 
 constructors! {
-    GnssAssistedFix { function, option, flags }
+    GnssAssistedFix
 
     /// Apply the new setting.
     fn write(option: AssistedFixOption) = WRITE, flags: 255;
@@ -1298,7 +1296,7 @@ constructors! {
 }
 
 field! {
-    GnssAssistedFix: 0x0C, 0x23, "3dm.gnss_assisted_fix"
+    GnssAssistedFix: 0x0C, 0x23, "3dm.gnss_assisted_fix";
 }
 
 command! {
@@ -1311,10 +1309,10 @@ record! {
     ///
     /// Tells the GNSS receiver the present GPS time.
     ///
-    /// Functions: write and read. Answered by [`GnssTimeAssistanceResponse`].
+    /// Functions: write and read. Answered by [`GnssTimeAssistanceResponse`]. No device profile
+    /// lists it. Known from the MicroStrain MIP SDK only.
     ///
-    /// - It is needed right after power-up if the assisted fix [(0x0C,0x23)](GnssAssistedFix) was
-    ///   on at power-off.
+    /// - It is needed right after power-up if [`GnssAssistedFix`] was on at power-off.
     ///
     /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
     pub struct GnssTimeAssistance {
@@ -1342,7 +1340,7 @@ record! {
 }
 
 constructors! {
-    GnssTimeAssistance { function, tow, week_number, accuracy }
+    GnssTimeAssistance
 
     /// Apply the new setting.
     fn write(
@@ -1356,7 +1354,7 @@ constructors! {
 }
 
 field! {
-    GnssTimeAssistance: 0x0C, 0x24, "3dm.gnss_time_assistance"
+    GnssTimeAssistance: 0x0C, 0x24, "3dm.gnss_time_assistance";
 }
 
 command! {
@@ -1391,7 +1389,7 @@ record! {
 }
 
 constructors! {
-    PpsSourceControl { function, source }
+    PpsSourceControl
 
     /// Apply the new setting.
     fn write(source: PpsSource) = WRITE;
@@ -1410,7 +1408,7 @@ constructors! {
 }
 
 field! {
-    PpsSourceControl: 0x0C, 0x28, "3dm.pps_source_control"
+    PpsSourceControl: 0x0C, 0x28, "3dm.pps_source_control";
 }
 
 command! {
@@ -1441,7 +1439,7 @@ constructors! {
 }
 
 field! {
-    GetEventSupport: 0x0C, 0x2A, "3dm.get_event_support"
+    GetEventSupport: 0x0C, 0x2A, "3dm.get_event_support";
 }
 
 command! {
@@ -1479,7 +1477,7 @@ record! {
 }
 
 constructors! {
-    EventControl { function, instance, mode }
+    EventControl
 
     /// Apply the new setting.
     fn write(instance: u8, mode: types::EventTriggerMode) = WRITE;
@@ -1498,7 +1496,7 @@ constructors! {
 }
 
 field! {
-    EventControl: 0x0C, 0x2B, "3dm.event_control"
+    EventControl: 0x0C, 0x2B, "3dm.event_control";
 }
 
 command! {
@@ -1536,7 +1534,7 @@ constructors! {
 }
 
 field! {
-    GetEventTriggerStatus: 0x0C, 0x2C, "3dm.get_event_trigger_status"
+    GetEventTriggerStatus: 0x0C, 0x2C, "3dm.get_event_trigger_status";
 }
 
 command! {
@@ -1574,7 +1572,7 @@ constructors! {
 }
 
 field! {
-    GetEventActionStatus: 0x0C, 0x2D, "3dm.get_event_action_status"
+    GetEventActionStatus: 0x0C, 0x2D, "3dm.get_event_action_status";
 }
 
 command! {
@@ -1640,7 +1638,7 @@ union! {
 }
 
 constructors! {
-    EventTriggerConfig { function, instance, type_, parameters }
+    EventTriggerConfig
 
     /// Apply the new setting.
     fn write(instance: u8, parameters: EventTriggerConfigParameters) = WRITE, type_: parameters.tag();
@@ -1659,7 +1657,7 @@ constructors! {
 }
 
 field! {
-    EventTriggerConfig: 0x0C, 0x2E, "3dm.event_trigger_config"
+    EventTriggerConfig: 0x0C, 0x2E, "3dm.event_trigger_config";
 }
 
 command! {
@@ -1727,7 +1725,7 @@ union! {
 }
 
 constructors! {
-    EventActionConfig { function, instance, trigger, type_, parameters }
+    EventActionConfig
 
     /// Apply the new setting.
     fn write(
@@ -1750,7 +1748,7 @@ constructors! {
 }
 
 field! {
-    EventActionConfig: 0x0C, 0x2F, "3dm.event_action_config"
+    EventActionConfig: 0x0C, 0x2F, "3dm.event_action_config";
 }
 
 command! {
@@ -1774,10 +1772,13 @@ record! {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
     }
+    wire 1 {
+        [function selects]
+    }
 }
 
 constructors! {
-    DeviceSettings { function }
+    DeviceSettings
 
     /// Save the current setting to non-volatile memory.
     fn save() = SAVE;
@@ -1790,7 +1791,7 @@ constructors! {
 }
 
 field! {
-    DeviceSettings: 0x0C, 0x30, "3dm.device_settings"
+    DeviceSettings: 0x0C, 0x30, "3dm.device_settings";
 }
 
 command! {
@@ -1811,8 +1812,7 @@ record! {
     ///   back may be another form of it.
     /// - The mounting is reached from the vehicle frame by turning about the sensor's own z, y and
     ///   x axes by yaw, pitch and roll.
-    /// - A vector in the vehicle frame is Rz(yaw) Ry(pitch) Rx(roll) times the vector in the sensor
-    ///   frame.
+    /// - `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor`
     /// - It applies to the sensor data, the complementary filter and the attitude, acceleration,
     ///   rate and gravity of the filter.
     /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
@@ -1844,7 +1844,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleTransformEuler { function, roll, pitch, yaw }
+    SensorToVehicleTransformEuler
 
     /// Apply the new setting.
     fn write(
@@ -1867,7 +1867,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleTransformEuler: 0x0C, 0x31, "3dm.sensor_to_vehicle_transform_euler"
+    SensorToVehicleTransformEuler: 0x0C, 0x31, "3dm.sensor_to_vehicle_transform_euler";
 }
 
 command! {
@@ -1886,6 +1886,10 @@ record! {
     ///
     /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
     ///   back may be another form of it.
+    /// - `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part
+    ///   0. This is the inverse of the quaternion that
+    ///   [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion)
+    ///   takes.
     /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
@@ -1904,7 +1908,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleTransformQuaternion { function, q }
+    SensorToVehicleTransformQuaternion
 
     /// Apply the new setting.
     fn write(q: impl Into<types::Quatf>) = WRITE;
@@ -1923,7 +1927,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleTransformQuaternion: 0x0C, 0x32, "3dm.sensor_to_vehicle_transform_quaternion"
+    SensorToVehicleTransformQuaternion: 0x0C, 0x32, "3dm.sensor_to_vehicle_transform_quaternion";
 }
 
 command! {
@@ -1941,7 +1945,8 @@ record! {
     ///
     /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
     ///   back may be another form of it.
-    /// - A vector in the vehicle frame is this matrix times the vector in the sensor frame.
+    /// - `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
+    ///   [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) takes.
     /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
@@ -1961,7 +1966,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleTransformDcm { function, dcm }
+    SensorToVehicleTransformDcm
 
     /// Apply the new setting.
     fn write(dcm: impl Into<types::Matrix3f>) = WRITE;
@@ -1980,7 +1985,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleTransformDcm: 0x0C, 0x33, "3dm.sensor_to_vehicle_transform_dcm"
+    SensorToVehicleTransformDcm: 0x0C, 0x33, "3dm.sensor_to_vehicle_transform_dcm";
 }
 
 command! {
@@ -2014,7 +2019,7 @@ record! {
 }
 
 constructors! {
-    AccelBias { function, bias }
+    AccelBias
 
     /// Apply the new setting.
     fn write(bias: impl Into<types::Vector3f>) = WRITE;
@@ -2036,7 +2041,7 @@ constructors! {
 }
 
 field! {
-    AccelBias: 0x0C, 0x37, "3dm.accel_bias"
+    AccelBias: 0x0C, 0x37, "3dm.accel_bias";
 }
 
 command! {
@@ -2071,7 +2076,7 @@ record! {
 }
 
 constructors! {
-    GyroBias { function, bias }
+    GyroBias
 
     /// Apply the new setting.
     fn write(bias: impl Into<types::Vector3f>) = WRITE;
@@ -2093,7 +2098,7 @@ constructors! {
 }
 
 field! {
-    GyroBias: 0x0C, 0x38, "3dm.gyro_bias"
+    GyroBias: 0x0C, 0x38, "3dm.gyro_bias";
 }
 
 command! {
@@ -2134,7 +2139,7 @@ constructors! {
 }
 
 field! {
-    CaptureGyroBias: 0x0C, 0x39, "3dm.capture_gyro_bias"
+    CaptureGyroBias: 0x0C, 0x39, "3dm.capture_gyro_bias";
 }
 
 command! {
@@ -2169,7 +2174,7 @@ record! {
 }
 
 constructors! {
-    MagHardIronOffset { function, offset }
+    MagHardIronOffset
 
     /// Apply the new setting.
     fn write(offset: impl Into<types::Vector3f>) = WRITE;
@@ -2188,7 +2193,7 @@ constructors! {
 }
 
 field! {
-    MagHardIronOffset: 0x0C, 0x3A, "3dm.mag_hard_iron_offset"
+    MagHardIronOffset: 0x0C, 0x3A, "3dm.mag_hard_iron_offset";
 }
 
 command! {
@@ -2223,7 +2228,7 @@ record! {
 }
 
 constructors! {
-    MagSoftIronMatrix { function, matrix }
+    MagSoftIronMatrix
 
     /// Apply the new setting.
     fn write(matrix: impl Into<types::Matrix3f>) = WRITE;
@@ -2242,7 +2247,7 @@ constructors! {
 }
 
 field! {
-    MagSoftIronMatrix: 0x0C, 0x3B, "3dm.mag_soft_iron_matrix"
+    MagSoftIronMatrix: 0x0C, 0x3B, "3dm.mag_soft_iron_matrix";
 }
 
 command! {
@@ -2274,7 +2279,7 @@ record! {
 }
 
 constructors! {
-    ConingScullingEnable { function, enable }
+    ConingScullingEnable
 
     /// Apply the new setting.
     fn write(enable: bool) = WRITE;
@@ -2293,7 +2298,7 @@ constructors! {
 }
 
 field! {
-    ConingScullingEnable: 0x0C, 0x3E, "3dm.coning_sculling_enable"
+    ConingScullingEnable: 0x0C, 0x3E, "3dm.coning_sculling_enable";
 }
 
 command! {
@@ -2332,7 +2337,7 @@ record! {
 }
 
 constructors! {
-    UartBaudRate { function, baud }
+    UartBaudRate
 
     /// Apply the new setting.
     fn write(baud: u32) = WRITE;
@@ -2351,7 +2356,7 @@ constructors! {
 }
 
 field! {
-    UartBaudRate: 0x0C, 0x40, "3dm.uart_baud_rate"
+    UartBaudRate: 0x0C, 0x40, "3dm.uart_baud_rate";
 }
 
 command! {
@@ -2410,7 +2415,7 @@ record! {
 }
 
 constructors! {
-    GpioConfig { function, pin, feature, behavior, pin_mode }
+    GpioConfig
 
     /// Apply the new setting.
     fn write(
@@ -2492,7 +2497,7 @@ impl GpioConfig {
 }
 
 field! {
-    GpioConfig: 0x0C, 0x41, "3dm.gpio_config"
+    GpioConfig: 0x0C, 0x41, "3dm.gpio_config";
 }
 
 command! {
@@ -2509,7 +2514,8 @@ record! {
     ///
     /// - What is read is the level of the pin itself.
     /// - Writing shows only on a pin that is configured as an output.
-    /// - An event action of mode active_high or active_low on the pin overrides what is written.
+    /// - An event action of mode `active_high` or `active_low` on the pin overrides what is
+    ///   written.
     /// - Reading is sure to work only with the gpio feature.
     /// - The state at power-up is a matter of the GPIO configuration command.
     ///
@@ -2534,7 +2540,7 @@ record! {
 }
 
 constructors! {
-    GpioState { function, pin, state }
+    GpioState
 
     /// Apply the new setting.
     fn write(pin: u8, state: bool) = WRITE;
@@ -2544,7 +2550,7 @@ constructors! {
 }
 
 field! {
-    GpioState: 0x0C, 0x42, "3dm.gpio_state"
+    GpioState: 0x0C, 0x42, "3dm.gpio_state";
 }
 
 command! {
@@ -2588,7 +2594,7 @@ record! {
 }
 
 constructors! {
-    OdometerConfig { function, mode, scaling, uncertainty }
+    OdometerConfig
 
     /// Apply the new setting.
     fn write(
@@ -2611,7 +2617,7 @@ constructors! {
 }
 
 field! {
-    OdometerConfig: 0x0C, 0x43, "3dm.odometer_config"
+    OdometerConfig: 0x0C, 0x43, "3dm.odometer_config";
 }
 
 command! {
@@ -2633,7 +2639,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
-    #[deprecated(note = "use 3dm.low_pass_filter where the device has it")]
+    #[deprecated(note = "use `3dm.low_pass_filter` where the device has it")]
     pub struct ImuLowPassFilter {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2670,7 +2676,7 @@ record! {
 }
 
 constructors! {
-    ImuLowPassFilter { function, target_descriptor, enable, manual, frequency, reserved }
+    ImuLowPassFilter
 
     /// Apply the new setting.
     fn write(
@@ -2694,7 +2700,7 @@ constructors! {
 }
 
 field! {
-    ImuLowPassFilter: 0x0C, 0x50, "3dm.imu_low_pass_filter"
+    ImuLowPassFilter: 0x0C, 0x50, "3dm.imu_low_pass_filter";
 }
 
 command! {
@@ -2749,7 +2755,7 @@ record! {
 }
 
 constructors! {
-    ComplementaryFilter { function, pitch_roll_enable, heading_enable, pitch_roll_time_constant, heading_time_constant }
+    ComplementaryFilter
 
     /// Apply the new setting.
     fn write(
@@ -2773,7 +2779,7 @@ constructors! {
 }
 
 field! {
-    ComplementaryFilter: 0x0C, 0x51, "3dm.complementary_filter"
+    ComplementaryFilter: 0x0C, 0x51, "3dm.complementary_filter";
 }
 
 command! {
@@ -2811,7 +2817,7 @@ record! {
 }
 
 constructors! {
-    SensorRange { function, sensor, setting }
+    SensorRange
 
     /// Apply the new setting.
     fn write(sensor: SensorRangeType, setting: u8) = WRITE;
@@ -2830,7 +2836,7 @@ constructors! {
 }
 
 field! {
-    SensorRange: 0x0C, 0x52, "3dm.sensor_range"
+    SensorRange: 0x0C, 0x52, "3dm.sensor_range";
 }
 
 command! {
@@ -2862,7 +2868,7 @@ constructors! {
 }
 
 field! {
-    GetCalibratedSensorRanges: 0x0C, 0x53, "3dm.get_calibrated_sensor_ranges"
+    GetCalibratedSensorRanges: 0x0C, 0x53, "3dm.get_calibrated_sensor_ranges";
 }
 
 command! {
@@ -2913,7 +2919,7 @@ record! {
 }
 
 constructors! {
-    LowPassFilter { function, descriptor_set, field_descriptor, enable, manual, frequency }
+    LowPassFilter
 
     /// Apply the new setting.
     fn write(
@@ -2938,7 +2944,7 @@ constructors! {
 }
 
 field! {
-    LowPassFilter: 0x0C, 0x54, "3dm.low_pass_filter"
+    LowPassFilter: 0x0C, 0x54, "3dm.low_pass_filter";
 }
 
 command! {
@@ -2957,8 +2963,8 @@ record! {
     /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`] or
     /// [`DeviceStatusDiagnosticImuResponse`]. Supported by 3DM-GX5-15.
     ///
-    /// - The device expects its own model number, which is in the device information
-    ///   [(0x01,0x03)](crate::base::GetDeviceInfo).
+    /// - The device expects its own model number, which
+    ///   [`base::GetDeviceInfo`](crate::base::GetDeviceInfo) tells.
     /// - Families of devices answer in layouts of their own. The selector and the length tell them
     ///   apart.
     ///
@@ -2982,7 +2988,7 @@ constructors! {
 }
 
 field! {
-    DeviceStatus: 0x0C, 0x64, "3dm.device_status"
+    DeviceStatus: 0x0C, 0x64, "3dm.device_status";
 }
 
 command! {
@@ -3034,7 +3040,8 @@ record! {
 }
 
 field! {
-    ImuMessageFormatResponse: 0x0C, 0x80, "3dm.imu_message_format_response", answers ImuMessageFormat
+    ImuMessageFormatResponse: 0x0C, 0x80, "3dm.imu_message_format_response";
+    answers ImuMessageFormat;
 }
 
 record! {
@@ -3059,7 +3066,8 @@ record! {
 }
 
 field! {
-    GnssMessageFormatResponse: 0x0C, 0x81, "3dm.gnss_message_format_response", answers GnssMessageFormat
+    GnssMessageFormatResponse: 0x0C, 0x81, "3dm.gnss_message_format_response";
+    answers GnssMessageFormat;
 }
 
 record! {
@@ -3083,7 +3091,8 @@ record! {
 }
 
 field! {
-    FilterMessageFormatResponse: 0x0C, 0x82, "3dm.filter_message_format_response", answers FilterMessageFormat
+    FilterMessageFormatResponse: 0x0C, 0x82, "3dm.filter_message_format_response";
+    answers FilterMessageFormat;
 }
 
 record! {
@@ -3103,13 +3112,15 @@ record! {
 }
 
 field! {
-    GetImuBaseRateResponse: 0x0C, 0x83, "3dm.get_imu_base_rate_response", answers GetImuBaseRate
+    GetImuBaseRateResponse: 0x0C, 0x83, "3dm.get_imu_base_rate_response";
+    answers GetImuBaseRate;
 }
 
 record! {
     /// Get GNSS Data Base Rate response (0x0C,0x84).
     ///
-    /// Also called `gnss_get_base_rate_response`. Answers [`GetGnssBaseRate`].
+    /// Also called `gnss_get_base_rate_response`. Answers [`GetGnssBaseRate`]. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Default)]
@@ -3122,7 +3133,8 @@ record! {
 }
 
 field! {
-    GetGnssBaseRateResponse: 0x0C, 0x84, "3dm.get_gnss_base_rate_response", answers GetGnssBaseRate
+    GetGnssBaseRateResponse: 0x0C, 0x84, "3dm.get_gnss_base_rate_response";
+    answers GetGnssBaseRate;
 }
 
 record! {
@@ -3156,7 +3168,8 @@ impl DataStreamControlResponse {
 }
 
 field! {
-    DataStreamControlResponse: 0x0C, 0x85, "3dm.data_stream_control_response", answers DataStreamControl
+    DataStreamControlResponse: 0x0C, 0x85, "3dm.data_stream_control_response";
+    answers DataStreamControl;
 }
 
 record! {
@@ -3177,7 +3190,8 @@ record! {
 }
 
 field! {
-    UartBaudRateResponse: 0x0C, 0x87, "3dm.uart_baud_rate_response", answers UartBaudRate
+    UartBaudRateResponse: 0x0C, 0x87, "3dm.uart_baud_rate_response";
+    answers UartBaudRate;
 }
 
 record! {
@@ -3197,7 +3211,8 @@ record! {
 }
 
 field! {
-    GetFilterBaseRateResponse: 0x0C, 0x8A, "3dm.get_filter_base_rate_response", answers GetFilterBaseRate
+    GetFilterBaseRateResponse: 0x0C, 0x8A, "3dm.get_filter_base_rate_response";
+    answers GetFilterBaseRate;
 }
 
 record! {
@@ -3231,7 +3246,8 @@ record! {
 }
 
 field! {
-    ImuLowPassFilterResponse: 0x0C, 0x8B, "3dm.imu_low_pass_filter_response", answers ImuLowPassFilter
+    ImuLowPassFilterResponse: 0x0C, 0x8B, "3dm.imu_low_pass_filter_response";
+    answers ImuLowPassFilter;
 }
 
 record! {
@@ -3255,7 +3271,8 @@ record! {
 }
 
 field! {
-    NmeaMessageFormatResponse: 0x0C, 0x8C, "3dm.nmea_message_format_response", answers NmeaMessageFormat
+    NmeaMessageFormatResponse: 0x0C, 0x8C, "3dm.nmea_message_format_response";
+    answers NmeaMessageFormat;
 }
 
 record! {
@@ -3276,7 +3293,8 @@ record! {
 }
 
 field! {
-    GetBaseRateResponse: 0x0C, 0x8E, "3dm.get_base_rate_response", answers GetBaseRate
+    GetBaseRateResponse: 0x0C, 0x8E, "3dm.get_base_rate_response";
+    answers GetBaseRate;
 }
 
 record! {
@@ -3303,7 +3321,8 @@ record! {
 }
 
 field! {
-    MessageFormatResponse: 0x0C, 0x8F, "3dm.message_format_response", answers MessageFormat
+    MessageFormatResponse: 0x0C, 0x8F, "3dm.message_format_response";
+    answers MessageFormat;
 }
 
 record! {
@@ -3343,7 +3362,10 @@ record! {
 }
 
 field! {
-    DeviceStatusBasicResponse: 0x0C, 0x90, "3dm.device_status_basic_response", constants [2: 1], sizes 13..=usize::MAX, answers DeviceStatus
+    DeviceStatusBasicResponse: 0x0C, 0x90, "3dm.device_status_basic_response";
+    constants [2: 1];
+    sizes 13..=usize::MAX;
+    answers DeviceStatus;
 }
 
 record! {
@@ -3382,7 +3404,10 @@ record! {
 }
 
 field! {
-    DeviceStatusBasicWithoutStateResponse: 0x0C, 0x90, "3dm.device_status_basic_without_state_response", constants [2: 1], sizes 0..=12, answers DeviceStatus
+    DeviceStatusBasicWithoutStateResponse: 0x0C, 0x90, "3dm.device_status_basic_without_state_response";
+    constants [2: 1];
+    sizes 0..=12;
+    answers DeviceStatus;
 }
 
 record! {
@@ -3475,7 +3500,10 @@ record! {
 }
 
 field! {
-    DeviceStatusDiagnosticResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_response", constants [2: 2], sizes 0..=59, answers DeviceStatus
+    DeviceStatusDiagnosticResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_response";
+    constants [2: 2];
+    sizes 0..=59;
+    answers DeviceStatus;
 }
 
 record! {
@@ -3606,7 +3634,10 @@ record! {
 }
 
 field! {
-    DeviceStatusDiagnosticGnssResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_gnss_response", constants [2: 2], sizes 77..=79, answers DeviceStatus
+    DeviceStatusDiagnosticGnssResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_gnss_response";
+    constants [2: 2];
+    sizes 77..=79;
+    answers DeviceStatus;
 }
 
 record! {
@@ -3745,7 +3776,10 @@ record! {
 }
 
 field! {
-    DeviceStatusDiagnosticGq4_45Response: 0x0C, 0x90, "3dm.device_status_diagnostic_gq4_45_response", constants [2: 2], sizes 80..=85, answers DeviceStatus
+    DeviceStatusDiagnosticGq4_45Response: 0x0C, 0x90, "3dm.device_status_diagnostic_gq4_45_response";
+    constants [2: 2];
+    sizes 80..=85;
+    answers DeviceStatus;
 }
 
 record! {
@@ -3888,7 +3922,10 @@ record! {
 }
 
 field! {
-    DeviceStatusDiagnosticRq1_45Response: 0x0C, 0x90, "3dm.device_status_diagnostic_rq1_45_response", constants [2: 2], sizes 86..=usize::MAX, answers DeviceStatus
+    DeviceStatusDiagnosticRq1_45Response: 0x0C, 0x90, "3dm.device_status_diagnostic_rq1_45_response";
+    constants [2: 2];
+    sizes 86..=usize::MAX;
+    answers DeviceStatus;
 }
 
 record! {
@@ -4010,7 +4047,10 @@ record! {
 }
 
 field! {
-    DeviceStatusDiagnosticGx4Response: 0x0C, 0x90, "3dm.device_status_diagnostic_gx4_response", constants [2: 2], sizes 73..=76, answers DeviceStatus
+    DeviceStatusDiagnosticGx4Response: 0x0C, 0x90, "3dm.device_status_diagnostic_gx4_response";
+    constants [2: 2];
+    sizes 73..=76;
+    answers DeviceStatus;
 }
 
 record! {
@@ -4122,7 +4162,10 @@ record! {
 }
 
 field! {
-    DeviceStatusDiagnosticImuResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_imu_response", constants [2: 2], sizes 60..=72, answers DeviceStatus
+    DeviceStatusDiagnosticImuResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_imu_response";
+    constants [2: 2];
+    sizes 60..=72;
+    answers DeviceStatus;
 }
 
 record! {
@@ -4150,7 +4193,8 @@ record! {
 }
 
 field! {
-    ComplementaryFilterResponse: 0x0C, 0x97, "3dm.complementary_filter_response", answers ComplementaryFilter
+    ComplementaryFilterResponse: 0x0C, 0x97, "3dm.complementary_filter_response";
+    answers ComplementaryFilter;
 }
 
 record! {
@@ -4170,7 +4214,8 @@ record! {
 }
 
 field! {
-    AccelBiasResponse: 0x0C, 0x9A, "3dm.accel_bias_response", answers AccelBias
+    AccelBiasResponse: 0x0C, 0x9A, "3dm.accel_bias_response";
+    answers AccelBias;
 }
 
 record! {
@@ -4193,7 +4238,8 @@ record! {
 }
 
 field! {
-    GyroBiasResponse: 0x0C, 0x9B, "3dm.gyro_bias_response", answers GyroBias CaptureGyroBias
+    GyroBiasResponse: 0x0C, 0x9B, "3dm.gyro_bias_response";
+    answers GyroBias CaptureGyroBias;
 }
 
 record! {
@@ -4212,7 +4258,8 @@ record! {
 }
 
 field! {
-    MagHardIronOffsetResponse: 0x0C, 0x9C, "3dm.mag_hard_iron_offset_response", answers MagHardIronOffset
+    MagHardIronOffsetResponse: 0x0C, 0x9C, "3dm.mag_hard_iron_offset_response";
+    answers MagHardIronOffset;
 }
 
 record! {
@@ -4231,7 +4278,8 @@ record! {
 }
 
 field! {
-    MagSoftIronMatrixResponse: 0x0C, 0x9D, "3dm.mag_soft_iron_matrix_response", answers MagSoftIronMatrix
+    MagSoftIronMatrixResponse: 0x0C, 0x9D, "3dm.mag_soft_iron_matrix_response";
+    answers MagSoftIronMatrix;
 }
 
 record! {
@@ -4250,7 +4298,8 @@ record! {
 }
 
 field! {
-    ConingScullingEnableResponse: 0x0C, 0x9E, "3dm.coning_sculling_enable_response", answers ConingScullingEnable
+    ConingScullingEnableResponse: 0x0C, 0x9E, "3dm.coning_sculling_enable_response";
+    answers ConingScullingEnable;
 }
 
 record! {
@@ -4287,7 +4336,8 @@ record! {
 }
 
 field! {
-    ConstellationSettingsResponse: 0x0C, 0xA0, "3dm.constellation_settings_response", answers ConstellationSettings
+    ConstellationSettingsResponse: 0x0C, 0xA0, "3dm.constellation_settings_response";
+    answers ConstellationSettings;
 }
 
 record! {
@@ -4319,13 +4369,14 @@ record! {
 }
 
 field! {
-    GnssSbasSettingsResponse: 0x0C, 0xA1, "3dm.gnss_sbas_settings_response", answers GnssSbasSettings
+    GnssSbasSettingsResponse: 0x0C, 0xA1, "3dm.gnss_sbas_settings_response";
+    answers GnssSbasSettings;
 }
 
 record! {
     /// GNSS Assisted Fix response (0x0C,0xA2).
     ///
-    /// Answers [`GnssAssistedFix`].
+    /// Answers [`GnssAssistedFix`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
     pub struct GnssAssistedFixResponse {
@@ -4349,13 +4400,14 @@ impl core::default::Default for GnssAssistedFixResponse {
 }
 
 field! {
-    GnssAssistedFixResponse: 0x0C, 0xA2, "3dm.gnss_assisted_fix_response", answers GnssAssistedFix
+    GnssAssistedFixResponse: 0x0C, 0xA2, "3dm.gnss_assisted_fix_response";
+    answers GnssAssistedFix;
 }
 
 record! {
     /// GNSS Time Assistance response (0x0C,0xA3).
     ///
-    /// Answers [`GnssTimeAssistance`].
+    /// Answers [`GnssTimeAssistance`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
     #[derive(Default)]
@@ -4376,7 +4428,8 @@ record! {
 }
 
 field! {
-    GnssTimeAssistanceResponse: 0x0C, 0xA3, "3dm.gnss_time_assistance_response", answers GnssTimeAssistance
+    GnssTimeAssistanceResponse: 0x0C, 0xA3, "3dm.gnss_time_assistance_response";
+    answers GnssTimeAssistance;
 }
 
 record! {
@@ -4396,7 +4449,8 @@ record! {
 }
 
 field! {
-    PpsSourceControlResponse: 0x0C, 0xA8, "3dm.pps_source_control_response", answers PpsSourceControl
+    PpsSourceControlResponse: 0x0C, 0xA8, "3dm.pps_source_control_response";
+    answers PpsSourceControl;
 }
 
 record! {
@@ -4424,7 +4478,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleTransformEulerResponse: 0x0C, 0xB1, "3dm.sensor_to_vehicle_transform_euler_response", answers SensorToVehicleTransformEuler
+    SensorToVehicleTransformEulerResponse: 0x0C, 0xB1, "3dm.sensor_to_vehicle_transform_euler_response";
+    answers SensorToVehicleTransformEuler;
 }
 
 record! {
@@ -4444,7 +4499,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleTransformQuaternionResponse: 0x0C, 0xB2, "3dm.sensor_to_vehicle_transform_quaternion_response", answers SensorToVehicleTransformQuaternion
+    SensorToVehicleTransformQuaternionResponse: 0x0C, 0xB2, "3dm.sensor_to_vehicle_transform_quaternion_response";
+    answers SensorToVehicleTransformQuaternion;
 }
 
 record! {
@@ -4465,7 +4521,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleTransformDcmResponse: 0x0C, 0xB3, "3dm.sensor_to_vehicle_transform_dcm_response", answers SensorToVehicleTransformDcm
+    SensorToVehicleTransformDcmResponse: 0x0C, 0xB3, "3dm.sensor_to_vehicle_transform_dcm_response";
+    answers SensorToVehicleTransformDcm;
 }
 
 record! {
@@ -4486,6 +4543,10 @@ record! {
         /// Unit: 1.
         pub max_instances: u8,
         /// The types.
+        ///
+        /// If `query` is [`EventSupportQuery::TRIGGER_TYPES`]: `type_` has values of
+        /// [`types::EventTriggerType`]. If `query` is [`EventSupportQuery::ACTION_TYPES`]: `type_`
+        /// has values of [`types::EventActionType`].
         pub entries: crate::List<EventSupportInfo, 125>,
     }
     wire 253 {
@@ -4497,7 +4558,8 @@ record! {
 }
 
 field! {
-    GetEventSupportResponse: 0x0C, 0xB4, "3dm.get_event_support_response", answers GetEventSupport
+    GetEventSupportResponse: 0x0C, 0xB4, "3dm.get_event_support_response";
+    answers GetEventSupport;
 }
 
 record! {
@@ -4518,7 +4580,8 @@ record! {
 }
 
 field! {
-    EventControlResponse: 0x0C, 0xB5, "3dm.event_control_response", answers EventControl
+    EventControlResponse: 0x0C, 0xB5, "3dm.event_control_response";
+    answers EventControl;
 }
 
 record! {
@@ -4541,7 +4604,8 @@ record! {
 }
 
 field! {
-    GetEventTriggerStatusResponse: 0x0C, 0xB6, "3dm.get_event_trigger_status_response", answers GetEventTriggerStatus
+    GetEventTriggerStatusResponse: 0x0C, 0xB6, "3dm.get_event_trigger_status_response";
+    answers GetEventTriggerStatus;
 }
 
 record! {
@@ -4564,7 +4628,8 @@ record! {
 }
 
 field! {
-    GetEventActionStatusResponse: 0x0C, 0xB7, "3dm.get_event_action_status_response", answers GetEventActionStatus
+    GetEventActionStatusResponse: 0x0C, 0xB7, "3dm.get_event_action_status_response";
+    answers GetEventActionStatus;
 }
 
 record! {
@@ -4595,7 +4660,8 @@ record! {
 }
 
 field! {
-    EventTriggerConfigResponse: 0x0C, 0xB8, "3dm.event_trigger_config_response", answers EventTriggerConfig
+    EventTriggerConfigResponse: 0x0C, 0xB8, "3dm.event_trigger_config_response";
+    answers EventTriggerConfig;
 }
 
 record! {
@@ -4629,7 +4695,8 @@ record! {
 }
 
 field! {
-    EventActionConfigResponse: 0x0C, 0xB9, "3dm.event_action_config_response", answers EventActionConfig
+    EventActionConfigResponse: 0x0C, 0xB9, "3dm.event_action_config_response";
+    answers EventActionConfig;
 }
 
 record! {
@@ -4669,7 +4736,7 @@ impl GpioConfigResponse {
     #[must_use]
     pub fn behavior_as_gpio_unused_behavior(&self) -> Option<types::GpioUnusedBehavior> {
         let named = matches!(self.feature, types::GpioFeature::UNUSED);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 
     /// Reads `behavior` as [`types::GpioBehavior`].
@@ -4678,7 +4745,7 @@ impl GpioConfigResponse {
     #[must_use]
     pub fn behavior_as_gpio_behavior(&self) -> Option<types::GpioBehavior> {
         let named = matches!(self.feature, types::GpioFeature::GPIO);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 
     /// Reads `behavior` as [`types::GpioPpsBehavior`].
@@ -4687,7 +4754,7 @@ impl GpioConfigResponse {
     #[must_use]
     pub fn behavior_as_gpio_pps_behavior(&self) -> Option<types::GpioPpsBehavior> {
         let named = matches!(self.feature, types::GpioFeature::PPS);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 
     /// Reads `behavior` as [`types::GpioEncoderBehavior`].
@@ -4696,7 +4763,7 @@ impl GpioConfigResponse {
     #[must_use]
     pub fn behavior_as_gpio_encoder_behavior(&self) -> Option<types::GpioEncoderBehavior> {
         let named = matches!(self.feature, types::GpioFeature::ENCODER);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 
     /// Reads `behavior` as [`types::GpioTimestampBehavior`].
@@ -4706,7 +4773,7 @@ impl GpioConfigResponse {
     #[must_use]
     pub fn behavior_as_gpio_timestamp_behavior(&self) -> Option<types::GpioTimestampBehavior> {
         let named = matches!(self.feature, types::GpioFeature::TIMESTAMP);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 
     /// Reads `behavior` as [`types::GpioUartBehavior`].
@@ -4715,12 +4782,13 @@ impl GpioConfigResponse {
     #[must_use]
     pub fn behavior_as_gpio_uart_behavior(&self) -> Option<types::GpioUartBehavior> {
         let named = matches!(self.feature, types::GpioFeature::UART);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 }
 
 field! {
-    GpioConfigResponse: 0x0C, 0xC1, "3dm.gpio_config_response", answers GpioConfig
+    GpioConfigResponse: 0x0C, 0xC1, "3dm.gpio_config_response";
+    answers GpioConfig;
 }
 
 record! {
@@ -4741,7 +4809,8 @@ record! {
 }
 
 field! {
-    GpioStateResponse: 0x0C, 0xC2, "3dm.gpio_state_response", answers GpioState
+    GpioStateResponse: 0x0C, 0xC2, "3dm.gpio_state_response";
+    answers GpioState;
 }
 
 record! {
@@ -4768,7 +4837,8 @@ record! {
 }
 
 field! {
-    OdometerConfigResponse: 0x0C, 0xC3, "3dm.odometer_config_response", answers OdometerConfig
+    OdometerConfigResponse: 0x0C, 0xC3, "3dm.odometer_config_response";
+    answers OdometerConfig;
 }
 
 record! {
@@ -4787,7 +4857,8 @@ record! {
 }
 
 field! {
-    SensorRangeResponse: 0x0C, 0xD2, "3dm.sensor_range_response", answers SensorRange
+    SensorRangeResponse: 0x0C, 0xD2, "3dm.sensor_range_response";
+    answers SensorRange;
 }
 
 record! {
@@ -4805,6 +4876,11 @@ record! {
         /// Sensor of the command.
         pub sensor: SensorRangeType,
         /// The ranges.
+        ///
+        /// If `sensor` is [`SensorRangeType::ACCEL`]: `range` has unit g. If `sensor` is
+        /// [`SensorRangeType::GYRO`]: `range` has unit deg/s. If `sensor` is
+        /// [`SensorRangeType::MAG`]: `range` has unit gauss. If `sensor` is
+        /// [`SensorRangeType::PRESSURE`]: `range` has unit mbar.
         pub ranges: crate::List<SensorRangeEntry, 50>,
     }
     wire 252 {
@@ -4815,7 +4891,8 @@ record! {
 }
 
 field! {
-    GetCalibratedSensorRangesResponse: 0x0C, 0xD3, "3dm.get_calibrated_sensor_ranges_response", answers GetCalibratedSensorRanges
+    GetCalibratedSensorRangesResponse: 0x0C, 0xD3, "3dm.get_calibrated_sensor_ranges_response";
+    answers GetCalibratedSensorRanges;
 }
 
 record! {
@@ -4843,5 +4920,6 @@ record! {
 }
 
 field! {
-    LowPassFilterResponse: 0x0C, 0xD4, "3dm.low_pass_filter_response", answers LowPassFilter
+    LowPassFilterResponse: 0x0C, 0xD4, "3dm.low_pass_filter_response";
+    answers LowPassFilter;
 }

@@ -1,5 +1,8 @@
 //! RTK commands (0x0F): Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
 //!
+//! Uncertain: The SDK describes hardly anything of this set; most descriptions follow from the
+//! names. Uncertain: How the strings are padded or ended.
+//!
 //! Source: mip-sdk-4: Rtk Commands (0x0F).
 
 #[allow(unused_imports)] // some sets name a type in comments only, or none
@@ -65,9 +68,11 @@ record! {
     ///
     /// Asks for the state of the modem and of the corrections.
     ///
-    /// Answered by [`GetStatusFlagsResponse`].
+    /// Answered by [`GetStatusFlagsResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
-    /// - The word of the response has two forms, rtk_status_flags and rtk_status_flags_legacy.
+    /// - The word of the response has two forms, [`types::RtkStatusFlags`] and
+    ///   [`types::RtkStatusFlagsLegacy`].
     ///
     /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
     #[derive(Default)]
@@ -82,7 +87,7 @@ constructors! {
 }
 
 field! {
-    GetStatusFlags: 0x0F, 0x01, "rtk.get_status_flags"
+    GetStatusFlags: 0x0F, 0x01, "rtk.get_status_flags";
 }
 
 command! {
@@ -95,7 +100,8 @@ record! {
     ///
     /// Asks for the identity of the modem.
     ///
-    /// Answered by [`GetImeiResponse`].
+    /// Answered by [`GetImeiResponse`]. No device profile lists it. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// Source: mip-sdk-4: Get Imei (0x0F,0x02).
     #[derive(Default)]
@@ -110,7 +116,7 @@ constructors! {
 }
 
 field! {
-    GetImei: 0x0F, 0x02, "rtk.get_imei"
+    GetImei: 0x0F, 0x02, "rtk.get_imei";
 }
 
 command! {
@@ -123,7 +129,8 @@ record! {
     ///
     /// Asks for the identity of the subscriber.
     ///
-    /// Answered by [`GetImsiResponse`].
+    /// Answered by [`GetImsiResponse`]. No device profile lists it. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// Source: mip-sdk-4: Get Imsi (0x0F,0x03).
     #[derive(Default)]
@@ -138,7 +145,7 @@ constructors! {
 }
 
 field! {
-    GetImsi: 0x0F, 0x03, "rtk.get_imsi"
+    GetImsi: 0x0F, 0x03, "rtk.get_imsi";
 }
 
 command! {
@@ -151,7 +158,8 @@ record! {
     ///
     /// Asks for the number of the SIM card.
     ///
-    /// Answered by [`GetIccidResponse`].
+    /// Answered by [`GetIccidResponse`]. No device profile lists it. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// Source: mip-sdk-4: Get Iccid (0x0F,0x04).
     #[derive(Default)]
@@ -166,7 +174,7 @@ constructors! {
 }
 
 field! {
-    GetIccid: 0x0F, 0x04, "rtk.get_iccid"
+    GetIccid: 0x0F, 0x04, "rtk.get_iccid";
 }
 
 command! {
@@ -179,7 +187,8 @@ record! {
     ///
     /// Asks for the strength of the cellular signal.
     ///
-    /// Answered by [`GetRssiResponse`].
+    /// Answered by [`GetRssiResponse`]. No device profile lists it. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// Source: mip-sdk-4: Get Rssi (0x0F,0x05).
     #[derive(Default)]
@@ -194,7 +203,7 @@ constructors! {
 }
 
 field! {
-    GetRssi: 0x0F, 0x05, "rtk.get_rssi"
+    GetRssi: 0x0F, 0x05, "rtk.get_rssi";
 }
 
 command! {
@@ -208,6 +217,7 @@ record! {
     /// The device that the modem serves.
     ///
     /// Functions: write, read, save, load and default. Answered by [`ConnectedDeviceTypeResponse`].
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
     pub struct ConnectedDeviceType {
@@ -225,7 +235,7 @@ record! {
 }
 
 constructors! {
-    ConnectedDeviceType { function, device_type }
+    ConnectedDeviceType
 
     /// Apply the new setting.
     fn write(device_type: ConnectedDevice) = WRITE;
@@ -244,7 +254,7 @@ constructors! {
 }
 
 field! {
-    ConnectedDeviceType: 0x0F, 0x06, "rtk.connected_device_type"
+    ConnectedDeviceType: 0x0F, 0x06, "rtk.connected_device_type";
 }
 
 command! {
@@ -257,7 +267,8 @@ record! {
     ///
     /// Asks for the activation code.
     ///
-    /// Also called `get_act_code`. Answered by [`GetActivationCodeResponse`].
+    /// Also called `get_act_code`. Answered by [`GetActivationCodeResponse`]. No device profile
+    /// lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
     #[derive(Default)]
@@ -272,7 +283,7 @@ constructors! {
 }
 
 field! {
-    GetActivationCode: 0x0F, 0x07, "rtk.get_activation_code"
+    GetActivationCode: 0x0F, 0x07, "rtk.get_activation_code";
 }
 
 command! {
@@ -285,7 +296,8 @@ record! {
     ///
     /// Asks for the firmware version of the cellular modem.
     ///
-    /// Answered by [`GetModemFirmwareVersionResponse`].
+    /// Answered by [`GetModemFirmwareVersionResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Modem Firmware Version (0x0F,0x08).
     #[derive(Default)]
@@ -300,7 +312,7 @@ constructors! {
 }
 
 field! {
-    GetModemFirmwareVersion: 0x0F, 0x08, "rtk.get_modem_firmware_version"
+    GetModemFirmwareVersion: 0x0F, 0x08, "rtk.get_modem_firmware_version";
 }
 
 command! {
@@ -313,7 +325,8 @@ record! {
     ///
     /// Asks a correction server about the connection, and so keeps it open.
     ///
-    /// Answered by [`ServiceStatusResponse`]. The device sends it, and the host answers.
+    /// Answered by [`ServiceStatusResponse`]. The device sends it, and the host answers. No device
+    /// profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - The modem sends it as a host would, and the server answers as a device would.
     ///
@@ -335,7 +348,7 @@ constructors! {
 }
 
 field! {
-    ServiceStatus: 0x0F, 0x0A, "rtk.service_status"
+    ServiceStatus: 0x0F, 0x0A, "rtk.service_status";
 }
 
 command! {
@@ -348,7 +361,8 @@ record! {
     ///
     /// Erases a storage medium down to its raw state.
     ///
-    /// For advanced use. Also called `prod_erase_storage`.
+    /// For advanced use. Also called `prod_erase_storage`. No device profile lists it. Known from
+    /// the MicroStrain MIP SDK only.
     ///
     /// - All that is stored is lost. The command is for production.
     /// - Accepted in calibration mode only.
@@ -369,7 +383,7 @@ constructors! {
 }
 
 field! {
-    EraseStorage: 0x0F, 0x20, "rtk.erase_storage"
+    EraseStorage: 0x0F, 0x20, "rtk.erase_storage";
 }
 
 command! {
@@ -381,7 +395,7 @@ record! {
     ///
     /// Colours and pattern of the LED.
     ///
-    /// For advanced use.
+    /// For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - Accepted in calibration mode and production test mode only.
     ///
@@ -418,7 +432,7 @@ constructors! {
 }
 
 field! {
-    LedControl: 0x0F, 0x21, "rtk.led_control"
+    LedControl: 0x0F, 0x21, "rtk.led_control";
 }
 
 command! {
@@ -430,7 +444,7 @@ record! {
     ///
     /// Clears the flash memory of the modem.
     ///
-    /// For advanced use.
+    /// For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - It wears the flash memory out; use it rarely.
     /// - Accepted in calibration mode only.
@@ -448,7 +462,7 @@ constructors! {
 }
 
 field! {
-    ModemHardReset: 0x0F, 0x22, "rtk.modem_hard_reset"
+    ModemHardReset: 0x0F, 0x22, "rtk.modem_hard_reset";
 }
 
 command! {
@@ -458,7 +472,7 @@ command! {
 record! {
     /// Get status flags response (0x0F,0x81).
     ///
-    /// Answers [`GetStatusFlags`].
+    /// Answers [`GetStatusFlags`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
     #[derive(Default)]
@@ -469,13 +483,14 @@ record! {
 }
 
 field! {
-    GetStatusFlagsResponse: 0x0F, 0x81, "rtk.get_status_flags_response", answers GetStatusFlags
+    GetStatusFlagsResponse: 0x0F, 0x81, "rtk.get_status_flags_response";
+    answers GetStatusFlags;
 }
 
 record! {
     /// Get IMEI response (0x0F,0x82).
     ///
-    /// Answers [`GetImei`].
+    /// Answers [`GetImei`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Imei (0x0F,0x02).
     #[derive(Default)]
@@ -486,13 +501,14 @@ record! {
 }
 
 field! {
-    GetImeiResponse: 0x0F, 0x82, "rtk.get_imei_response", answers GetImei
+    GetImeiResponse: 0x0F, 0x82, "rtk.get_imei_response";
+    answers GetImei;
 }
 
 record! {
     /// Get IMSI response (0x0F,0x83).
     ///
-    /// Answers [`GetImsi`].
+    /// Answers [`GetImsi`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Imsi (0x0F,0x03).
     #[derive(Default)]
@@ -503,13 +519,14 @@ record! {
 }
 
 field! {
-    GetImsiResponse: 0x0F, 0x83, "rtk.get_imsi_response", answers GetImsi
+    GetImsiResponse: 0x0F, 0x83, "rtk.get_imsi_response";
+    answers GetImsi;
 }
 
 record! {
     /// Get ICCID response (0x0F,0x84).
     ///
-    /// Answers [`GetIccid`].
+    /// Answers [`GetIccid`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Iccid (0x0F,0x04).
     #[derive(Default)]
@@ -520,13 +537,15 @@ record! {
 }
 
 field! {
-    GetIccidResponse: 0x0F, 0x84, "rtk.get_iccid_response", answers GetIccid
+    GetIccidResponse: 0x0F, 0x84, "rtk.get_iccid_response";
+    answers GetIccid;
 }
 
 record! {
     /// Get RSSI response (0x0F,0x85).
     ///
-    /// Answers [`GetRssi`]. Uncertain: That `valid` vouches for the other values is inferred.
+    /// Answers [`GetRssi`]. Known from the MicroStrain MIP SDK only. Uncertain: That `valid`
+    /// vouches for the other values is inferred.
     ///
     /// Source: mip-sdk-4: Get Rssi (0x0F,0x05).
     #[derive(Default)]
@@ -545,13 +564,14 @@ record! {
 }
 
 field! {
-    GetRssiResponse: 0x0F, 0x85, "rtk.get_rssi_response", answers GetRssi
+    GetRssiResponse: 0x0F, 0x85, "rtk.get_rssi_response";
+    answers GetRssi;
 }
 
 record! {
     /// Connected device type response (0x0F,0x86).
     ///
-    /// Answers [`ConnectedDeviceType`].
+    /// Answers [`ConnectedDeviceType`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
     #[derive(Default)]
@@ -562,13 +582,15 @@ record! {
 }
 
 field! {
-    ConnectedDeviceTypeResponse: 0x0F, 0x86, "rtk.connected_device_type_response", answers ConnectedDeviceType
+    ConnectedDeviceTypeResponse: 0x0F, 0x86, "rtk.connected_device_type_response";
+    answers ConnectedDeviceType;
 }
 
 record! {
     /// Get activation code response (0x0F,0x87).
     ///
-    /// Also called `get_act_code_response`. Answers [`GetActivationCode`].
+    /// Also called `get_act_code_response`. Answers [`GetActivationCode`]. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
     #[derive(Default)]
@@ -579,13 +601,14 @@ record! {
 }
 
 field! {
-    GetActivationCodeResponse: 0x0F, 0x87, "rtk.get_activation_code_response", answers GetActivationCode
+    GetActivationCodeResponse: 0x0F, 0x87, "rtk.get_activation_code_response";
+    answers GetActivationCode;
 }
 
 record! {
     /// Get modem firmware version response (0x0F,0x88).
     ///
-    /// Answers [`GetModemFirmwareVersion`].
+    /// Answers [`GetModemFirmwareVersion`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Modem Firmware Version (0x0F,0x08).
     #[derive(Default)]
@@ -596,7 +619,8 @@ record! {
 }
 
 field! {
-    GetModemFirmwareVersionResponse: 0x0F, 0x88, "rtk.get_modem_firmware_version_response", answers GetModemFirmwareVersion
+    GetModemFirmwareVersionResponse: 0x0F, 0x88, "rtk.get_modem_firmware_version_response";
+    answers GetModemFirmwareVersion;
 }
 
 record! {
@@ -604,7 +628,8 @@ record! {
     ///
     /// What the server knows of the connection.
     ///
-    /// Answers [`ServiceStatus`]. Uncertain: What exactly the counters count.
+    /// Answers [`ServiceStatus`]. Known from the MicroStrain MIP SDK only. Uncertain: What exactly
+    /// the counters count.
     ///
     /// Source: mip-sdk-4: Service Status (0x0F,0x0A).
     #[derive(Default)]
@@ -627,5 +652,6 @@ record! {
 }
 
 field! {
-    ServiceStatusResponse: 0x0F, 0x8A, "rtk.service_status_response", answers ServiceStatus
+    ServiceStatusResponse: 0x0F, 0x8A, "rtk.service_status_response";
+    answers ServiceStatus;
 }

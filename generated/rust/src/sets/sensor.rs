@@ -59,6 +59,8 @@ record! {
     ///
     /// Raw acceleration in counts of the sensor, temperature compensated.
     ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
     /// Source: mip-sdk-4: Raw Accel (0x80,0x01).
     #[derive(Default)]
     pub struct RawAccel {
@@ -70,13 +72,15 @@ record! {
 }
 
 field! {
-    RawAccel: 0x80, 0x01, "sensor.raw_accel"
+    RawAccel: 0x80, 0x01, "sensor.raw_accel";
 }
 
 record! {
     /// Raw gyro (0x80,0x02).
     ///
     /// Raw angular rate in counts of the sensor, temperature compensated.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Raw Gyro (0x80,0x02).
     #[derive(Default)]
@@ -89,13 +93,15 @@ record! {
 }
 
 field! {
-    RawGyro: 0x80, 0x02, "sensor.raw_gyro"
+    RawGyro: 0x80, 0x02, "sensor.raw_gyro";
 }
 
 record! {
     /// Raw mag (0x80,0x03).
     ///
     /// Raw magnetic field in counts of the sensor, temperature compensated.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Raw Mag (0x80,0x03).
     #[derive(Default)]
@@ -109,7 +115,7 @@ record! {
 }
 
 field! {
-    RawMag: 0x80, 0x03, "sensor.raw_mag"
+    RawMag: 0x80, 0x03, "sensor.raw_mag";
 }
 
 record! {
@@ -131,7 +137,7 @@ record! {
 }
 
 field! {
-    ScaledAccel: 0x80, 0x04, "sensor.scaled_accel"
+    ScaledAccel: 0x80, 0x04, "sensor.scaled_accel";
 }
 
 record! {
@@ -153,7 +159,7 @@ record! {
 }
 
 field! {
-    ScaledGyro: 0x80, 0x05, "sensor.scaled_gyro"
+    ScaledGyro: 0x80, 0x05, "sensor.scaled_gyro";
 }
 
 record! {
@@ -174,7 +180,7 @@ record! {
 }
 
 field! {
-    ScaledMag: 0x80, 0x06, "sensor.scaled_mag"
+    ScaledMag: 0x80, 0x06, "sensor.scaled_mag";
 }
 
 record! {
@@ -196,7 +202,7 @@ record! {
 }
 
 field! {
-    DeltaTheta: 0x80, 0x07, "sensor.delta_theta"
+    DeltaTheta: 0x80, 0x07, "sensor.delta_theta";
 }
 
 record! {
@@ -220,7 +226,7 @@ record! {
 }
 
 field! {
-    DeltaVelocity: 0x80, 0x08, "sensor.delta_velocity"
+    DeltaVelocity: 0x80, 0x08, "sensor.delta_velocity";
 }
 
 record! {
@@ -231,7 +237,8 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - V_vehicle = M \* v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+    /// - `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the
+    ///   3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09); 3dm-cv7-gnss-ins:
     /// Complementary Filter Orientation Matrix (0x80,0x09).
@@ -246,7 +253,7 @@ record! {
 }
 
 field! {
-    CompOrientationMatrix: 0x80, 0x09, "sensor.comp_orientation_matrix"
+    CompOrientationMatrix: 0x80, 0x09, "sensor.comp_orientation_matrix";
 }
 
 record! {
@@ -256,7 +263,8 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - V_vehicle = q^-1 \* v_ned \* q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+    /// - `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on
+    ///   the 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A); 3dm-cv7-gnss-ins: Complementary Filter
     /// Quaternion (0x80,0x0A).
@@ -270,7 +278,7 @@ record! {
 }
 
 field! {
-    CompQuaternion: 0x80, 0x0A, "sensor.comp_quaternion"
+    CompQuaternion: 0x80, 0x0A, "sensor.comp_quaternion";
 }
 
 record! {
@@ -278,8 +286,9 @@ record! {
     ///
     /// Change of the attitude by the complementary filter as a matrix.
     ///
-    /// Deprecated: the SDK marks it so and names no replacement. Uncertain: The interval of the
-    /// change and the frames. The SDK gives the name only.
+    /// Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known
+    /// from the MicroStrain MIP SDK only. Uncertain: The interval of the change and the frames. The
+    /// SDK gives the name only.
     ///
     /// Source: mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B).
     #[derive(Default)]
@@ -293,7 +302,7 @@ record! {
 }
 
 field! {
-    CompOrientationUpdateMatrix: 0x80, 0x0B, "sensor.comp_orientation_update_matrix"
+    CompOrientationUpdateMatrix: 0x80, 0x0B, "sensor.comp_orientation_update_matrix";
 }
 
 record! {
@@ -325,7 +334,7 @@ record! {
 }
 
 field! {
-    CompEulerAngles: 0x80, 0x0C, "sensor.comp_euler_angles"
+    CompEulerAngles: 0x80, 0x0C, "sensor.comp_euler_angles";
 }
 
 record! {
@@ -334,7 +343,7 @@ record! {
     /// Raw readings of four temperature sensors.
     ///
     /// Deprecated: the SDK marks it so and names no replacement. Also called
-    /// `orientation_raw_temp`.
+    /// `orientation_raw_temp`. No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Orientation Raw Temp (0x80,0x0D).
     #[derive(Default)]
@@ -348,7 +357,7 @@ record! {
 }
 
 field! {
-    OrientationRawTemperature: 0x80, 0x0D, "sensor.orientation_raw_temperature"
+    OrientationRawTemperature: 0x80, 0x0D, "sensor.orientation_raw_temperature";
 }
 
 record! {
@@ -356,7 +365,8 @@ record! {
     ///
     /// Free-running counter of the device.
     ///
-    /// Deprecated: the SDK marks it so and names no replacement.
+    /// Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known
+    /// from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Internal Timestamp (0x80,0x0E).
     #[derive(Default)]
@@ -370,7 +380,7 @@ record! {
 }
 
 field! {
-    InternalTimestamp: 0x80, 0x0E, "sensor.internal_timestamp"
+    InternalTimestamp: 0x80, 0x0E, "sensor.internal_timestamp";
 }
 
 record! {
@@ -378,7 +388,8 @@ record! {
     ///
     /// Time that is counted with the pulse per second.
     ///
-    /// Deprecated: the SDK marks it so and names no replacement. Uncertain: The epoch.
+    /// Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known
+    /// from the MicroStrain MIP SDK only. Uncertain: The epoch.
     ///
     /// Source: mip-sdk-4: Pps Timestamp (0x80,0x0F).
     #[derive(Default)]
@@ -396,7 +407,7 @@ record! {
 }
 
 field! {
-    PpsTimestamp: 0x80, 0x0F, "sensor.pps_timestamp"
+    PpsTimestamp: 0x80, 0x0F, "sensor.pps_timestamp";
 }
 
 record! {
@@ -420,7 +431,7 @@ record! {
 }
 
 field! {
-    NorthVector: 0x80, 0x10, "sensor.north_vector"
+    NorthVector: 0x80, 0x10, "sensor.north_vector";
 }
 
 record! {
@@ -443,7 +454,7 @@ record! {
 }
 
 field! {
-    UpVector: 0x80, 0x11, "sensor.up_vector"
+    UpVector: 0x80, 0x11, "sensor.up_vector";
 }
 
 record! {
@@ -456,8 +467,8 @@ record! {
     /// - Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
     /// - The fraction of the time of week is the time since the last pulse.
     /// - Without external synchronization it is the internal system time.
-    /// - Where the device has it, use the shared GPS timestamp
-    ///   [(0xFF,0xD3)](crate::shared::GpsTimestamp) instead; this field may be deprecated.
+    /// - Where the device has it, use [`shared::GpsTimestamp`](crate::shared::GpsTimestamp)
+    ///   instead; this field may be deprecated.
     ///
     /// Source: 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12); 3dm-cv7-gnss-ins: GPS
     /// Timestamp (0x80,0x12).
@@ -497,7 +508,7 @@ impl GpsTimestamp {
 }
 
 field! {
-    GpsTimestamp: 0x80, 0x12, "sensor.gps_timestamp"
+    GpsTimestamp: 0x80, 0x12, "sensor.gps_timestamp";
 }
 
 record! {
@@ -528,13 +539,15 @@ record! {
 }
 
 field! {
-    TemperatureStatistics: 0x80, 0x14, "sensor.temperature_statistics"
+    TemperatureStatistics: 0x80, 0x14, "sensor.temperature_statistics";
 }
 
 record! {
     /// Raw pressure (0x80,0x16).
     ///
     /// Raw ambient pressure in counts of the sensor, temperature compensated.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Raw Pressure (0x80,0x16).
     #[derive(Default)]
@@ -547,7 +560,7 @@ record! {
 }
 
 field! {
-    RawPressure: 0x80, 0x16, "sensor.raw_pressure"
+    RawPressure: 0x80, 0x16, "sensor.raw_pressure";
 }
 
 record! {
@@ -569,7 +582,7 @@ record! {
 }
 
 field! {
-    ScaledPressure: 0x80, 0x17, "sensor.scaled_pressure"
+    ScaledPressure: 0x80, 0x17, "sensor.scaled_pressure";
 }
 
 record! {
@@ -588,7 +601,7 @@ record! {
 }
 
 field! {
-    OverrangeStatus: 0x80, 0x18, "sensor.overrange_status"
+    OverrangeStatus: 0x80, 0x18, "sensor.overrange_status";
 }
 
 record! {
@@ -615,5 +628,5 @@ record! {
 }
 
 field! {
-    Odometer: 0x80, 0x40, "sensor.odometer"
+    Odometer: 0x80, 0x40, "sensor.odometer";
 }

@@ -54,14 +54,15 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0).
     #[derive(Default)]
     pub struct EventSource {
-        /// Id of the trigger; 0 means that the packet was scheduled by the message format
-        /// [(0x0C,0x0F)](crate::mip_3dm::MessageFormat).
+        /// Id of the trigger; 0 means that the packet was scheduled by
+        /// [`mip_3dm::MessageFormat`](crate::mip_3dm::MessageFormat).
         pub trigger_id: u8,
     }
 }
 
 field! {
-    EventSource: 0xFF, 0xD0, "shared.event_source", in 0x80..=0xFF
+    EventSource: 0xFF, 0xD0, "shared.event_source";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -69,8 +70,9 @@ record! {
     ///
     /// Base periods since power-up.
     ///
-    /// Uncertain: The SDK has the counter return to 0 after about 50 days. That fits 2^32 ticks at
-    /// 1000 Hz; at other rates it would take longer or shorter.
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK has
+    /// the counter return to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at other rates
+    /// it would take longer or shorter.
     ///
     /// - One tick is one period of the base rate.
     ///
@@ -85,7 +87,8 @@ record! {
 }
 
 field! {
-    Ticks: 0xFF, 0xD1, "shared.ticks", in 0x80..=0xFF
+    Ticks: 0xFF, 0xD1, "shared.ticks";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -93,8 +96,8 @@ record! {
     ///
     /// Base periods since this field was last sent.
     ///
-    /// Uncertain: Whether each set and each event instance counts for itself, as with delta time
-    /// [(0xFF,0xD4)](DeltaTime).
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether each
+    /// set and each event instance counts for itself, as with [`DeltaTime`].
     ///
     /// - One tick is one period of the base rate.
     ///
@@ -109,7 +112,8 @@ record! {
 }
 
 field! {
-    DeltaTicks: 0xFF, 0xD2, "shared.delta_ticks", in 0x80..=0xFF
+    DeltaTicks: 0xFF, 0xD2, "shared.delta_ticks";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -120,11 +124,17 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - In event messages it is the time of the trigger.
-    /// - It becomes valid after the PPS is locked and [(0x01,0x72)](crate::base::GpsTimeUpdate) has
-    ///   set the time of week and the week number.
-    /// - An internal GNSS receiver as PPS source sets the time by itself.
+    /// - It becomes valid after the PPS is locked and
+    ///   [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) has set the time of week and the week
+    ///   number.
+    /// - With an internal GNSS receiver as PPS source, the device sets the time by itself in most
+    ///   cases.
+    /// - With NMEA input, a ZDA sentence sets the time to UTC: the value is then behind GPS time by
+    ///   the leap seconds, which are 18 s since 2017.
+    ///   [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) sets GPS time.
     ///
-    /// Source: 3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3).
+    /// Source: 3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3); 3dm-cv7-gnss-ins: Configure the
+    /// External GNSS Receiver; 3dm-cv7-gnss-ins: RECEIVER Source.
     #[derive(Default)]
     pub struct GpsTimestamp {
         /// GPS time of week.
@@ -141,7 +151,8 @@ record! {
 }
 
 field! {
-    GpsTimestamp: 0xFF, 0xD3, "shared.gps_timestamp", in 0x80..=0xFF
+    GpsTimestamp: 0xFF, 0xD3, "shared.gps_timestamp";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -151,7 +162,7 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - It is the same as external time delta [(0xFF,0xD8)](ExternalTimeDelta), in other units.
+    /// - It is the same as [`ExternalTimeDelta`], in other units.
     /// - Sending either restarts the counter that both share, so use only one of them.
     ///
     /// Source: 3dm-cv7-gnss-ins: Delta Time (0xFF,0xD4).
@@ -165,7 +176,8 @@ record! {
 }
 
 field! {
-    DeltaTime: 0xFF, 0xD4, "shared.delta_time", in 0x80..=0xFF
+    DeltaTime: 0xFF, 0xD4, "shared.delta_time";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -190,7 +202,8 @@ record! {
 }
 
 field! {
-    ReferenceTimestamp: 0xFF, 0xD5, "shared.reference_timestamp", in 0x80..=0xFF
+    ReferenceTimestamp: 0xFF, 0xD5, "shared.reference_timestamp";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -213,7 +226,8 @@ record! {
 }
 
 field! {
-    ReferenceTimeDelta: 0xFF, 0xD6, "shared.reference_time_delta", in 0x80..=0xFF
+    ReferenceTimeDelta: 0xFF, 0xD6, "shared.reference_time_delta";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -223,7 +237,7 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - It is the GPS timestamp [(0xFF,0xD3)](GpsTimestamp) in nanoseconds.
+    /// - It is [`GpsTimestamp`] in nanoseconds.
     /// - In event messages it is the time of the trigger.
     /// - It becomes valid when the external clock is synchronized through the PPS.
     ///
@@ -241,7 +255,8 @@ record! {
 }
 
 field! {
-    ExternalTimestamp: 0xFF, 0xD7, "shared.external_timestamp", in 0x80..=0xFF
+    ExternalTimestamp: 0xFF, 0xD7, "shared.external_timestamp";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -251,7 +266,7 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - It is the same as delta time [(0xFF,0xD4)](DeltaTime), in other units.
+    /// - It is the same as [`DeltaTime`], in other units.
     /// - Sending either restarts the counter that both share, so use only one of them.
     ///
     /// Source: 3dm-cv7-gnss-ins: External Time Delta (0xFF,0xD8).
@@ -267,5 +282,6 @@ record! {
 }
 
 field! {
-    ExternalTimeDelta: 0xFF, 0xD8, "shared.external_time_delta", in 0x80..=0xFF
+    ExternalTimeDelta: 0xFF, 0xD8, "shared.external_time_delta";
+    in [0x80..=0xFF];
 }

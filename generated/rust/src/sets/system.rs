@@ -67,7 +67,8 @@ record! {
     ///
     /// Protocols that a port takes in and gives out.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`InterfaceControlResponse`].
+    /// Functions: write, read, save, load and default. Answered by [`InterfaceControlResponse`]. No
+    /// device profile lists it.
     ///
     /// - Accepted on the main port only. The main port always keeps MIP in both directions.
     /// - The acknowledge comes on that port after the change; what arrives meanwhile may be lost.
@@ -103,7 +104,7 @@ record! {
 }
 
 constructors! {
-    InterfaceControl { function, port, protocols_incoming, protocols_outgoing }
+    InterfaceControl
 
     /// Apply the new setting.
     fn write(
@@ -126,7 +127,7 @@ constructors! {
 }
 
 field! {
-    InterfaceControl: 0x7F, 0x02, "system.interface_control"
+    InterfaceControl: 0x7F, 0x02, "system.interface_control";
 }
 
 command! {
@@ -143,8 +144,8 @@ record! {
     /// [`CommModeResponse`]. Supported by 3DM-GX5-15.
     ///
     /// - The acknowledge is sent in the old mode, just before the switch.
-    /// - In a direct mode only this command and device status
-    ///   [(0x0C,0x64)](crate::mip_3dm::DeviceStatus) of the device itself are answered.
+    /// - In a direct mode only this command and
+    ///   [`mip_3dm::DeviceStatus`](crate::mip_3dm::DeviceStatus) of the device itself are answered.
     ///
     /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).
     pub struct CommMode {
@@ -162,7 +163,7 @@ record! {
 }
 
 constructors! {
-    CommMode { function, mode }
+    CommMode
 
     /// Apply the new setting.
     fn write(mode: ProtocolMode) = WRITE;
@@ -181,7 +182,7 @@ constructors! {
 }
 
 field! {
-    CommMode: 0x7F, 0x10, "system.comm_mode"
+    CommMode: 0x7F, 0x10, "system.comm_mode";
 }
 
 command! {
@@ -209,7 +210,8 @@ record! {
 }
 
 field! {
-    InterfaceControlResponse: 0x7F, 0x82, "system.interface_control_response", answers InterfaceControl
+    InterfaceControlResponse: 0x7F, 0x82, "system.interface_control_response";
+    answers InterfaceControl;
 }
 
 record! {
@@ -228,5 +230,6 @@ record! {
 }
 
 field! {
-    CommModeResponse: 0x7F, 0x90, "system.comm_mode_response", answers CommMode
+    CommModeResponse: 0x7F, 0x90, "system.comm_mode_response";
+    answers CommMode;
 }

@@ -63,7 +63,7 @@ impl BuiltInTest {
 }
 
 field! {
-    BuiltInTest: 0xA0, 0x01, "system_data.built_in_test"
+    BuiltInTest: 0xA0, 0x01, "system_data.built_in_test";
 }
 
 record! {
@@ -86,7 +86,7 @@ record! {
 }
 
 field! {
-    TimeSyncStatus: 0xA0, 0x02, "system_data.time_sync_status"
+    TimeSyncStatus: 0xA0, 0x02, "system_data.time_sync_status";
 }
 
 record! {
@@ -96,9 +96,10 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - The pins are sampled within one base period of this set; shorter pulses can be missed.
+    /// - A pulse that is shorter than the period at which the field is sent is missed.
+    /// - The pins are sampled within one base period of this set.
     /// - Only pins that are configured to the GPIO feature by
-    ///   [(0x0C,0x41)](crate::mip_3dm::GpioConfig) are sure to give valid levels.
+    ///   [`mip_3dm::GpioConfig`](crate::mip_3dm::GpioConfig) are sure to give valid levels.
     /// - For fast signals and exact times use the timestamp feature and the event system.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03).
@@ -110,13 +111,15 @@ record! {
 }
 
 field! {
-    GpioState: 0xA0, 0x03, "system_data.gpio_state"
+    GpioState: 0xA0, 0x03, "system_data.gpio_state";
 }
 
 record! {
     /// GPIO analog value (0xA0,0x04).
     ///
     /// Voltage at one GPIO pin.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - Only for pins that are configured as analog inputs.
     ///
@@ -135,5 +138,5 @@ record! {
 }
 
 field! {
-    GpioAnalogValue: 0xA0, 0x04, "system_data.gpio_analog_value"
+    GpioAnalogValue: 0xA0, 0x04, "system_data.gpio_analog_value";
 }

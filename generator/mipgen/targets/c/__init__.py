@@ -106,6 +106,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "letters": m.letters,
         # comments
         "comment": comment,
+        "set_doc": docs.set,
         "field_doc": docs.field,
         "type_doc": docs.type,
         "member_doc": docs.member,

@@ -47,9 +47,9 @@ def _wrapped(paragraph: str, width: int) -> list[str]:
 
 
 def reference(r: describe.Ref) -> str:
-    """How a comment names a thing; a descriptor like (0x0C,0x28) stays one."""
+    """How a comment names a thing."""
     match r.thing, r.within:
-        case m.Field() as f, _ if not r.words.startswith("("):
+        case m.Field() as f, _:
             return names.field_name(f)
         case m.Parameter() as p, _:
             return names.member(p.name) if p.constant is None else p.name
@@ -73,6 +73,10 @@ class Comments:
     """The paragraphs of the comment of each thing."""
 
     model: m.Model
+
+    def set(self, s: m.Set) -> list[str]:
+        what = " ".join([f"{s.title} ({hexadecimal(s.number)}).", *self._prose(s.description)])
+        return ["@file", " ".join([what, *said(describe.uncertain(s, self.model))])]
 
     def field(self, f: m.Field) -> list[str]:
         place = f"({hexadecimal(f.set)},{hexadecimal(f.descriptor)})" if f.set else hexadecimal(f.descriptor)

@@ -97,7 +97,7 @@ def _used(parameters: Iterable[m.Parameter]) -> Iterable[m.Type]:
     for p in parameters:
         if p.element is not None and not isinstance(p.element, m.Scalar):
             yield p.element
-        yield from (v.type for v in p.readings if v.type is not None)
+        yield from (v.type for v in p.variants if v.type is not None)
         yield from _used(c.parameter for c in p.cases if c.parameter is not None)
 
 

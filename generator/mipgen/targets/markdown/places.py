@@ -120,6 +120,10 @@ class Page:
         """A text of the specification; what it says of fields becomes links."""
         return opening(self.say(describe.prose(text, self.model)))
 
+    def quotation(self, text: str) -> str:
+        """What a manual prints; the descriptors in it become links."""
+        return opening(self.say(describe.quotation(text, self.model)))
+
     def say(self, text: describe.Text, ref: Callable[[Ref], str] | None = None) -> str:
         return describe.say(text, ref or self.ref, inline)
 
@@ -128,7 +132,7 @@ class Page:
         match r.thing:
             case m.Field():
                 return self.link(r.thing, None if r.words == r.thing.full_name else inline(r.words))
-            case m.Set() | m.Device() | m.Word():
+            case m.Set() | m.Device() | m.Manual() | m.Word():
                 return self.link(r.thing, inline(r.words))
             case m.EnumValue():
                 return f"{code(r.words)} ({r.thing.value})"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from ... import describe
 from ... import model as m
 from ...checks import computed_length
 from .fields import length
@@ -22,13 +23,18 @@ def of_manual(things: Sequence[Any], manual: m.Manual) -> list[Any]:
 # --------------------------------------------------------------------------- citations
 
 
-def citations(page: Page, thing: m.Field | m.Type | m.Set | m.Device) -> list[str]:
+def citations(page: Page, thing: m.Field | m.Type | m.Set | m.Chapter | m.Device) -> list[str]:
     """Where the manuals describe a thing, a line for each."""
     lines = []
     for s in getattr(thing, "sources", ()):
         remark = _length_remark(page, thing, s) if isinstance(thing, m.Field) else ""
         lines.append(f"{_manual(page, s)}: {inline(s.section)}{f' ({remark})' if remark else ''}")
     return lines
+
+
+def field_lengths(page: Page, manual: m.Manual) -> str:
+    """What the lengths of fields in a manual are."""
+    return page.say(describe.lengths(manual, page.model))
 
 
 def length_remarks(page: Page, f: m.Field) -> list[str]:

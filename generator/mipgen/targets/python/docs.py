@@ -22,8 +22,6 @@ def say(text: Iterable[str | Ref], where: str) -> str:
 def named(ref: Ref, where: str) -> str:
     """What Python calls something that a text names."""
     match ref.thing:
-        case m.Field() if ref.words.startswith("("):  # in a text of the specification: (0x0C,0x28)
-            return f"`{reference(ref.thing, where)}` {ref.words}"
         case m.Field() | m.Enum() | m.Bitfield() | m.Struct():
             return f"`{reference(ref.thing, where)}`"
         case m.EnumValue() | m.Bits():
@@ -41,8 +39,9 @@ def named(ref: Ref, where: str) -> str:
 
 
 def of_set(s: m.Set, model: m.Model) -> str:
-    title = f"{s.title} (0x{s.number:02X})."
-    return literal([title, say(describe.prose(s.description, model), module(s.name)), sources(s)], 0)
+    title, where = f"{s.title} (0x{s.number:02X}).", module(s.name)
+    unsure = sentences(describe.uncertain(s, model), where)
+    return literal([title, say(describe.prose(s.description, model), where), unsure, sources(s)], 0)
 
 
 def of_field(f: m.Field, model: m.Model) -> str:

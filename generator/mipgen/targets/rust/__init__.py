@@ -32,6 +32,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
     return {
         # names
         "constant": constant,
+        "constants": names.constants,
         "home": home,
         "member": member,
         "method": method,

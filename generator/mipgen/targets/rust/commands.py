@@ -34,5 +34,5 @@ def holding(conditions: Iterable[m.Condition], command: m.Field, records: Record
             value = f"{x.type}::{constant(known.name)}"
         elif isinstance(element, m.Enum) or x.type == BOOL:
             value = f"{x.type}({c.value})"
-        found.append(f"{x.name} = {f'Some({value})' if x.optional else value}")
+        found.append(f"{x.name} = {f'Some({value})' if x.may_be_absent else value}")
     return found

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from ... import describe
 from ... import model as m
-from .names import Record, constant, home, member, method, path, type_name
+from .names import Record, constant, home, member, method, module, path, type_name
 from .records import Conversion, Reading, Union
 
 WIDTH = 100
@@ -25,7 +25,9 @@ class Docs:
     # ------------------------------------------------------------------ sets, fields and parameters
 
     def set(self, s: m.Set) -> list[Block]:
-        return [f"{prose(s.title)} (0x{s.number:02X}): {prose(s.description)}", sources(s)]
+        description = self._prose(s.description, module(s.name))
+        unsure, _ = self._facts(describe.uncertain(s, self.model), module(s.name))
+        return [f"{prose(s.title)} (0x{s.number:02X}): {description}", unsure, sources(s)]
 
     def field(self, f: m.Field) -> list[Block]:
         said, notes = self._facts(describe.field(f, self.model), home(f))
@@ -48,18 +50,18 @@ class Docs:
     # ------------------------------------------------------------------ types and their parts
 
     def type(self, t: m.Type) -> list[Block]:
-        said = prose(t.description) or words(t.name)
+        description = self._prose(t.description, home(t)) or words(t.name)
         more, _ = self._facts(describe.type(t, self.model), home(t))
         unheld = self._unheld(t) if isinstance(t, m.Struct) else []
-        return [said, more, *unheld, "" if isinstance(t, m.Vector) else sources(t)]
+        return [description, more, *unheld, "" if isinstance(t, m.Vector) else sources(t)]
 
-    def value(self, v: m.EnumValue) -> list[Block]:
-        said, _ = self._facts(describe.value(v, self.model), "")
-        return [f"{prose(v.description) or words(v.name)} {said}".strip()]
+    def value(self, v: m.EnumValue, of: m.Enum) -> list[Block]:
+        said, _ = self._facts(describe.value(v, self.model), home(of))
+        return [f"{self._prose(v.description, home(of)) or words(v.name)} {said}".strip()]
 
     def bits(self, b: m.Bits, of: m.Bitfield) -> list[Block]:
         said, _ = self._facts(describe.bits(b, self.model), home(of))
-        return [f"{prose(b.description) or words(b.name)} {said}"]
+        return [f"{self._prose(b.description, home(of)) or words(b.name)} {said}"]
 
     def union(self, u: Union) -> list[Block]:
         return [f"The alternatives of `{u.operation.member}` in [`{type_name(u.record.name)}`]."]
@@ -70,9 +72,9 @@ class Docs:
         facts += describe.parameter(c.parameter, u.record, self.model) if c.parameter else []
         said, notes = self._facts(facts, home(u.record))
         description = c.parameter.description if c.parameter else ""
-        return [prose(description or c.tag.description) or words(c.tag.name), said, notes]
+        return [self._prose(description or c.tag.description, home(u.record)) or words(c.tag.name), said, notes]
 
-    # ------------------------------------------------------------------ functions
+    # ------------------------------------------------------------------ methods
 
     def reading(self, r: Reading, record: Record) -> list[Block]:
         return [f"Reads `{r.member.name}` as [`{r.type}`].", self._variants(r, record, home(record))]
@@ -87,11 +89,11 @@ class Docs:
     # ------------------------------------------------------------------ devices
 
     def device(self, d: m.Device) -> list[Block]:
-        found: list[Block] = [prose(d.title), prose(d.description)]
+        found: list[Block] = [prose(d.title), self._prose(d.description, "devices")]
         for n in d.notes:
             rows = [tuple(map(prose, row)) for row in n.rows]
             rule = [("---",) * len(rows[0])] if rows else []
-            found += [f"# {prose(n.title)}", prose(n.description), rows[:1] + rule + rows[1:]]
+            found += [f"# {prose(n.title)}", self._prose(n.description, "devices"), rows[:1] + rule + rows[1:]]
         return found
 
     def difference(self, v: m.DeviceVariant) -> str:
@@ -152,8 +154,7 @@ def reference(r: describe.Ref, here: str) -> str:
     """A link to an item, or a word where the crate has no such item."""
     match r.thing, r.within:
         case m.Field() as f, _:
-            shown = r.words if r.words.startswith("(") else ""
-            return link(path(f, here), shown)
+            return link(path(f, here))
         case (m.Enum() | m.Bitfield() | m.Struct()) as t, _:
             return link(path(t, here))
         case m.EnumValue() as v, m.Enum() as t:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from ... import model as m
 from ...naming import Escape, pascal, upper
 from ...render import language
@@ -44,6 +46,11 @@ def constant(words: str) -> str:
     return _constant(upper(words))
 
 
+def constants(functions: Iterable[m.Function]) -> str:
+    """Function selectors, as the macros of the crate list them."""
+    return " ".join(constant(f.name) for f in functions)
+
+
 def constructor(function: m.Function) -> str:
     name: str = LANGUAGE["constructors"].get(function.name, function.name)
     return _constructor(name)
@@ -80,9 +87,9 @@ def home(thing: m.Type | Record) -> str:
 
 
 def path(thing: m.Type | Record, here: str) -> str:
-    """What a type is called inside the module `here`."""
+    """What a type is called inside the module `here`; anywhere in the crate, if that is none."""
     name, where = type_name(thing.name), home(thing)
-    return name if where == here else f"types::{name}" if where == "types" else f"crate::{where}::{name}"
+    return name if where == here else f"types::{name}" if where == "types" and here else f"crate::{where}::{name}"
 
 
 # --------------------------------------------------------------------------- scalars

@@ -1,4 +1,4 @@
-"""Records: their members, and the functions that make and read them."""
+"""Records: their members, and the methods that make and read them."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from ... import model as m
-from .names import Record, constant, constructor, home, inner, member, path, scalar, type_name, variant
+from .names import Record, constant, constants, constructor, home, inner, member, path, scalar, type_name, variant
 
 BOOL = scalar(m.SCALARS["bool"])
 DEFAULT = "core::default::Default::default()"
@@ -18,16 +18,16 @@ class Member:
 
     name: str
     type: str
-    optional: bool
+    may_be_absent: bool
     parameter: m.Parameter
 
     @property
     def whole_type(self) -> str:
-        return f"Option<{self.type}>" if self.optional else self.type
+        return f"Option<{self.type}>" if self.may_be_absent else self.type
 
     @property
     def argument(self) -> str:
-        """The type of a function's argument that becomes this member: what is easy to give."""
+        """The type of an argument that becomes this member: what is easy to give."""
         if self.type == BOOL:
             return "bool"
         vector = isinstance(self.parameter.element, m.Vector) and self.parameter.length is None
@@ -36,7 +36,7 @@ class Member:
     @property
     def default(self) -> str:
         """What it is by default, as an expression."""
-        if self.optional:
+        if self.may_be_absent:
             return "None"
         return reserved(self.parameter) if self.parameter.reserved else default(self.parameter.operation)
 
@@ -68,14 +68,20 @@ class Union:
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """A function that reads a member as the type that names its values."""
+    """A method that reads a member as the type that names its values."""
 
     name: str
     type: str
     member: Member
     variants: tuple[m.Variant, ...]
     tag: Member | None  # the sibling that decides, if it is not the device
-    values: tuple[str, ...]  # of the tag
+
+    @property
+    def pattern(self) -> str:
+        """The values of the sibling that select the type."""
+        assert self.tag is not None
+        values = " | ".join(f"{self.tag.type}::{constant(v.key)}" for v in self.variants)
+        return f"Some({values})" if self.tag.may_be_absent else values
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,7 +164,7 @@ class Records:
         """Is the default of each member the one of its type?"""
         return all(x.default in ("None", DEFAULT) for x in self.members(record))
 
-    # ------------------------------------------------------------------ functions that make a record
+    # ------------------------------------------------------------------ constructors and setters
 
     def constructors(self, record: Record) -> list[Constructor]:
         if isinstance(record, m.Struct):
@@ -195,7 +201,7 @@ class Records:
         command = isinstance(record, m.Field) and record.role == m.COMMAND
         return [x for x in self.members(record) if command and x.parameter.optional]
 
-    # ------------------------------------------------------------------ functions that read a member
+    # ------------------------------------------------------------------ readings
 
     def readings(self, record: Record) -> list[Reading]:
         """One for each type that names the values of a member, on a device or beside a value of a sibling."""
@@ -208,8 +214,7 @@ class Records:
                 variants = tuple(v for v in x.parameter.readings if v.type == t)
                 by = {v.by for v in variants}
                 tag = None if m.DEVICE in by else members[by.pop()]
-                values = tuple(f"{tag.type}::{constant(v.key)}" for v in variants) if tag else ()
-                found.append(Reading(f"{x.parameter.name}_as_{t.name}", path(t, here), x, variants, tag, values))
+                found.append(Reading(f"{x.parameter.name}_as_{t.name}", path(t, here), x, variants, tag))
         return found
 
     def conversions(self) -> list[Conversion]:
@@ -230,7 +235,7 @@ def structs(types: Iterable[m.Type]) -> list[m.Struct]:
 def is_sequence(record: Record) -> bool:
     """Has it just its members on the wire, one after another?"""
     plain = all(isinstance(op, (m.ScalarOp, m.BitsOp, m.StructOp, m.ArrayOp, m.TextOp)) for op in record.operations)
-    return plain and not any(p.counts or member(p.name) != p.name for p in record.parameters)
+    return plain and not any(p.selector or member(p.name) != p.name for p in record.parameters)
 
 
 def is_selector(op: m.Operation, record: Record) -> bool:
@@ -240,7 +245,7 @@ def is_selector(op: m.Operation, record: Record) -> bool:
 def when(group: m.GroupOp, record: m.Field) -> str:
     """When a group must be there: for some functions, or never."""
     required = record.counted[group.first - 1].required_for
-    return f"for {' '.join(constant(f.name) for f in required)}" if required else "optional"
+    return f"for {constants(required)}" if required else "optional"
 
 
 def default(op: m.Operation) -> str:

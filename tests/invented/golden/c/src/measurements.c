@@ -346,3 +346,83 @@ mip_error mip_measurements_cloud_encode(const struct mip_measurements_cloud *val
                                         struct mip_builder *builder) {
     return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_CLOUD_DESCRIPTOR, write_cloud, value);
 }
+
+static void read_gust(struct mip_reader *r, void *value) {
+    struct mip_measurements_gust *v = (struct mip_measurements_gust *)value;
+    mip_read_u8(r, &v->station, 1);
+    mip_point_read(r, &v->place);
+    mip_read_float(r, &v->height, 1);
+    mip_read_float(r, v->speed, 3);
+    mip_read_constant(r, 7, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_gust(struct mip_writer *w, const void *value) {
+    const struct mip_measurements_gust *v = (const struct mip_measurements_gust *)value;
+    mip_write_u8(w, &v->station, 1);
+    mip_point_write(w, &v->place);
+    mip_write_float(w, &v->height, 1);
+    mip_write_float(w, v->speed, 3);
+    mip_write_constant(w, 7, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_measurements_gust_codec = {
+    0x80, /* descriptor set */
+    MIP_MEASUREMENTS_GUST_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_measurements_gust),
+    0, /* time-out */
+    read_gust,
+    write_gust,
+    NULL,
+    NULL,
+    NULL,
+};
+
+mip_error mip_measurements_gust_decode(struct mip_measurements_gust *value,
+                                       const struct mip_field *field) {
+    return mip_decode_field(field, read_gust, value, sizeof(*value), NULL);
+}
+
+mip_error mip_measurements_gust_encode(const struct mip_measurements_gust *value,
+                                       struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_GUST_DESCRIPTOR, write_gust, value);
+}
+
+static void read_breeze(struct mip_reader *r, void *value) {
+    struct mip_measurements_breeze *v = (struct mip_measurements_breeze *)value;
+    mip_point_read(r, &v->place);
+    mip_read_float(r, &v->height, 1);
+    mip_read_float(r, v->turn, 4);
+}
+
+static void write_breeze(struct mip_writer *w, const void *value) {
+    const struct mip_measurements_breeze *v = (const struct mip_measurements_breeze *)value;
+    mip_point_write(w, &v->place);
+    mip_write_float(w, &v->height, 1);
+    mip_write_float(w, v->turn, 4);
+}
+
+const struct mip_codec mip_measurements_breeze_codec = {
+    0x80, /* descriptor set */
+    MIP_MEASUREMENTS_BREEZE_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_measurements_breeze),
+    0, /* time-out */
+    read_breeze,
+    write_breeze,
+    NULL,
+    NULL,
+    NULL,
+};
+
+mip_error mip_measurements_breeze_decode(struct mip_measurements_breeze *value,
+                                         const struct mip_field *field) {
+    return mip_decode_field(field, read_breeze, value, sizeof(*value), NULL);
+}
+
+mip_error mip_measurements_breeze_encode(const struct mip_measurements_breeze *value,
+                                         struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_BREEZE_DESCRIPTOR, write_breeze, value);
+}

@@ -223,6 +223,18 @@ static const struct mip_record record_tools_path = {
     sizeof(struct mip_tools_path),
 };
 
+static const struct mip_parameter parameters_tools_reading[] = {
+    {"kind", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_reading, kind), 0, NULL, NULL, NULL, NULL, 0},
+    {"value", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_reading, value), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_reading = {
+    parameters_tools_reading,
+    2,
+    sizeof(struct mip_tools_reading),
+};
+
 static const struct mip_reading readings_protocol_acknowledge_code[] = {
     {"model-b", 0, 0, &names_mode},
 };
@@ -419,6 +431,16 @@ static const struct mip_record record_tools_hello = {
     sizeof(struct mip_tools_hello),
 };
 
+static const struct mip_parameter parameters_tools_readings[] = {
+    {"drive", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_readings, drive), 0, &names_tools_drive, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_readings = {
+    parameters_tools_readings,
+    1,
+    sizeof(struct mip_tools_readings),
+};
+
 static const struct mip_parameter parameters_tools_settings_response[] = {
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_tools_settings_response, port), 0, NULL, NULL, NULL, NULL, 0},
@@ -541,9 +563,27 @@ static const struct mip_record record_tools_hello_response = {
     sizeof(struct mip_tools_hello_response),
 };
 
+static const struct mip_parameter parameters_tools_readings_response[] = {
+    {"drive", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_readings_response, drive), 0, &names_tools_drive, NULL, NULL, NULL, 0},
+    {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 0, 0,
+     ONE(struct mip_tools_readings_response, count), 0, NULL, NULL, NULL, NULL, 0},
+    {"readings", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 49, 1, 1, 0, 0,
+     MANY(struct mip_tools_readings_response, readings), 0, NULL, NULL, &record_tools_reading, NULL,
+     0},
+    {"last", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_readings_response, last), 0, NULL, NULL, &record_tools_reading, NULL, 0},
+};
+static const struct mip_record record_tools_readings_response = {
+    parameters_tools_readings_response,
+    4,
+    sizeof(struct mip_tools_readings_response),
+};
+
 static const struct mip_reading readings_tools_status_short_flags[] = {
     {"model-a", 0, 0, &names_tools_model_a_faults},
     {"model-b", 0, 0, &names_tools_model_b_faults},
+    {"model-c", 0, 0, &names_tools_model_a_faults},
 };
 static const struct mip_parameter parameters_tools_status_short[] = {
     {"model", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 4711, 0, 0, 0,
@@ -552,7 +592,7 @@ static const struct mip_parameter parameters_tools_status_short[] = {
      NULL, NULL, NULL, 0},
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_tools_status_short, flags), 0, NULL, readings_tools_status_short_flags, NULL,
-     NULL, 2},
+     NULL, 3},
 };
 static const struct mip_record record_tools_status_short = {
     parameters_tools_status_short,
@@ -780,6 +820,40 @@ static const struct mip_record record_measurements_cloud = {
     sizeof(struct mip_measurements_cloud),
 };
 
+static const struct mip_parameter parameters_measurements_gust[] = {
+    {"station", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_gust, station), 0, NULL, NULL, NULL, NULL, 0},
+    {"place", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_gust, place), 0, NULL, NULL, &record_point, NULL, 0},
+    {"height", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_gust, height), 0, NULL, NULL, NULL, NULL, 0},
+    {"speed", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_measurements_gust, speed), 0, NULL, NULL, NULL, NULL, 0},
+    {"gap", "", MIP_KIND_CONSTANT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 7, 0, 0, 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_gust, valid_flags), 0, &names_state_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_measurements_gust = {
+    parameters_measurements_gust,
+    6,
+    sizeof(struct mip_measurements_gust),
+};
+
+static const struct mip_parameter parameters_measurements_breeze[] = {
+    {"place", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_breeze, place), 0, NULL, NULL, &record_point, NULL, 0},
+    {"height", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_breeze, height), 0, NULL, NULL, NULL, NULL, 0},
+    {"turn", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+     ONE(struct mip_measurements_breeze, turn), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_measurements_breeze = {
+    parameters_measurements_breeze,
+    3,
+    sizeof(struct mip_measurements_breeze),
+};
+
 static const struct mip_parameter parameters_more_own[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_more_own, mode), 0, &names_mode, NULL, NULL, NULL, 0},
@@ -825,6 +899,7 @@ const struct mip_reflection mip_reflections[] = {
      sizeof(required_tools_pin), offsetof(struct mip_tools_pin, present)},
     {&mip_tools_hello_codec, &record_tools_hello, false, true, NULL, 0,
      offsetof(struct mip_tools_hello, present)},
+    {&mip_tools_readings_codec, &record_tools_readings, false, false, NULL, 0, 0},
     {&mip_tools_settings_response_codec, &record_tools_settings_response, false, false, NULL, 0, 0},
     {&mip_tools_set_time_fast_response_codec, &record_tools_set_time_fast_response, false, false,
      NULL, 0, 0},
@@ -836,6 +911,7 @@ const struct mip_reflection mip_reflections[] = {
      0},
     {&mip_tools_pin_response_codec, &record_tools_pin_response, false, false, NULL, 0, 0},
     {&mip_tools_hello_response_codec, &record_tools_hello_response, false, false, NULL, 0, 0},
+    {&mip_tools_readings_response_codec, &record_tools_readings_response, false, false, NULL, 0, 0},
     {&mip_tools_status_short_codec, &record_tools_status_short, false, false, NULL, 0, 0},
     {&mip_tools_status_long_codec, &record_tools_status_long, false, false, NULL, 0, 0},
     {&mip_tools_status_old_codec, &record_tools_status_old, false, false, NULL, 0, 0},
@@ -851,6 +927,8 @@ const struct mip_reflection mip_reflections[] = {
      offsetof(struct mip_measurements_growing, present)},
     {&mip_measurements_radio_codec, &record_measurements_radio, false, false, NULL, 0, 0},
     {&mip_measurements_cloud_codec, &record_measurements_cloud, false, false, NULL, 0, 0},
+    {&mip_measurements_gust_codec, &record_measurements_gust, false, false, NULL, 0, 0},
+    {&mip_measurements_breeze_codec, &record_measurements_breeze, false, false, NULL, 0, 0},
     {&mip_more_own_codec, &record_more_own, false, false, NULL, 0, 0},
     {&mip_shared_timestamp_codec, &record_shared_timestamp, false, false, NULL, 0, 0},
 };

@@ -59,6 +59,16 @@ void mip_tools_path_write(struct mip_writer *w, const struct mip_tools_path *v) 
     }
 }
 
+void mip_tools_reading_read(struct mip_reader *r, struct mip_tools_reading *v) {
+    mip_read_u8(r, &v->kind, 1);
+    mip_read_float(r, &v->value, 1);
+}
+
+void mip_tools_reading_write(struct mip_writer *w, const struct mip_tools_reading *v) {
+    mip_write_u8(w, &v->kind, 1);
+    mip_write_float(w, &v->value, 1);
+}
+
 const struct mip_codec mip_tools_ping_codec = {
     0x01, /* descriptor set */
     MIP_TOOLS_PING_DESCRIPTOR,
@@ -1453,4 +1463,93 @@ mip_error mip_tools_hello_response_encode(const struct mip_tools_hello_response 
                                           struct mip_builder *builder) {
     return mip_encode_field(builder, 0x01, MIP_TOOLS_HELLO_RESPONSE_DESCRIPTOR,
                             write_hello_response, value);
+}
+
+static void read_readings(struct mip_reader *r, void *value) {
+    struct mip_tools_readings *v = (struct mip_tools_readings *)value;
+    mip_read_u8(r, &v->drive, 1);
+}
+
+static void write_readings(struct mip_writer *w, const void *value) {
+    const struct mip_tools_readings *v = (const struct mip_tools_readings *)value;
+    mip_write_u8(w, &v->drive, 1);
+}
+
+static const struct mip_response responses_readings[] = {
+    {&mip_tools_readings_response_codec, NULL},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_tools_readings_codec = {
+    0x01, /* descriptor set */
+    MIP_TOOLS_READINGS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_tools_readings),
+    0, /* time-out */
+    read_readings,
+    write_readings,
+    NULL,
+    responses_readings,
+    NULL,
+};
+
+mip_error mip_tools_readings_decode(struct mip_tools_readings *value,
+                                    const struct mip_field *field) {
+    return mip_decode_field(field, read_readings, value, sizeof(*value), NULL);
+}
+
+mip_error mip_tools_readings_encode(const struct mip_tools_readings *value,
+                                    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_READINGS_DESCRIPTOR, write_readings, value);
+}
+
+struct mip_tools_readings mip_tools_readings_make(mip_tools_drive drive) {
+    struct mip_tools_readings v;
+    memset(&v, 0, sizeof(v));
+    v.drive = drive;
+    return v;
+}
+
+static void read_readings_response(struct mip_reader *r, void *value) {
+    struct mip_tools_readings_response *v = (struct mip_tools_readings_response *)value;
+    mip_read_u8(r, &v->drive, 1);
+    mip_read_u8(r, &v->count, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->count, 49, 5); i < n; i++) {
+        mip_tools_reading_read(r, &v->readings[i]);
+    }
+    mip_tools_reading_read(r, &v->last);
+}
+
+static void write_readings_response(struct mip_writer *w, const void *value) {
+    const struct mip_tools_readings_response *v = (const struct mip_tools_readings_response *)value;
+    mip_write_u8(w, &v->drive, 1);
+    mip_write_u8(w, &v->count, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->count, 49); i < n; i++) {
+        mip_tools_reading_write(w, &v->readings[i]);
+    }
+    mip_tools_reading_write(w, &v->last);
+}
+
+const struct mip_codec mip_tools_readings_response_codec = {
+    0x01, /* descriptor set */
+    MIP_TOOLS_READINGS_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_tools_readings_response),
+    0, /* time-out */
+    read_readings_response,
+    write_readings_response,
+    NULL,
+    NULL,
+    NULL,
+};
+
+mip_error mip_tools_readings_response_decode(struct mip_tools_readings_response *value,
+                                             const struct mip_field *field) {
+    return mip_decode_field(field, read_readings_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_tools_readings_response_encode(const struct mip_tools_readings_response *value,
+                                             struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_READINGS_RESPONSE_DESCRIPTOR,
+                            write_readings_response, value);
 }

@@ -1,6 +1,8 @@
 """Copied measurements (0x92).
 
 All the fields of another set.
+
+Uncertain: Which device sends it.
 """
 
 from __future__ import annotations
@@ -14,7 +16,7 @@ class Accel(measurements.Accel):
 
     A vector whose elements are valid together.
 
-    Has the layout of `measurements.Accel`. Sent at 100 Hz at most.
+    Has the layout of `measurements.Accel`. Sent at 100 Hz at most. May be supported by Model C.
 
     - guide: Third acceleration
     """
@@ -29,6 +31,8 @@ class Accel(measurements.Accel):
     x by `types.StateFlags.READY` of `valid_flags`, y by `types.StateFlags.HOT` of `valid_flags`, z
     by `types.StateFlags.READY` of `valid_flags`.
     """
+    valid_flags: types.StateFlags
+    """What is valid."""
 
 
 class Numbers(measurements.Numbers):
@@ -36,7 +40,8 @@ class Numbers(measurements.Numbers):
 
     One of each.
 
-    Has the layout of `measurements.Numbers`.
+    Has the layout of `measurements.Numbers`. No device profile lists it. Known from the Kit of
+    names only.
 
     - sheet: Copied measurements
     """
@@ -52,7 +57,8 @@ class Strings(measurements.Strings):
 
     Fixed, counted, and to the end.
 
-    Has the layout of `measurements.Strings`.
+    Has the layout of `measurements.Strings`. No device profile lists it. Known from the Kit of
+    names only.
 
     - sheet: Copied measurements
     """
@@ -68,7 +74,8 @@ class Health(measurements.Health):
 
     The wide bitfield.
 
-    Deprecated: use `measurements.Numbers` instead. Has the layout of `measurements.Health`.
+    Deprecated: use `measurements.Numbers` instead. Has the layout of `measurements.Health`. No
+    device profile lists it. Known from the Kit of names only.
 
     - sheet: Copied measurements
     """
@@ -84,7 +91,8 @@ class Arrays(measurements.Arrays):
 
     Arrays of all that can stand in one.
 
-    Has the layout of `measurements.Arrays`.
+    Has the layout of `measurements.Arrays`. No device profile lists it. Known from the Kit of names
+    only.
 
     - sheet: Copied measurements
     """
@@ -100,7 +108,8 @@ class Growing(measurements.Growing):
 
     Newer devices send more of it.
 
-    Has the layout of `measurements.Growing`.
+    Has the layout of `measurements.Growing`. No device profile lists it. Known from the Kit of
+    names only.
 
     - sheet: Copied measurements
     """
@@ -116,8 +125,9 @@ class Radio(measurements.Radio):
 
     A bool vouches for values; one source has no layout that agrees with it.
 
-    Has the layout of `measurements.Radio`. Also called `modem` and `rf`. Uncertain: The leaflet
-    gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
+    Has the layout of `measurements.Radio`. Also called `modem` and `rf`. No device profile lists
+    it. Known from the Kit of names only. Uncertain: The leaflet gives the strength two bytes.
+    Uncertain: Inferred: the strength is never positive.
 
     - sheet: Copied measurements
     """
@@ -127,13 +137,17 @@ class Radio(measurements.Radio):
     SET = 0x92
     NAME = "copy.radio"
 
+    noise: float
+    """Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true."""
+
 
 class Cloud(measurements.Cloud):
     """Cloud (0x92,0x08).
 
     The count can exceed what a field holds beside the value behind the array.
 
-    Has the layout of `measurements.Cloud`.
+    Has the layout of `measurements.Cloud`. No device profile lists it. Known from the Kit of names
+    only.
 
     - sheet: Copied measurements
     """
@@ -142,6 +156,43 @@ class Cloud(measurements.Cloud):
 
     SET = 0x92
     NAME = "copy.cloud"
+
+
+class Gust(measurements.Gust):
+    """Gust (0x92,0x09).
+
+    One valid flag for all values but one; `measurements.Breeze` has the same place.
+
+    Has the layout of `measurements.Gust`. No device profile lists it. Known from the Kit of names
+    only.
+
+    `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see `types.Mode` and
+    `tools.Shape`.
+
+    - sheet: Copied measurements
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "copy.gust"
+
+
+class Breeze(measurements.Breeze):
+    """Breeze (0x92,0x0A).
+
+    Its place is told as in `measurements.Gust`.
+
+    Has the layout of `measurements.Breeze`. No device profile lists it. Known from the Kit of names
+    only.
+
+    - sheet: Copied measurements
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "copy.breeze"
 
 
 #: The types of each descriptor; several where constants or the size of the data tell layouts apart.
@@ -154,4 +205,6 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x06: (Growing,),
     0x07: (Radio,),
     0x08: (Cloud,),
+    0x09: (Gust,),
+    0x0A: (Breeze,),
 }

@@ -1,6 +1,6 @@
 """Measurements (0x80).
 
-Data of every type.
+Data of every type; `tools` has what they are set up with.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ class Accel(Data):
 
     A vector whose elements are valid together.
 
-    Sent at 100 Hz at most. Supported by Model A and Model B.
+    Sent at 100 Hz at most. Supported by Model A, Model B and Model C.
 
     - guide: Acceleration
     - leaflet: Acceleration
@@ -36,10 +36,16 @@ class Accel(Data):
     x by `types.StateFlags.READY` of `valid_flags`, y by `types.StateFlags.HOT` of `valid_flags`, z
     by `types.StateFlags.READY` of `valid_flags`.
 
-    - On the Model B: unit m, m, s; frame ned. Turned by the device.
+    - On the Model B: unit m, m, s; frame ned; valid by element: x by `types.StateFlags.HOT` of
+      `valid_flags`, y by `types.StateFlags.READY` of `valid_flags`, z by `types.StateFlags.HOT` of
+      `valid_flags`. Turned by the device.
+    - On the Model C: nothing says whether it is valid.
     """
     valid_flags: types.StateFlags
-    """What is valid."""
+    """What is valid.
+
+    - On the Model C: only `types.StateFlags.READY` and `types.StateFlags.LEVEL`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Accel, int]:
@@ -77,7 +83,7 @@ class Numbers(Data):
 
     One of each.
 
-    Supported by Model A.
+    Supported by Model A and Model C. May be supported by Old 1 and Old 2.
 
     - guide: Numbers
     """
@@ -157,7 +163,7 @@ class Strings(Data):
 
     Fixed, counted, and to the end.
 
-    Supported by Model A.
+    Supported by Model A and Model C.
 
     - guide: Strings
     """
@@ -210,7 +216,7 @@ class Health(Data):
 
     The wide bitfield.
 
-    Deprecated: use `Numbers` instead. Supported by Model A.
+    Deprecated: use `Numbers` instead. Supported by Model A and Model C.
 
     - guide: Health
     """
@@ -248,7 +254,7 @@ class Arrays(Data):
 
     Arrays of all that can stand in one.
 
-    Supported by Model A.
+    Supported by Model A and Model C.
 
     - guide: Arrays
     """
@@ -311,7 +317,7 @@ class Growing(Data):
 
     Newer devices send more of it.
 
-    Supported by Model A.
+    Supported by Model A and Model C.
 
     - guide: Growing
     """
@@ -376,8 +382,8 @@ class Radio(Data):
 
     A bool vouches for values; one source has no layout that agrees with it.
 
-    Also called `modem` and `rf`. Uncertain: The leaflet gives the strength two bytes. Uncertain:
-    Inferred: the strength is never positive.
+    Also called `modem` and `rf`. Supported by Model C. Known from the Kit of names only. Uncertain:
+    The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
 
     - sheet: Radio
     """
@@ -392,7 +398,10 @@ class Radio(Data):
     strength: int
     """Of the signal. Range: less than 1. Valid if `connected` is true. Uncertain: Its unit."""
     noise: float
-    """Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true."""
+    """Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true.
+
+    - On the Model C: valid if `connected` is true; deprecated.
+    """
     gap: float = 0.0
     """Reserved. Reserved."""
     gaps: tuple[float, float] = (0.0, 0.0)
@@ -430,7 +439,7 @@ class Cloud(Data):
 
     The count can exceed what a field holds beside the value behind the array.
 
-    Supported by Model A.
+    Supported by Model A and Model C.
 
     - guide: Cloud
     """
@@ -467,6 +476,111 @@ class Cloud(Data):
         return codec.finished(out)
 
 
+_GUST_0 = codec.Block("B", "station")
+_GUST_1 = codec.Block("ffffB", "height", *["speed"] * 3, "gap")
+_GUST_2 = codec.Block("H", "valid_flags")
+
+
+@dataclass(slots=True)
+class Gust(Data):
+    """Gust (0x80,0x09).
+
+    One valid flag for all values but one; `Breeze` has the same place.
+
+    No device profile lists it.
+
+    `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see `types.Mode` and
+    `tools.Shape`.
+
+    - guide: Gust
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x09
+    NAME = "measurements.gust"
+    ROLE = "data"
+
+    station: int
+    """Which one."""
+    place: types.Point
+    """Where it was measured. Valid if `types.StateFlags.READY` of `valid_flags` is set."""
+    height: float
+    """Above the plane. Unit: m. Valid if `types.StateFlags.READY` of `valid_flags` is set."""
+    speed: types.Vector3f
+    """Of the wind. Elements: x, y, z. Unit: m. Range: magnitude at most 40. Valid if
+    `types.StateFlags.READY` of `valid_flags` is set.
+    """
+    # On the wire: gap. Always the same. Always 7.
+    valid_flags: types.StateFlags
+    """What is valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Gust, int]:
+        v = _GUST_0.read(raw, at)
+        at += 1
+        station = v[0]
+        place, at = types.Point._read(raw, at)
+        v = _GUST_1.read(raw, at)
+        at += 17
+        height = v[0]
+        speed = v[1:4]
+        codec.constant(v[4], 7)
+        v = _GUST_2.read(raw, at)
+        at += 2
+        valid_flags = types.StateFlags(v[0])
+        return cls(station, place, height, speed, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GUST_0.write(self.station)
+        out += codec.structure("place", self.place, types.Point)
+        out += _GUST_1.write(self.height, *codec.exactly("speed", self.speed, 3), 7)
+        out += _GUST_2.write(self.valid_flags)
+        return codec.finished(out)
+
+
+_BREEZE_0 = codec.Block("fffff", "height", *["turn"] * 4)
+
+
+@dataclass(slots=True)
+class Breeze(Data):
+    """Breeze (0x80,0x0A).
+
+    Its place is told as in `Gust`.
+
+    Supported by Model A and Model C.
+
+    - guide: Breeze
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x0A
+    NAME = "measurements.breeze"
+    ROLE = "data"
+
+    place: types.Point
+    """Where it was measured."""
+    height: float
+    """Above the plane. Unit: m."""
+    turn: types.Quatf
+    """Of the vane. Elements: w, x, y, z. Unit: 1. Range: -1 to 1, magnitude 0.5 to 1.5. Default: 1,
+    0, 0, 0.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Breeze, int]:
+        place, at = types.Point._read(raw, at)
+        v = _BREEZE_0.read(raw, at)
+        at += 20
+        height = v[0]
+        turn = v[1:5]
+        return cls(place, height, turn), at
+
+    def _write(self) -> bytes:
+        out = codec.structure("place", self.place, types.Point)
+        out += _BREEZE_0.write(self.height, *codec.exactly("turn", self.turn, 4))
+        return codec.finished(out)
+
+
 #: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Accel,),
@@ -477,4 +591,6 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x06: (Growing,),
     0x07: (Radio,),
     0x08: (Cloud,),
+    0x09: (Gust,),
+    0x0A: (Breeze,),
 }

@@ -49,6 +49,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("num_points", "num_points", "counter", scalar="u8", counts="points"),
         Parameter("points", "points", "array", length="num_points", type=types.Point),
     ),
+    tools.Reading: (
+        Parameter("kind", "kind", "scalar", scalar="u8"),
+        Parameter("value", "value", "scalar", scalar="float"),
+    ),
     tools.Ping: (),
     tools.Settings: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -118,6 +122,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("reserved", "reserved", "scalar", scalar="float"),
         Parameter("later", "later", "array", scalar="double", length=2),
     ),
+    tools.Readings: (Parameter("drive", "drive", "scalar", scalar="u8", type=tools.Drive),),
     tools.SettingsResponse: (
         Parameter("port", "port", "scalar", scalar="u8"),
         Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),
@@ -163,6 +168,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("use", "use", "scalar", scalar="u8"),
     ),
     tools.HelloResponse: (Parameter("seen", "seen", "scalar", scalar="u32", units=("s",)),),
+    tools.ReadingsResponse: (
+        Parameter("drive", "drive", "scalar", scalar="u8", type=tools.Drive),
+        Parameter("count", "count", "counter", scalar="u8", counts="readings"),
+        Parameter("readings", "readings", "array", length="count", type=tools.Reading),
+        Parameter("last", "last", "struct", type=tools.Reading),
+    ),
     tools.StatusShort: (
         Parameter("model", "model", "constant", scalar="u16", constant=4711),
         Parameter("selector", "selector", "constant", scalar="u8", constant=1),
@@ -264,6 +275,23 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("points", "points", "array", length="num_points", type=types.Point),
         Parameter("stamp", "stamp", "scalar", scalar="u64"),
     ),
+    measurements.Gust: (
+        Parameter("station", "station", "scalar", scalar="u8"),
+        Parameter("place", "place", "struct", type=types.Point),
+        Parameter("height", "height", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "speed", "speed", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
+        ),
+        Parameter("gap", "gap", "constant", scalar="u8", constant=7),
+        Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=types.StateFlags),
+    ),
+    measurements.Breeze: (
+        Parameter("place", "place", "struct", type=types.Point),
+        Parameter("height", "height", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "turn", "turn", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)
+        ),
+    ),
     more.Own: (Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),),
     shared.Timestamp: (
         Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
@@ -281,3 +309,5 @@ PARAMETERS[copy.Arrays] = PARAMETERS[measurements.Arrays]
 PARAMETERS[copy.Growing] = PARAMETERS[measurements.Growing]
 PARAMETERS[copy.Radio] = PARAMETERS[measurements.Radio]
 PARAMETERS[copy.Cloud] = PARAMETERS[measurements.Cloud]
+PARAMETERS[copy.Gust] = PARAMETERS[measurements.Gust]
+PARAMETERS[copy.Breeze] = PARAMETERS[measurements.Breeze]

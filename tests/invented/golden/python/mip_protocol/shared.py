@@ -19,7 +19,7 @@ class Timestamp(Data):
 
     When the packet was sent.
 
-    Supported by Model A.
+    Supported by Model A and Model C.
 
     - guide: Timestamp
     """

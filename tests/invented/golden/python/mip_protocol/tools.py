@@ -161,6 +161,31 @@ class SerialUse(codec.OpenEnum):
     TRANSMIT = 33
 
 
+_READING_0 = codec.Block("Bf", "kind", "value")
+
+
+@dataclass(slots=True)
+class Reading(Structure):
+    """One of a list; what it is depends on what was asked for."""
+
+    kind: int
+    """Of the reading."""
+    value: float
+    """Of the reading."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Reading, int]:
+        v = _READING_0.read(raw, at)
+        at += 5
+        kind = v[0]
+        value = v[1]
+        return cls(kind, value), at
+
+    def _write(self) -> bytes:
+        out = _READING_0.write(self.kind, self.value)
+        return out
+
+
 @codec.open_flag(32)
 class ModelAFaults(IntFlag):
     """Of the model A."""
@@ -192,7 +217,7 @@ _SETTINGS_RESPONSE_0 = codec.Block("BBIHB", "port", "mode", "baud", "limit", "re
 class SettingsResponse(Response):
     """Settings response (0x01,0x82).
 
-    Answers `Settings`. Supported by Model A and Model B.
+    Answers `Settings`. Supported by Model A, Model B and Model C.
 
     - guide: Settings
     - leaflet: Settings
@@ -241,7 +266,7 @@ _SET_TIME_FAST_RESPONSE_0 = codec.Block("I", "value")
 class SetTimeFastResponse(Response):
     """Set time response (0x01,0x83).
 
-    Answers `SetTime`. Sent if `part` is `types.Mode.FAST`. Supported by Model A.
+    Answers `SetTime`. Sent if `part` is `types.Mode.FAST`. Supported by Model A and Model C.
 
     - guide: Set time
     """
@@ -273,7 +298,7 @@ _SET_TIME_SLOW_RESPONSE_0 = codec.Block("I", "value")
 class SetTimeSlowResponse(Response):
     """Set time response (0x01,0x84).
 
-    Answers `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A.
+    Answers `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A and Model C.
 
     - guide: Set time
     """
@@ -381,7 +406,7 @@ _LIST_RESPONSE_0 = codec.Block("B", "count")
 class ListResponse(Response):
     """List response (0x01,0x89).
 
-    Answers `List`. Supported by Model A.
+    Answers `List`. Supported by Model A and Model C.
 
     - guide: List
     """
@@ -415,7 +440,7 @@ class ListResponse(Response):
 class InventoryResponse(Response):
     """Inventory response (0x01,0x8A).
 
-    Answers `Inventory`. Supported by Model A.
+    Answers `Inventory`. Supported by Model A and Model C.
 
     - guide: Inventory
     """
@@ -449,7 +474,7 @@ _PIN_RESPONSE_0 = codec.Block("BB", "drive", "use")
 class PinResponse(Response):
     """Pin response (0x01,0x8B).
 
-    Answers `Pin`. Supported by Model A.
+    Answers `Pin`. Supported by Model A and Model C.
 
     - guide: Pin
     """
@@ -489,7 +514,8 @@ _HELLO_RESPONSE_0 = codec.Block("I", "seen")
 class HelloResponse(Response):
     """Hello response (0x01,0x8C).
 
-    Also called `keep_alive_response` and `welcome`. Answers `Hello`. Uncertain: When it comes.
+    Also called `keep_alive_response` and `welcome`. Answers `Hello`. May be supported by Model C.
+    Known from the Kit of names only. Uncertain: When it comes.
 
     - sheet: Hello
     """
@@ -514,6 +540,59 @@ class HelloResponse(Response):
         return codec.finished(out)
 
 
+_READINGS_RESPONSE_0 = codec.Block("BB", "drive", "count")
+
+
+@dataclass(slots=True)
+class ReadingsResponse(Response):
+    """Readings response (0x01,0x8D).
+
+    Answers `Readings`. Supported by Model A and Model C.
+
+    - guide: Readings
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x8D
+    NAME = "tools.readings_response"
+    ROLE = "response"
+
+    drive: Drive
+    """What was asked for."""
+    # On the wire: count. Number of readings. The number of elements of `readings`.
+    readings: tuple[Reading, ...]
+    """The readings.
+
+    - If `drive` is `Drive.PULSE`: `kind` has values of `PulseUse`. Seldom 2.
+    - If `drive` is `Drive.SERIAL`: `kind` has values of `SerialUse`.
+    """
+    last: Reading
+    """The last one.
+
+    - If `drive` is `Drive.PULSE`: `value` has unit s; range 0 to 1.
+    - If `drive` is `Drive.SERIAL`: `value`: Nothing.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ReadingsResponse, int]:
+        v = _READINGS_RESPONSE_0.read(raw, at)
+        at += 2
+        drive = Drive(v[0])
+        count = v[1]
+        n = codec.counted(raw, at, count, 5, 49)
+        readings, at = codec.read_structures(Reading, raw, at, n)
+        last, at = Reading._read(raw, at)
+        return cls(drive, readings, last), at
+
+    def _write(self) -> bytes:
+        out = _READINGS_RESPONSE_0.write(self.drive, codec.count("readings", self.readings, 49))
+        out += codec.write_structures(
+            "readings", codec.at_most("readings", self.readings, 49), Reading
+        )
+        out += codec.structure("last", self.last, Reading)
+        return codec.finished(out)
+
+
 _STATUS_SHORT_0 = codec.Block("H", "model")
 _STATUS_SHORT_1 = codec.Block("B", "selector")
 _STATUS_SHORT_2 = codec.Block("I", "flags")
@@ -523,7 +602,7 @@ _STATUS_SHORT_2 = codec.Block("I", "flags")
 class StatusShort(Response):
     """Status response (0x01,0x90).
 
-    Answers `Status`. Sent if `selector` is 1. Supported by Model A and Model B.
+    Answers `Status`. Sent if `selector` is 1. Supported by Model A, Model B and Model C.
 
     - guide: Status
     """
@@ -532,14 +611,19 @@ class StatusShort(Response):
     DESCRIPTOR = 0x90
     NAME = "tools.status_short"
     ROLE = "response"
-    READINGS = {"flags": ("device", {"model-a": ModelAFaults, "model-b": ModelBFaults})}
+    READINGS = {
+        "flags": (
+            "device",
+            {"model-a": ModelAFaults, "model-b": ModelBFaults, "model-c": ModelAFaults},
+        )
+    }
 
     # On the wire: model. The model. Always 4711.
     # On the wire: selector. The short layout. Always 1.
     flags: int
     """Faults.
 
-    - On the Model A: values of `ModelAFaults`.
+    - On the Model A and Model C: values of `ModelAFaults`.
     - On the Model B: values of `ModelBFaults`.
     """
 
@@ -577,7 +661,7 @@ class StatusLong(Response):
     """Status response (0x01,0x90).
 
     Answers `Status`. Told from `StatusOld` and `StatusFull` by the size of its data. Sent if
-    `selector` is 2. Supported by Model A and Model B.
+    `selector` is 2. Supported by Model A, Model B and Model C.
 
     - guide: Status
     """
@@ -595,6 +679,7 @@ class StatusLong(Response):
 
     - On the Model A: values of `ModelAFaults`.
     - On the Model B: values of `ModelBFaults`.
+    - On the Model C: values that are not known.
     """
     uptime: int
     """Since start. Unit: s."""
@@ -640,7 +725,7 @@ class StatusOld(Response):
     The long layout of old devices. Its size tells it from the others.
 
     Answers `Status`. Told from `StatusLong` and `StatusFull` by the size of its data. Sent if
-    `selector` is 2. Supported by Model A and Model B.
+    `selector` is 2. Supported by Model A, Model B and Model C.
 
     - guide: Status
     """
@@ -689,7 +774,7 @@ class StatusFull(Response):
     """Status response (0x01,0x90).
 
     Answers `Status`. Told from `StatusLong` and `StatusOld` by the size of its data. Sent if
-    `selector` is 2. Supported by Model A and Model B.
+    `selector` is 2. Supported by Model A, Model B and Model C.
 
     - guide: Status
     """
@@ -742,7 +827,7 @@ _BIAS_VECTOR_0 = codec.Block("fff", *["bias"] * 3)
 class BiasVector(Response):
     """Bias response (0x01,0x9B).
 
-    Answers `Bias` and `CaptureBias`. Supported by Model A.
+    Answers `Bias` and `CaptureBias`. Supported by Model A and Model C.
 
     - guide: Bias
     - leaflet: Bias
@@ -774,7 +859,7 @@ class Ping(Command):
 
     Tests the line.
 
-    Supported by Model A and Model B.
+    Supported by Model A, Model B, Model C and Old 1. May be supported by Old 2.
 
     - guide: Ping
     - leaflet: Ping
@@ -815,7 +900,8 @@ class Settings(Command):
     Every function, and a prefix of parameters for each.
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `SettingsResponse`. Supported by Model A and Model B. On the Model B: `write` and `read` only.
+    `SettingsResponse`. Supported by Model A, Model B and Model C. On the Model B: `write` and
+    `read` only. On the Model C: `write`, `read` and `save` only.
 
     - guide: Settings
     - leaflet: Settings
@@ -833,7 +919,10 @@ class Settings(Command):
     port: int | None = None
     """Number of the port, 0 for all. Range: 0 to 8."""
     mode: types.Mode | None = None
-    """What to do. Default: `types.Mode.FAST`. Required for `write`, `read` and `apply`."""
+    """What to do. Default: `types.Mode.FAST`. Required for `write`, `read` and `apply`.
+
+    - On the Model C: only `types.Mode.DEFAULT` and `types.Mode.FAST`; not deprecated.
+    """
     baud: int | None = None
     """Speed. Unit: Bd. Default: 115200. Required for `write` and `apply`."""
     limit: int | None = None
@@ -964,7 +1053,7 @@ class SetTime(Command):
     Two responses for one command.
 
     Functions: `write`, `read` and `apply`. Answered by `SetTimeFastResponse` or
-    `SetTimeSlowResponse`. Supported by Model A.
+    `SetTimeSlowResponse`. Supported by Model A and Model C.
 
     Send it once a second.
 
@@ -1062,7 +1151,7 @@ class Status(Command):
     Layouts of one response, told apart by constants and by size.
 
     For advanced use. Answered by `StatusShort`, `StatusLong`, `StatusOld` or `StatusFull`. The
-    device may take 2.5 s to answer. Supported by Model A and Model B.
+    device may take 2.5 s to answer. Supported by Model A, Model B and Model C.
 
     - guide: Status
     """
@@ -1076,7 +1165,10 @@ class Status(Command):
 
     # On the wire: model. The model that the layouts belong to. Always 4711.
     selector: int
-    """Which layout. Range: 1 to 2."""
+    """Which layout. Range: 1 to 2.
+
+    - On the Model C: always 2.
+    """
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -1118,7 +1210,7 @@ class Bias(Command):
     Its response serves another command too.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `BiasVector`. Supported by
-    Model A.
+    Model A and Model C.
 
     - guide: Bias
     - leaflet: Bias
@@ -1207,7 +1299,8 @@ class CaptureBias(Command):
 
     Measures the bias.
 
-    Answered by `BiasVector`. Supported by Model A.
+    Answered by `BiasVector`. Supported by Model A and Model C. Deprecated on the Model C: use
+    `Bias` instead.
 
     - guide: Capture bias
     """
@@ -1242,7 +1335,7 @@ class Formats(Command):
 
     Counted arrays of structures and of numbers; not answered if told so.
 
-    Not acknowledged if `suppress_ack` is true. Supported by Model A.
+    Not acknowledged if `suppress_ack` is true. Supported by Model A and Model C.
 
     - guide: Formats
     """
@@ -1429,7 +1522,8 @@ class List(Command):
 
     Optional counted array; a read may carry a zero count.
 
-    Functions: `write`, `read` and `save`. Answered by `ListResponse`. Supported by Model A.
+    Functions: `write`, `read` and `save`. Answered by `ListResponse`. Supported by Model A and
+    Model C.
 
     - guide: List
     """
@@ -1508,7 +1602,7 @@ class Inventory(Command):
 
     Answers with an array to the end of the field.
 
-    Answered by `InventoryResponse`. Supported by Model A.
+    Answered by `InventoryResponse`. Supported by Model A and Model C.
 
     - guide: Inventory
     """
@@ -1539,7 +1633,7 @@ class Pin(Command):
 
     The names of one number depend on another.
 
-    Functions: `write` and `read`. Answered by `PinResponse`. Supported by Model A.
+    Functions: `write` and `read`. Answered by `PinResponse`. Supported by Model A and Model C.
 
     - guide: Pin
     """
@@ -1630,7 +1724,7 @@ class Hello(Command):
     The device asks and a host answers.
 
     Also called `keep_alive`. Answered by `HelloResponse`. The device sends it, and the host
-    answers.
+    answers. May be supported by Model C. Known from the Kit of names only.
 
     - sheet: Hello
     """
@@ -1676,6 +1770,41 @@ class Hello(Command):
         return codec.finished(out)
 
 
+_READINGS_0 = codec.Block("B", "drive")
+
+
+@dataclass(slots=True)
+class Readings(Command):
+    """Readings (0x01,0x0D).
+
+    A parameter outside of a structure says how its members are read.
+
+    Answered by `ReadingsResponse`. Supported by Model A and Model C.
+
+    - guide: Readings
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x0D
+    NAME = "tools.readings"
+    ROLE = "command"
+    RESPONSES = (ReadingsResponse,)
+
+    drive: Drive
+    """What is asked for."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Readings, int]:
+        v = _READINGS_0.read(raw, at)
+        at += 1
+        drive = Drive(v[0])
+        return cls(drive), at
+
+    def _write(self) -> bytes:
+        out = _READINGS_0.write(self.drive)
+        return codec.finished(out)
+
+
 SettingsResponse.COMMANDS = (Settings,)
 SetTimeFastResponse.COMMANDS = (SetTime,)
 SetTimeSlowResponse.COMMANDS = (SetTime,)
@@ -1684,6 +1813,7 @@ ListResponse.COMMANDS = (List,)
 InventoryResponse.COMMANDS = (Inventory,)
 PinResponse.COMMANDS = (Pin,)
 HelloResponse.COMMANDS = (Hello,)
+ReadingsResponse.COMMANDS = (Readings,)
 StatusShort.COMMANDS = (Status,)
 StatusLong.COMMANDS = (Status,)
 StatusOld.COMMANDS = (Status,)
@@ -1704,6 +1834,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x0A: (Inventory,),
     0x0B: (Pin,),
     0x0C: (Hello,),
+    0x0D: (Readings,),
     0x82: (SettingsResponse,),
     0x83: (SetTimeFastResponse,),
     0x84: (SetTimeSlowResponse,),
@@ -1712,6 +1843,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x8A: (InventoryResponse,),
     0x8B: (PinResponse,),
     0x8C: (HelloResponse,),
+    0x8D: (ReadingsResponse,),
     0x90: (StatusShort, StatusLong, StatusOld, StatusFull),
     0x9B: (BiasVector,),
 }

@@ -1,7 +1,7 @@
 /**
  * @file
  *
- * Copied measurements (0x92). All the fields of another set.
+ * Copied measurements (0x92). All the fields of another set. Uncertain: Which device sends it.
  */
 #ifndef MIP_COPY_H
 #define MIP_COPY_H
@@ -25,7 +25,7 @@ extern "C" {
  *
  * A vector whose elements are valid together.
  *
- * Has the layout of mip_measurements_accel. Sent at 100 Hz at most.
+ * Has the layout of mip_measurements_accel. Sent at 100 Hz at most. May be supported by Model C.
  *
  * - guide: Third acceleration
  */
@@ -41,7 +41,8 @@ extern "C" {
  *
  * One of each.
  *
- * Has the layout of mip_measurements_numbers.
+ * Has the layout of mip_measurements_numbers. No device profile lists it. Known from the Kit of
+ * names only.
  *
  * - sheet: Copied measurements
  */
@@ -57,7 +58,8 @@ extern "C" {
  *
  * Fixed, counted, and to the end.
  *
- * Has the layout of mip_measurements_strings.
+ * Has the layout of mip_measurements_strings. No device profile lists it. Known from the Kit of
+ * names only.
  *
  * - sheet: Copied measurements
  */
@@ -73,7 +75,8 @@ extern "C" {
  *
  * The wide bitfield.
  *
- * Deprecated: use mip_measurements_numbers instead. Has the layout of mip_measurements_health.
+ * Deprecated: use mip_measurements_numbers instead. Has the layout of mip_measurements_health. No
+ * device profile lists it. Known from the Kit of names only.
  *
  * - sheet: Copied measurements
  */
@@ -89,7 +92,8 @@ extern "C" {
  *
  * Arrays of all that can stand in one.
  *
- * Has the layout of mip_measurements_arrays.
+ * Has the layout of mip_measurements_arrays. No device profile lists it. Known from the Kit of
+ * names only.
  *
  * - sheet: Copied measurements
  */
@@ -105,7 +109,8 @@ extern "C" {
  *
  * Newer devices send more of it.
  *
- * Has the layout of mip_measurements_growing.
+ * Has the layout of mip_measurements_growing. No device profile lists it. Known from the Kit of
+ * names only.
  *
  * - sheet: Copied measurements
  */
@@ -125,8 +130,9 @@ extern "C" {
  *
  * A bool vouches for values; one source has no layout that agrees with it.
  *
- * Has the layout of mip_measurements_radio. Also called `modem` and `rf`. Uncertain: The leaflet
- * gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
+ * Has the layout of mip_measurements_radio. Also called `modem` and `rf`. No device profile lists
+ * it. Known from the Kit of names only. Uncertain: The leaflet gives the strength two bytes.
+ * Uncertain: Inferred: the strength is never positive.
  *
  * - sheet: Copied measurements
  */
@@ -142,7 +148,8 @@ extern "C" {
  *
  * The count can exceed what a field holds beside the value behind the array.
  *
- * Has the layout of mip_measurements_cloud.
+ * Has the layout of mip_measurements_cloud. No device profile lists it. Known from the Kit of names
+ * only.
  *
  * - sheet: Copied measurements
  */
@@ -152,6 +159,43 @@ extern "C" {
 #define mip_copy_cloud_encode mip_measurements_cloud_encode
 #define MIP_COPY_CLOUD_DESCRIPTOR 0x08
 #define MIP_COPY_CLOUD_NAME "copy.cloud"
+
+/**
+ * Gust: data (0x92,0x09).
+ *
+ * One valid flag for all values but one; mip_measurements_breeze has the same place.
+ *
+ * Has the layout of mip_measurements_gust. No device profile lists it. Known from the Kit of names
+ * only.
+ *
+ * `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see mip_mode and
+ * mip_tools_shape.
+ *
+ * - sheet: Copied measurements
+ */
+#define mip_copy_gust mip_measurements_gust
+#define mip_copy_gust_codec mip_measurements_gust_codec
+#define mip_copy_gust_decode mip_measurements_gust_decode
+#define mip_copy_gust_encode mip_measurements_gust_encode
+#define MIP_COPY_GUST_DESCRIPTOR 0x09
+#define MIP_COPY_GUST_NAME "copy.gust"
+
+/**
+ * Breeze: data (0x92,0x0A).
+ *
+ * Its place is told as in mip_measurements_gust.
+ *
+ * Has the layout of mip_measurements_breeze. No device profile lists it. Known from the Kit of
+ * names only.
+ *
+ * - sheet: Copied measurements
+ */
+#define mip_copy_breeze mip_measurements_breeze
+#define mip_copy_breeze_codec mip_measurements_breeze_codec
+#define mip_copy_breeze_decode mip_measurements_breeze_decode
+#define mip_copy_breeze_encode mip_measurements_breeze_encode
+#define MIP_COPY_BREEZE_DESCRIPTOR 0x0A
+#define MIP_COPY_BREEZE_NAME "copy.breeze"
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,7 @@
 /**
  * @file
  *
- * Measurements (0x80). Data of every type.
+ * Measurements (0x80). Data of every type; `tools` has what they are set up with.
  */
 #ifndef MIP_MEASUREMENTS_H
 #define MIP_MEASUREMENTS_H
@@ -24,7 +24,7 @@ extern "C" {
  *
  * A vector whose elements are valid together.
  *
- * Sent at 100 Hz at most. Supported by Model A and Model B.
+ * Sent at 100 Hz at most. Supported by Model A, Model B and Model C.
  *
  * - guide: Acceleration
  * - leaflet: Acceleration
@@ -33,11 +33,13 @@ struct mip_measurements_accel {
     /**
      * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
      * x by MIP_STATE_FLAGS_READY in valid_flags, y by MIP_STATE_FLAGS_HOT in valid_flags, z by
-     * MIP_STATE_FLAGS_READY in valid_flags. On the Model B: unit m, m, s; frame ned. Turned by the
-     * device.
+     * MIP_STATE_FLAGS_READY in valid_flags. On the Model B: unit m, m, s; frame ned; valid by
+     * element: x by MIP_STATE_FLAGS_HOT in valid_flags, y by MIP_STATE_FLAGS_READY in valid_flags,
+     * z by MIP_STATE_FLAGS_HOT in valid_flags. Turned by the device. On the Model C: nothing says
+     * whether it is valid.
      */
     float scaled_accel[3];
-    /** What is valid. */
+    /** What is valid. On the Model C: only MIP_STATE_FLAGS_READY and MIP_STATE_FLAGS_LEVEL. */
     mip_state_flags valid_flags;
 };
 
@@ -55,7 +57,7 @@ mip_error mip_measurements_accel_encode(const struct mip_measurements_accel *val
  *
  * One of each.
  *
- * Supported by Model A.
+ * Supported by Model A and Model C. May be supported by Old 1 and Old 2.
  *
  * - guide: Numbers
  */
@@ -100,7 +102,7 @@ mip_error mip_measurements_numbers_encode(const struct mip_measurements_numbers 
  *
  * Fixed, counted, and to the end.
  *
- * Supported by Model A.
+ * Supported by Model A and Model C.
  *
  * - guide: Strings
  */
@@ -131,7 +133,7 @@ mip_error mip_measurements_strings_encode(const struct mip_measurements_strings 
  *
  * The wide bitfield.
  *
- * Deprecated: use mip_measurements_numbers instead. Supported by Model A.
+ * Deprecated: use mip_measurements_numbers instead. Supported by Model A and Model C.
  *
  * - guide: Health
  */
@@ -156,7 +158,7 @@ mip_error mip_measurements_health_encode(const struct mip_measurements_health *v
  *
  * Arrays of all that can stand in one.
  *
- * Supported by Model A.
+ * Supported by Model A and Model C.
  *
  * - guide: Arrays
  */
@@ -189,7 +191,7 @@ mip_error mip_measurements_arrays_encode(const struct mip_measurements_arrays *v
  *
  * Newer devices send more of it.
  *
- * Supported by Model A.
+ * Supported by Model A and Model C.
  *
  * - guide: Growing
  */
@@ -222,8 +224,8 @@ mip_error mip_measurements_growing_encode(const struct mip_measurements_growing 
  *
  * A bool vouches for values; one source has no layout that agrees with it.
  *
- * Also called `modem` and `rf`. Uncertain: The leaflet gives the strength two bytes. Uncertain:
- * Inferred: the strength is never positive.
+ * Also called `modem` and `rf`. Supported by Model C. Known from the Kit of names only. Uncertain:
+ * The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
  *
  * - sheet: Radio
  */
@@ -232,7 +234,10 @@ struct mip_measurements_radio {
     mip_bool connected;
     /** Of the signal. Range: less than 1. Valid if connected is true. Uncertain: Its unit. */
     int32_t strength;
-    /** Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if connected is true. */
+    /**
+     * Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if connected is true. On the
+     * Model C: valid if connected is true; deprecated.
+     */
     float noise;
     /** Reserved. Reserved. */
     float gap;
@@ -254,7 +259,7 @@ mip_error mip_measurements_radio_encode(const struct mip_measurements_radio *val
  *
  * The count can exceed what a field holds beside the value behind the array.
  *
- * Supported by Model A.
+ * Supported by Model A and Model C.
  *
  * - guide: Cloud
  */
@@ -275,6 +280,76 @@ mip_error mip_measurements_cloud_decode(struct mip_measurements_cloud *value,
                                         const struct mip_field *field);
 mip_error mip_measurements_cloud_encode(const struct mip_measurements_cloud *value,
                                         struct mip_builder *builder);
+
+/**
+ * Gust: data (0x80,0x09).
+ *
+ * One valid flag for all values but one; mip_measurements_breeze has the same place.
+ *
+ * No device profile lists it.
+ *
+ * `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see mip_mode and
+ * mip_tools_shape.
+ *
+ * On the wire only, without a member:
+ * - gap: Always the same. Always 7.
+ *
+ * - guide: Gust
+ */
+struct mip_measurements_gust {
+    /** Which one. */
+    uint8_t station;
+    /** Where it was measured. Valid if MIP_STATE_FLAGS_READY in valid_flags is set. */
+    struct mip_point place;
+    /** Above the plane. Unit: m. Valid if MIP_STATE_FLAGS_READY in valid_flags is set. */
+    float height;
+    /**
+     * Of the wind. Elements: x, y, z. Unit: m. Range: magnitude at most 40. Valid if
+     * MIP_STATE_FLAGS_READY in valid_flags is set.
+     */
+    float speed[3];
+    /** What is valid. */
+    mip_state_flags valid_flags;
+};
+
+#define MIP_MEASUREMENTS_GUST_DESCRIPTOR 0x09
+#define MIP_MEASUREMENTS_GUST_NAME "measurements.gust"
+
+extern const struct mip_codec mip_measurements_gust_codec;
+mip_error mip_measurements_gust_decode(struct mip_measurements_gust *value,
+                                       const struct mip_field *field);
+mip_error mip_measurements_gust_encode(const struct mip_measurements_gust *value,
+                                       struct mip_builder *builder);
+
+/**
+ * Breeze: data (0x80,0x0A).
+ *
+ * Its place is told as in mip_measurements_gust.
+ *
+ * Supported by Model A and Model C.
+ *
+ * - guide: Breeze
+ */
+struct mip_measurements_breeze {
+    /** Where it was measured. */
+    struct mip_point place;
+    /** Above the plane. Unit: m. */
+    float height;
+    /**
+     * Of the vane. Elements: w, x, y, z. Unit: 1. Range: -1 to 1, magnitude 0.5 to 1.5. Default: 1,
+     * 0, 0, 0.
+     */
+    float turn[4];
+};
+
+#define MIP_MEASUREMENTS_BREEZE_DESCRIPTOR 0x0A
+#define MIP_MEASUREMENTS_BREEZE_NAME "measurements.breeze"
+
+extern const struct mip_codec mip_measurements_breeze_codec;
+mip_error mip_measurements_breeze_decode(struct mip_measurements_breeze *value,
+                                         const struct mip_field *field);
+mip_error mip_measurements_breeze_encode(const struct mip_measurements_breeze *value,
+                                         struct mip_builder *builder);
 
 #ifdef __cplusplus
 }

@@ -5,7 +5,13 @@ use crate::protocol::AckCode;
 
 /// All devices.
 #[rustfmt::skip]
-pub static ALL: &[&Device] = &[&MODEL_A, &MODEL_B];
+pub static ALL: &[&Device] = &[
+    &MODEL_A,
+    &MODEL_B,
+    &MODEL_C,
+    &OLD_1,
+    &OLD_2,
+];
 
 /// Model A
 ///
@@ -37,6 +43,7 @@ pub static MODEL_A: Device = Device {
         0x01 0x09 "tools.list" [WRITE READ SAVE];
         0x01 0x0A "tools.inventory" [];
         0x01 0x0B "tools.pin" [WRITE READ];
+        0x01 0x0D "tools.readings" [];
         0x0C 0x10 "3d.default" [];
         0x80 0x01 "measurements.accel" [];
         0x80 0x02 "measurements.numbers" [];
@@ -45,6 +52,7 @@ pub static MODEL_A: Device = Device {
         0x80 0x05 "measurements.arrays" [];
         0x80 0x06 "measurements.growing" [];
         0x80 0x08 "measurements.cloud" [];
+        0x80 0x0A "measurements.breeze" [];
         0x81 0x01 "more.accel" [];
         0x81 0x03 "more.strings" [];
         0x81 0x07 "more.own" [];
@@ -142,11 +150,167 @@ pub static MODEL_B: Device = Device {
         Variant {
             parameter: "measurements.accel.scaled_accel",
             read_as: None,
-            difference: "unit m, m, s; frame ned. Turned by the device",
+            difference: "unit m, m, s; frame ned; valid by element: x by valid_flags.hot, y by valid_flags.ready, z by valid_flags.hot. Turned by the device",
         },
     ],
     ack_codes: &[
         AckCode::OK,
         AckCode::UNKNOWN_COMMAND,
+    ],
+};
+
+/// Model C
+///
+/// Like the model A, with a radio and without a choice.
+#[rustfmt::skip]
+pub static MODEL_C: Device = Device {
+    id: "model-c",
+    title: "Model C",
+    description: "Like the model A, with a radio and without a choice.",
+    model_number: Some(4713),
+    fields: supported! {
+        0x01 0x01 "tools.ping" [];
+        0x01 0x02 "tools.settings" [WRITE READ SAVE];
+        0x01 0x03 "tools.set_time" [WRITE READ APPLY];
+        0x01 0x04 "tools.status" [];
+        0x01 0x05 "tools.bias" [WRITE READ SAVE LOAD DEFAULT];
+        0x01 0x06 "tools.capture_bias" [];
+        0x01 0x07 "tools.formats" [];
+        0x01 0x09 "tools.list" [WRITE READ SAVE];
+        0x01 0x0A "tools.inventory" [];
+        0x01 0x0B "tools.pin" [WRITE READ];
+        0x01 0x0C "tools.hello" [];
+        0x01 0x0D "tools.readings" [];
+        0x80 0x01 "measurements.accel" [];
+        0x80 0x02 "measurements.numbers" [];
+        0x80 0x03 "measurements.strings" [];
+        0x80 0x04 "measurements.health" [];
+        0x80 0x05 "measurements.arrays" [];
+        0x80 0x06 "measurements.growing" [];
+        0x80 0x07 "measurements.radio" [];
+        0x80 0x08 "measurements.cloud" [];
+        0x80 0x0A "measurements.breeze" [];
+        0x81 0x01 "more.accel" [];
+        0x81 0x07 "more.own" [];
+        0x92 0x01 "copy.accel" [];
+        0xFF 0xD3 "shared.timestamp" [];
+    },
+    base_rates: &[
+        BaseRate { set: 0x80, hertz: 1000.0 },
+        BaseRate { set: 0x81, hertz: 250.0 },
+    ],
+    ports: &[
+        Port {
+            name: "Main",
+            id: Some(0x12),
+            baud_rates: &[9600],
+            protocols: &["MIP"],
+        },
+        Port {
+            name: "CAN",
+            id: None,
+            baud_rates: &[],
+            protocols: &[],
+        },
+    ],
+    limits: &[
+        Limit {
+            name: "segments",
+            value: 6.0,
+            unit: None,
+            description: "In a format.",
+        },
+    ],
+    variants: &[
+        Variant {
+            parameter: "tools.settings.mode",
+            read_as: None,
+            difference: "only default and fast; not deprecated",
+        },
+        Variant {
+            parameter: "tools.status.selector",
+            read_as: None,
+            difference: "always 2",
+        },
+        Variant {
+            parameter: "tools.status_short.flags",
+            read_as: Some("model_a_faults"),
+            difference: "values of model_a_faults",
+        },
+        Variant {
+            parameter: "tools.status_long.flags",
+            read_as: None,
+            difference: "values that are not known",
+        },
+        Variant {
+            parameter: "measurements.accel.scaled_accel",
+            read_as: None,
+            difference: "nothing says whether it is valid",
+        },
+        Variant {
+            parameter: "measurements.accel.valid_flags",
+            read_as: None,
+            difference: "only ready and level",
+        },
+        Variant {
+            parameter: "measurements.radio.noise",
+            read_as: None,
+            difference: "valid if connected is true; deprecated",
+        },
+    ],
+    ack_codes: &[
+        AckCode::OK,
+        AckCode::UNKNOWN_COMMAND,
+        AckCode::INVALID_PARAMETER,
+    ],
+};
+
+/// Old 1
+///
+/// Known by its name and number.
+#[rustfmt::skip]
+pub static OLD_1: Device = Device {
+    id: "old-1",
+    title: "Old 1",
+    description: "Known by its name and number.",
+    model_number: Some(4001),
+    fields: supported! {
+        0x01 0x01 "tools.ping" [];
+        0x80 0x02 "measurements.numbers" [];
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// Old 2
+///
+/// Known by its name and number.
+#[rustfmt::skip]
+pub static OLD_2: Device = Device {
+    id: "old-2",
+    title: "Old 2",
+    description: "Known by its name and number.",
+    model_number: Some(4002),
+    fields: supported! {
+        0x01 0x01 "tools.ping" [];
+        0x80 0x02 "measurements.numbers" [];
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+    ],
+    ack_codes: &[
     ],
 };

@@ -4,7 +4,7 @@
 macro_rules! registry {
     ($(
         $(#[$meta:meta])*
-        $variant:ident($type:ty),
+        $variant:ident($type:ty):
         $role:ident $set:literal, $descriptor:literal, in $first:literal..=$last:literal,
         of $layouts:literal, $name:literal, $title:literal, [$($linked:literal),*];
     )*) => {

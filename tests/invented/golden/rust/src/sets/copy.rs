@@ -1,4 +1,6 @@
 //! Copied measurements (0x92): All the fields of another set.
+//!
+//! Uncertain: Which device sends it.
 
 #[allow(unused_imports)] // some sets name a type in comments only, or none
 use crate::types;
@@ -11,6 +13,7 @@ pub const SET: u8 = 0x92;
 /// A vector whose elements are valid together.
 ///
 /// Has the layout of [`measurements::Accel`](crate::measurements::Accel). Sent at 100 Hz at most.
+/// May be supported by Model C.
 ///
 /// Source: guide: Third acceleration.
 pub type Accel = crate::measurements::Accel;
@@ -19,7 +22,8 @@ pub type Accel = crate::measurements::Accel;
 ///
 /// One of each.
 ///
-/// Has the layout of [`measurements::Numbers`](crate::measurements::Numbers).
+/// Has the layout of [`measurements::Numbers`](crate::measurements::Numbers). No device profile
+/// lists it. Known from the Kit of names only.
 ///
 /// Source: sheet: Copied measurements.
 pub type Numbers = crate::measurements::Numbers;
@@ -28,7 +32,8 @@ pub type Numbers = crate::measurements::Numbers;
 ///
 /// Fixed, counted, and to the end.
 ///
-/// Has the layout of [`measurements::Strings`](crate::measurements::Strings).
+/// Has the layout of [`measurements::Strings`](crate::measurements::Strings). No device profile
+/// lists it. Known from the Kit of names only.
 ///
 /// On the wire there is also `length`: Of the name. The number of elements of `name`.
 ///
@@ -40,7 +45,8 @@ pub type Strings = crate::measurements::Strings;
 /// The wide bitfield.
 ///
 /// Deprecated: use [`measurements::Numbers`](crate::measurements::Numbers) instead. Has the layout
-/// of [`measurements::Health`](crate::measurements::Health).
+/// of [`measurements::Health`](crate::measurements::Health). No device profile lists it. Known from
+/// the Kit of names only.
 ///
 /// Source: sheet: Copied measurements.
 pub type Health = crate::measurements::Health;
@@ -49,7 +55,8 @@ pub type Health = crate::measurements::Health;
 ///
 /// Arrays of all that can stand in one.
 ///
-/// Has the layout of [`measurements::Arrays`](crate::measurements::Arrays).
+/// Has the layout of [`measurements::Arrays`](crate::measurements::Arrays). No device profile lists
+/// it. Known from the Kit of names only.
 ///
 /// Source: sheet: Copied measurements.
 pub type Arrays = crate::measurements::Arrays;
@@ -58,7 +65,8 @@ pub type Arrays = crate::measurements::Arrays;
 ///
 /// Newer devices send more of it.
 ///
-/// Has the layout of [`measurements::Growing`](crate::measurements::Growing).
+/// Has the layout of [`measurements::Growing`](crate::measurements::Growing). No device profile
+/// lists it. Known from the Kit of names only.
 ///
 /// Source: sheet: Copied measurements.
 pub type Growing = crate::measurements::Growing;
@@ -68,8 +76,8 @@ pub type Growing = crate::measurements::Growing;
 /// A bool vouches for values; one source has no layout that agrees with it.
 ///
 /// Has the layout of [`measurements::Radio`](crate::measurements::Radio). Also called `modem` and
-/// `rf`. Uncertain: The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is
-/// never positive.
+/// `rf`. No device profile lists it. Known from the Kit of names only. Uncertain: The leaflet gives
+/// the strength two bytes. Uncertain: Inferred: the strength is never positive.
 ///
 /// Source: sheet: Copied measurements.
 pub type Radio = crate::measurements::Radio;
@@ -78,9 +86,36 @@ pub type Radio = crate::measurements::Radio;
 ///
 /// The count can exceed what a field holds beside the value behind the array.
 ///
-/// Has the layout of [`measurements::Cloud`](crate::measurements::Cloud).
+/// Has the layout of [`measurements::Cloud`](crate::measurements::Cloud). No device profile lists
+/// it. Known from the Kit of names only.
 ///
 /// On the wire there is also `num_points`: Number of points. The number of elements of `points`.
 ///
 /// Source: sheet: Copied measurements.
 pub type Cloud = crate::measurements::Cloud;
+
+/// Gust (0x92,0x09).
+///
+/// One valid flag for all values but one; [`measurements::Breeze`](crate::measurements::Breeze) has
+/// the same place.
+///
+/// Has the layout of [`measurements::Gust`](crate::measurements::Gust). No device profile lists it.
+/// Known from the Kit of names only.
+///
+/// On the wire there is also `gap`: Always the same. Always 7.
+///
+/// - `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see [`types::Mode`]
+///   and [`tools::Shape`](crate::tools::Shape).
+///
+/// Source: sheet: Copied measurements.
+pub type Gust = crate::measurements::Gust;
+
+/// Breeze (0x92,0x0A).
+///
+/// Its place is told as in [`measurements::Gust`](crate::measurements::Gust).
+///
+/// Has the layout of [`measurements::Breeze`](crate::measurements::Breeze). No device profile lists
+/// it. Known from the Kit of names only.
+///
+/// Source: sheet: Copied measurements.
+pub type Breeze = crate::measurements::Breeze;

@@ -1,4 +1,4 @@
-//! Measurements (0x80): Data of every type.
+//! Measurements (0x80): Data of every type; `tools` has what they are set up with.
 
 #[allow(unused_imports)] // some sets name a type in comments only, or none
 use crate::types;
@@ -11,7 +11,7 @@ record! {
     ///
     /// A vector whose elements are valid together.
     ///
-    /// Sent at 100 Hz at most. Supported by Model A and Model B.
+    /// Sent at 100 Hz at most. Supported by Model A, Model B and Model C.
     ///
     /// Source: guide: Acceleration; leaflet: Acceleration.
     #[derive(Default)]
@@ -22,15 +22,22 @@ record! {
         /// [`valid_flags.ready`](types::StateFlags::ready), y by
         /// [`valid_flags.hot`](types::StateFlags::hot), z by
         /// [`valid_flags.ready`](types::StateFlags::ready). On the Model B: unit m, m, s; frame
-        /// ned. Turned by the device.
+        /// ned; valid by element: x by [`valid_flags.hot`](types::StateFlags::hot), y by
+        /// [`valid_flags.ready`](types::StateFlags::ready), z by
+        /// [`valid_flags.hot`](types::StateFlags::hot). Turned by the device. On the Model C:
+        /// nothing says whether it is valid.
         pub scaled_accel: types::Vector3f,
         /// What is valid.
+        ///
+        /// On the Model C: only [`ready`](types::StateFlags::ready) and
+        /// [`level`](types::StateFlags::level).
         pub valid_flags: types::StateFlags,
     }
 }
 
 field! {
-    Accel: 0x80, 0x01, "measurements.accel", in 0x80 | 0x81 | 0x92
+    Accel: 0x80, 0x01, "measurements.accel";
+    in [0x80 | 0x81 | 0x92];
 }
 
 record! {
@@ -38,7 +45,7 @@ record! {
     ///
     /// One of each.
     ///
-    /// Supported by Model A.
+    /// Supported by Model A and Model C. May be supported by Old 1 and Old 2.
     ///
     /// Source: guide: Numbers.
     #[derive(Default)]
@@ -75,7 +82,8 @@ record! {
 }
 
 field! {
-    Numbers: 0x80, 0x02, "measurements.numbers", in 0x80 | 0x92
+    Numbers: 0x80, 0x02, "measurements.numbers";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -83,7 +91,7 @@ record! {
     ///
     /// Fixed, counted, and to the end.
     ///
-    /// Supported by Model A.
+    /// Supported by Model A and Model C.
     ///
     /// On the wire there is also `length`: Of the name. The number of elements of `name`.
     ///
@@ -106,7 +114,8 @@ record! {
 }
 
 field! {
-    Strings: 0x80, 0x03, "measurements.strings", in 0x80 | 0x81 | 0x92
+    Strings: 0x80, 0x03, "measurements.strings";
+    in [0x80 | 0x81 | 0x92];
 }
 
 record! {
@@ -114,11 +123,11 @@ record! {
     ///
     /// The wide bitfield.
     ///
-    /// Deprecated: use [`Numbers`] instead. Supported by Model A.
+    /// Deprecated: use [`Numbers`] instead. Supported by Model A and Model C.
     ///
     /// Source: guide: Health.
     #[derive(Default)]
-    #[deprecated(note = "use measurements.numbers instead")]
+    #[deprecated(note = "use `measurements.numbers` instead")]
     pub struct Health {
         /// The bits.
         pub result: types::Health,
@@ -128,7 +137,8 @@ record! {
 }
 
 field! {
-    Health: 0x80, 0x04, "measurements.health", in 0x80 | 0x92
+    Health: 0x80, 0x04, "measurements.health";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -136,7 +146,7 @@ record! {
     ///
     /// Arrays of all that can stand in one.
     ///
-    /// Supported by Model A.
+    /// Supported by Model A and Model C.
     ///
     /// Source: guide: Arrays.
     #[derive(Default)]
@@ -161,7 +171,8 @@ record! {
 }
 
 field! {
-    Arrays: 0x80, 0x05, "measurements.arrays", in 0x80 | 0x92
+    Arrays: 0x80, 0x05, "measurements.arrays";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -169,7 +180,7 @@ record! {
     ///
     /// Newer devices send more of it.
     ///
-    /// Supported by Model A.
+    /// Supported by Model A and Model C.
     ///
     /// Source: guide: Growing.
     #[derive(Default)]
@@ -193,7 +204,8 @@ record! {
 }
 
 field! {
-    Growing: 0x80, 0x06, "measurements.growing", in 0x80 | 0x92
+    Growing: 0x80, 0x06, "measurements.growing";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -201,8 +213,9 @@ record! {
     ///
     /// A bool vouches for values; one source has no layout that agrees with it.
     ///
-    /// Also called `modem` and `rf`. Uncertain: The leaflet gives the strength two bytes.
-    /// Uncertain: Inferred: the strength is never positive.
+    /// Also called `modem` and `rf`. Supported by Model C. Known from the Kit of names only.
+    /// Uncertain: The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is
+    /// never positive.
     ///
     /// Source: sheet: Radio.
     #[derive(Default)]
@@ -215,7 +228,8 @@ record! {
         pub strength: i32,
         /// Never nothing.
         ///
-        /// Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true.
+        /// Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true. On the Model
+        /// C: valid if `connected` is true; deprecated.
         pub noise: f32,
         /// Reserved.
         ///
@@ -227,7 +241,8 @@ record! {
 }
 
 field! {
-    Radio: 0x80, 0x07, "measurements.radio", in 0x80 | 0x92
+    Radio: 0x80, 0x07, "measurements.radio";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -235,7 +250,7 @@ record! {
     ///
     /// The count can exceed what a field holds beside the value behind the array.
     ///
-    /// Supported by Model A.
+    /// Supported by Model A and Model C.
     ///
     /// On the wire there is also `num_points`: Number of points. The number of elements of
     /// `points`.
@@ -256,5 +271,83 @@ record! {
 }
 
 field! {
-    Cloud: 0x80, 0x08, "measurements.cloud", in 0x80 | 0x92
+    Cloud: 0x80, 0x08, "measurements.cloud";
+    in [0x80 | 0x92];
+}
+
+record! {
+    /// Gust (0x80,0x09).
+    ///
+    /// One valid flag for all values but one; [`Breeze`] has the same place.
+    ///
+    /// No device profile lists it.
+    ///
+    /// On the wire there is also `gap`: Always the same. Always 7.
+    ///
+    /// - `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see
+    ///   [`types::Mode`] and [`tools::Shape`](crate::tools::Shape).
+    ///
+    /// Source: guide: Gust.
+    #[derive(Default)]
+    pub struct Gust {
+        /// Which one.
+        pub station: u8,
+        /// Where it was measured.
+        ///
+        /// Valid if [`valid_flags.ready`](types::StateFlags::ready) is set.
+        pub place: types::Point,
+        /// Above the plane.
+        ///
+        /// Unit: m. Valid if [`valid_flags.ready`](types::StateFlags::ready) is set.
+        pub height: f32,
+        /// Of the wind.
+        ///
+        /// Elements: x, y, z. Unit: m. Range: magnitude at most 40. Valid if
+        /// [`valid_flags.ready`](types::StateFlags::ready) is set.
+        pub speed: types::Vector3f,
+        /// What is valid.
+        pub valid_flags: types::StateFlags,
+    }
+    wire 24 {
+        [station]
+        [place]
+        [height]
+        [speed]
+        [gap: u8 = 7]
+        [valid_flags]
+    }
+}
+
+field! {
+    Gust: 0x80, 0x09, "measurements.gust";
+    in [0x80 | 0x92];
+}
+
+record! {
+    /// Breeze (0x80,0x0A).
+    ///
+    /// Its place is told as in [`Gust`].
+    ///
+    /// Supported by Model A and Model C.
+    ///
+    /// Source: guide: Breeze.
+    #[derive(Default)]
+    pub struct Breeze {
+        /// Where it was measured.
+        pub place: types::Point,
+        /// Above the plane.
+        ///
+        /// Unit: m.
+        pub height: f32,
+        /// Of the vane.
+        ///
+        /// Elements: w, x, y, z. Unit: 1. Range: -1 to 1, magnitude 0.5 to 1.5. Default: 1, 0, 0,
+        /// 0.
+        pub turn: types::Quatf,
+    }
+}
+
+field! {
+    Breeze: 0x80, 0x0A, "measurements.breeze";
+    in [0x80 | 0x92];
 }

@@ -51,7 +51,7 @@ constructors! {
 }
 
 field! {
-    Default: 0x0C, 0x10, "3d.default"
+    Default: 0x0C, 0x10, "3d.default";
 }
 
 command! {

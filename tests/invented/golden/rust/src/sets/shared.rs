@@ -11,7 +11,7 @@ record! {
     ///
     /// When the packet was sent.
     ///
-    /// Supported by Model A.
+    /// Supported by Model A and Model C.
     ///
     /// Source: guide: Timestamp.
     #[derive(Default)]
@@ -26,5 +26,6 @@ record! {
 }
 
 field! {
-    Timestamp: 0xFF, 0xD3, "shared.timestamp", in 0x80..=0xFF
+    Timestamp: 0xFF, 0xD3, "shared.timestamp";
+    in [0x80..=0xFF];
 }

@@ -160,6 +160,24 @@ open_enum! {
     }
 }
 
+record! {
+    /// One of a list; what it is depends on what was asked for.
+    #[derive(Default)]
+    pub struct Reading {
+        /// Of the reading.
+        pub kind: u8,
+        /// Of the reading.
+        pub value: f32,
+    }
+}
+
+constructors! {
+    Reading
+
+    /// Puts the values together.
+    fn new(kind: u8, value: f32);
+}
+
 bitfield! {
     /// Of the model A.
     ModelAFaults: u32 {
@@ -195,7 +213,7 @@ record! {
     ///
     /// Tests the line.
     ///
-    /// Supported by Model A and Model B.
+    /// Supported by Model A, Model B, Model C and Old 1. May be supported by Old 2.
     ///
     /// Source: guide: Ping; leaflet: Ping.
     #[derive(Default)]
@@ -210,7 +228,7 @@ constructors! {
 }
 
 field! {
-    Ping: 0x01, 0x01, "tools.ping"
+    Ping: 0x01, 0x01, "tools.ping";
 }
 
 command! {
@@ -223,7 +241,8 @@ record! {
     /// Every function, and a prefix of parameters for each.
     ///
     /// Functions: write, read, save, load, default and apply. Answered by [`SettingsResponse`].
-    /// Supported by Model A and Model B. On the Model B: write and read only.
+    /// Supported by Model A, Model B and Model C. On the Model B: write and read only. On the Model
+    /// C: write, read and save only.
     ///
     /// Source: guide: Settings; leaflet: Settings.
     pub struct Settings {
@@ -235,7 +254,8 @@ record! {
         pub port: Option<u8>,
         /// What to do.
         ///
-        /// Default: [`types::Mode::FAST`]. Required for write, read and apply.
+        /// Default: [`types::Mode::FAST`]. Required for write, read and apply. On the Model C: only
+        /// [`types::Mode::DEFAULT`] and [`types::Mode::FAST`]; not deprecated.
         pub mode: Option<types::Mode>,
         /// Speed.
         ///
@@ -260,7 +280,7 @@ record! {
 }
 
 constructors! {
-    Settings { function, port, mode, baud, limit, reserved }
+    Settings
 
     /// Apply the new setting.
     fn write(
@@ -290,14 +310,13 @@ constructors! {
 }
 
 setters! {
-    Settings {
-        fn with_limit(limit: u16);
-        fn with_reserved(reserved: u8);
-    }
+    Settings
+    fn with_limit(limit: u16);
+    fn with_reserved(reserved: u8);
 }
 
 field! {
-    Settings: 0x01, 0x02, "tools.settings"
+    Settings: 0x01, 0x02, "tools.settings";
 }
 
 command! {
@@ -312,7 +331,7 @@ record! {
     /// Two responses for one command.
     ///
     /// Functions: write, read and apply. Answered by [`SetTimeFastResponse`] or
-    /// [`SetTimeSlowResponse`]. Supported by Model A.
+    /// [`SetTimeSlowResponse`]. Supported by Model A and Model C.
     ///
     /// - Send it once a second.
     ///
@@ -335,7 +354,7 @@ record! {
 }
 
 constructors! {
-    SetTime { function, part, value }
+    SetTime
 
     /// Apply the new setting.
     fn write(part: types::Mode, value: u32) = WRITE;
@@ -348,7 +367,7 @@ constructors! {
 }
 
 field! {
-    SetTime: 0x01, 0x03, "tools.set_time"
+    SetTime: 0x01, 0x03, "tools.set_time";
 }
 
 command! {
@@ -374,7 +393,8 @@ record! {
     /// Layouts of one response, told apart by constants and by size.
     ///
     /// For advanced use. Answered by [`StatusShort`], [`StatusLong`], [`StatusOld`] or
-    /// [`StatusFull`]. The device may take 2.5 s to answer. Supported by Model A and Model B.
+    /// [`StatusFull`]. The device may take 2.5 s to answer. Supported by Model A, Model B and Model
+    /// C.
     ///
     /// On the wire there is also `model`: The model that the layouts belong to. Always 4711.
     ///
@@ -383,7 +403,7 @@ record! {
     pub struct Status {
         /// Which layout.
         ///
-        /// Range: 1 to 2.
+        /// Range: 1 to 2. On the Model C: always 2.
         pub selector: u8,
     }
     wire 3 {
@@ -400,7 +420,8 @@ constructors! {
 }
 
 field! {
-    Status: 0x01, 0x04, "tools.status", constants [0: 18 103]
+    Status: 0x01, 0x04, "tools.status";
+    constants [0: 18 103];
 }
 
 command! {
@@ -430,7 +451,7 @@ record! {
     /// Its response serves another command too.
     ///
     /// Functions: write, read, save, load and default. Answered by [`BiasVector`]. Supported by
-    /// Model A.
+    /// Model A and Model C.
     ///
     /// Source: guide: Bias; leaflet: Bias.
     pub struct Bias {
@@ -448,7 +469,7 @@ record! {
 }
 
 constructors! {
-    Bias { function, bias }
+    Bias
 
     /// Apply the new setting.
     fn write(bias: impl Into<types::Vector3f>) = WRITE;
@@ -467,7 +488,7 @@ constructors! {
 }
 
 field! {
-    Bias: 0x01, 0x05, "tools.bias"
+    Bias: 0x01, 0x05, "tools.bias";
 }
 
 command! {
@@ -480,7 +501,8 @@ record! {
     ///
     /// Measures the bias.
     ///
-    /// Answered by [`BiasVector`]. Supported by Model A.
+    /// Answered by [`BiasVector`]. Supported by Model A and Model C. Deprecated on the Model C: use
+    /// [`Bias`] instead.
     ///
     /// Source: guide: Capture bias.
     #[derive(Default)]
@@ -500,7 +522,7 @@ constructors! {
 }
 
 field! {
-    CaptureBias: 0x01, 0x06, "tools.capture_bias"
+    CaptureBias: 0x01, 0x06, "tools.capture_bias";
 }
 
 command! {
@@ -513,7 +535,7 @@ record! {
     ///
     /// Counted arrays of structures and of numbers; not answered if told so.
     ///
-    /// Not acknowledged if `suppress_ack` is true. Supported by Model A.
+    /// Not acknowledged if `suppress_ack` is true. Supported by Model A and Model C.
     ///
     /// On the wire there is also `num_segments`: Number of segments. The number of elements of
     /// `segments`.
@@ -548,7 +570,7 @@ constructors! {
 }
 
 field! {
-    Formats: 0x01, 0x07, "tools.formats"
+    Formats: 0x01, 0x07, "tools.formats";
 }
 
 command! {
@@ -614,7 +636,7 @@ union! {
 }
 
 constructors! {
-    Choice { function, instance, shape, parameters }
+    Choice
 
     /// Apply the new setting.
     fn write(instance: u8, parameters: ChoiceParameters) = WRITE, shape: parameters.tag();
@@ -624,7 +646,7 @@ constructors! {
 }
 
 field! {
-    Choice: 0x01, 0x08, "tools.choice"
+    Choice: 0x01, 0x08, "tools.choice";
 }
 
 command! {
@@ -637,7 +659,8 @@ record! {
     ///
     /// Optional counted array; a read may carry a zero count.
     ///
-    /// Functions: write, read and save. Answered by [`ListResponse`]. Supported by Model A.
+    /// Functions: write, read and save. Answered by [`ListResponse`]. Supported by Model A and
+    /// Model C.
     ///
     /// On the wire there is also `count`: Number of items. The number of elements of `items`.
     /// Required for write.
@@ -654,7 +677,6 @@ record! {
     wire 252 {
         [function selects]
         [(items) for WRITE {
-
             [count: u8 counts items]
             [items by count]
         }]
@@ -662,7 +684,7 @@ record! {
 }
 
 constructors! {
-    List { function, items }
+    List
 
     /// Apply the new setting.
     fn write(items: impl Into<crate::List<u16, 125>>) = WRITE;
@@ -675,7 +697,7 @@ constructors! {
 }
 
 field! {
-    List: 0x01, 0x09, "tools.list"
+    List: 0x01, 0x09, "tools.list";
 }
 
 command! {
@@ -688,7 +710,7 @@ record! {
     ///
     /// Answers with an array to the end of the field.
     ///
-    /// Answered by [`InventoryResponse`]. Supported by Model A.
+    /// Answered by [`InventoryResponse`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Inventory.
     #[derive(Default)]
@@ -703,7 +725,7 @@ constructors! {
 }
 
 field! {
-    Inventory: 0x01, 0x0A, "tools.inventory"
+    Inventory: 0x01, 0x0A, "tools.inventory";
 }
 
 command! {
@@ -716,7 +738,7 @@ record! {
     ///
     /// The names of one number depend on another.
     ///
-    /// Functions: write and read. Answered by [`PinResponse`]. Supported by Model A.
+    /// Functions: write and read. Answered by [`PinResponse`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Pin.
     pub struct Pin {
@@ -738,7 +760,7 @@ record! {
 }
 
 constructors! {
-    Pin { function, drive, use_ }
+    Pin
 
     /// Apply the new setting.
     fn write(drive: Drive, use_: u8) = WRITE;
@@ -769,7 +791,7 @@ impl Pin {
 }
 
 field! {
-    Pin: 0x01, 0x0B, "tools.pin"
+    Pin: 0x01, 0x0B, "tools.pin";
 }
 
 command! {
@@ -783,7 +805,7 @@ record! {
     /// The device asks and a host answers.
     ///
     /// Also called `keep_alive`. Answered by [`HelloResponse`]. The device sends it, and the host
-    /// answers.
+    /// answers. May be supported by Model C. Known from the Kit of names only.
     ///
     /// Source: sheet: Hello.
     pub struct Hello {
@@ -816,13 +838,12 @@ constructors! {
 }
 
 setters! {
-    Hello {
-        fn with_later(later: [f64; 2]);
-    }
+    Hello
+    fn with_later(later: [f64; 2]);
 }
 
 field! {
-    Hello: 0x01, 0x0C, "tools.hello"
+    Hello: 0x01, 0x0C, "tools.hello";
 }
 
 command! {
@@ -831,9 +852,40 @@ command! {
 }
 
 record! {
+    /// Readings (0x01,0x0D).
+    ///
+    /// A parameter outside of a structure says how its members are read.
+    ///
+    /// Answered by [`ReadingsResponse`]. Supported by Model A and Model C.
+    ///
+    /// Source: guide: Readings.
+    #[derive(Default)]
+    pub struct Readings {
+        /// What is asked for.
+        pub drive: Drive,
+    }
+}
+
+constructors! {
+    Readings
+
+    /// The command with its parameters.
+    fn new(drive: Drive);
+}
+
+field! {
+    Readings: 0x01, 0x0D, "tools.readings";
+}
+
+command! {
+    Readings -> ReadingsResponse;
+    responds ReadingsResponse;
+}
+
+record! {
     /// Settings response (0x01,0x82).
     ///
-    /// Answers [`Settings`]. Supported by Model A and Model B.
+    /// Answers [`Settings`]. Supported by Model A, Model B and Model C.
     ///
     /// Source: guide: Settings; leaflet: Settings.
     pub struct SettingsResponse {
@@ -873,13 +925,15 @@ impl core::default::Default for SettingsResponse {
 }
 
 field! {
-    SettingsResponse: 0x01, 0x82, "tools.settings_response", answers Settings
+    SettingsResponse: 0x01, 0x82, "tools.settings_response";
+    answers Settings;
 }
 
 record! {
     /// Set time response (0x01,0x83).
     ///
-    /// Answers [`SetTime`]. Sent if `part` is [`types::Mode::FAST`]. Supported by Model A.
+    /// Answers [`SetTime`]. Sent if `part` is [`types::Mode::FAST`]. Supported by Model A and Model
+    /// C.
     ///
     /// Source: guide: Set time.
     #[derive(Default)]
@@ -892,13 +946,15 @@ record! {
 }
 
 field! {
-    SetTimeFastResponse: 0x01, 0x83, "tools.set_time_fast_response", answers SetTime
+    SetTimeFastResponse: 0x01, 0x83, "tools.set_time_fast_response";
+    answers SetTime;
 }
 
 record! {
     /// Set time response (0x01,0x84).
     ///
-    /// Answers [`SetTime`]. Sent if `part` is [`types::Mode::SLOW`]. Supported by Model A.
+    /// Answers [`SetTime`]. Sent if `part` is [`types::Mode::SLOW`]. Supported by Model A and Model
+    /// C.
     ///
     /// Source: guide: Set time.
     #[derive(Default)]
@@ -911,7 +967,8 @@ record! {
 }
 
 field! {
-    SetTimeSlowResponse: 0x01, 0x84, "tools.set_time_slow_response", answers SetTime
+    SetTimeSlowResponse: 0x01, 0x84, "tools.set_time_slow_response";
+    answers SetTime;
 }
 
 record! {
@@ -939,13 +996,14 @@ record! {
 }
 
 field! {
-    ChoiceResponse: 0x01, 0x88, "tools.choice_response", answers Choice
+    ChoiceResponse: 0x01, 0x88, "tools.choice_response";
+    answers Choice;
 }
 
 record! {
     /// List response (0x01,0x89).
     ///
-    /// Answers [`List`]. Supported by Model A.
+    /// Answers [`List`]. Supported by Model A and Model C.
     ///
     /// On the wire there is also `count`: Number of items. The number of elements of `items`.
     ///
@@ -962,13 +1020,14 @@ record! {
 }
 
 field! {
-    ListResponse: 0x01, 0x89, "tools.list_response", answers List
+    ListResponse: 0x01, 0x89, "tools.list_response";
+    answers List;
 }
 
 record! {
     /// Inventory response (0x01,0x8A).
     ///
-    /// Answers [`Inventory`]. Supported by Model A.
+    /// Answers [`Inventory`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Inventory.
     #[derive(Default)]
@@ -979,13 +1038,14 @@ record! {
 }
 
 field! {
-    InventoryResponse: 0x01, 0x8A, "tools.inventory_response", answers Inventory
+    InventoryResponse: 0x01, 0x8A, "tools.inventory_response";
+    answers Inventory;
 }
 
 record! {
     /// Pin response (0x01,0x8B).
     ///
-    /// Answers [`Pin`]. Supported by Model A.
+    /// Answers [`Pin`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Pin.
     #[derive(Default)]
@@ -1012,7 +1072,7 @@ impl PinResponse {
     #[must_use]
     pub fn use_as_pulse_use(&self) -> Option<PulseUse> {
         let named = matches!(self.drive, Drive::PULSE);
-        Some(self.use_).filter(|_| named).map(Into::into)
+        named.then(|| self.use_.into())
     }
 
     /// Reads `use_` as [`SerialUse`].
@@ -1021,19 +1081,20 @@ impl PinResponse {
     #[must_use]
     pub fn use_as_serial_use(&self) -> Option<SerialUse> {
         let named = matches!(self.drive, Drive::SERIAL);
-        Some(self.use_).filter(|_| named).map(Into::into)
+        named.then(|| self.use_.into())
     }
 }
 
 field! {
-    PinResponse: 0x01, 0x8B, "tools.pin_response", answers Pin
+    PinResponse: 0x01, 0x8B, "tools.pin_response";
+    answers Pin;
 }
 
 record! {
     /// Hello response (0x01,0x8C).
     ///
-    /// Also called `keep_alive_response` and `welcome`. Answers [`Hello`]. Uncertain: When it
-    /// comes.
+    /// Also called `keep_alive_response` and `welcome`. Answers [`Hello`]. May be supported by
+    /// Model C. Known from the Kit of names only. Uncertain: When it comes.
     ///
     /// Source: sheet: Hello.
     #[derive(Default)]
@@ -1046,13 +1107,50 @@ record! {
 }
 
 field! {
-    HelloResponse: 0x01, 0x8C, "tools.hello_response", answers Hello
+    HelloResponse: 0x01, 0x8C, "tools.hello_response";
+    answers Hello;
+}
+
+record! {
+    /// Readings response (0x01,0x8D).
+    ///
+    /// Answers [`Readings`]. Supported by Model A and Model C.
+    ///
+    /// On the wire there is also `count`: Number of readings. The number of elements of `readings`.
+    ///
+    /// Source: guide: Readings.
+    #[derive(Default)]
+    pub struct ReadingsResponse {
+        /// What was asked for.
+        pub drive: Drive,
+        /// The readings.
+        ///
+        /// If `drive` is [`Drive::PULSE`]: `kind` has values of [`PulseUse`]. Seldom 2. If `drive`
+        /// is [`Drive::SERIAL`]: `kind` has values of [`SerialUse`].
+        pub readings: crate::List<Reading, 49>,
+        /// The last one.
+        ///
+        /// If `drive` is [`Drive::PULSE`]: `value` has unit s; range 0 to 1. If `drive` is
+        /// [`Drive::SERIAL`]: `value`: Nothing.
+        pub last: Reading,
+    }
+    wire 252 {
+        [drive]
+        [count: u8 counts readings]
+        [readings by count]
+        [last]
+    }
+}
+
+field! {
+    ReadingsResponse: 0x01, 0x8D, "tools.readings_response";
+    answers Readings;
 }
 
 record! {
     /// Status response (0x01,0x90).
     ///
-    /// Answers [`Status`]. Sent if `selector` is 1. Supported by Model A and Model B.
+    /// Answers [`Status`]. Sent if `selector` is 1. Supported by Model A, Model B and Model C.
     ///
     /// On the wire there is also `model`: The model. Always 4711.
     ///
@@ -1063,7 +1161,8 @@ record! {
     pub struct StatusShort {
         /// Faults.
         ///
-        /// On the Model A: values of [`ModelAFaults`]. On the Model B: values of [`ModelBFaults`].
+        /// On the Model A and Model C: values of [`ModelAFaults`]. On the Model B: values of
+        /// [`ModelBFaults`].
         pub flags: u32,
     }
     wire 7 {
@@ -1077,7 +1176,7 @@ record! {
 impl StatusShort {
     /// Reads `flags` as [`ModelAFaults`].
     ///
-    /// On the Model A: values of [`ModelAFaults`].
+    /// On the Model A and Model C: values of [`ModelAFaults`].
     #[must_use]
     pub fn flags_as_model_a_faults(&self) -> ModelAFaults {
         self.flags.into()
@@ -1093,14 +1192,16 @@ impl StatusShort {
 }
 
 field! {
-    StatusShort: 0x01, 0x90, "tools.status_short", constants [0: 18 103] [2: 1], answers Status
+    StatusShort: 0x01, 0x90, "tools.status_short";
+    constants [0: 18 103] [2: 1];
+    answers Status;
 }
 
 record! {
     /// Status response (0x01,0x90).
     ///
     /// Answers [`Status`]. Told from [`StatusOld`] and [`StatusFull`] by the size of its data. Sent
-    /// if `selector` is 2. Supported by Model A and Model B.
+    /// if `selector` is 2. Supported by Model A, Model B and Model C.
     ///
     /// On the wire there is also `model`: The model. Always 4711.
     ///
@@ -1112,6 +1213,7 @@ record! {
         /// Faults.
         ///
         /// On the Model A: values of [`ModelAFaults`]. On the Model B: values of [`ModelBFaults`].
+        /// On the Model C: values that are not known.
         pub flags: u32,
         /// Since start.
         ///
@@ -1146,7 +1248,10 @@ impl StatusLong {
 }
 
 field! {
-    StatusLong: 0x01, 0x90, "tools.status_long", constants [0: 18 103] [2: 2], sizes 15..=15, answers Status
+    StatusLong: 0x01, 0x90, "tools.status_long";
+    constants [0: 18 103] [2: 2];
+    sizes 15..=15;
+    answers Status;
 }
 
 record! {
@@ -1155,7 +1260,7 @@ record! {
     /// The long layout of old devices. Its size tells it from the others.
     ///
     /// Answers [`Status`]. Told from [`StatusLong`] and [`StatusFull`] by the size of its data.
-    /// Sent if `selector` is 2. Supported by Model A and Model B.
+    /// Sent if `selector` is 2. Supported by Model A, Model B and Model C.
     ///
     /// On the wire there is also `model`: The model. Always 4711.
     ///
@@ -1177,14 +1282,17 @@ record! {
 }
 
 field! {
-    StatusOld: 0x01, 0x90, "tools.status_old", constants [0: 18 103] [2: 2], sizes 0..=14, answers Status
+    StatusOld: 0x01, 0x90, "tools.status_old";
+    constants [0: 18 103] [2: 2];
+    sizes 0..=14;
+    answers Status;
 }
 
 record! {
     /// Status response (0x01,0x90).
     ///
     /// Answers [`Status`]. Told from [`StatusLong`] and [`StatusOld`] by the size of its data. Sent
-    /// if `selector` is 2. Supported by Model A and Model B.
+    /// if `selector` is 2. Supported by Model A, Model B and Model C.
     ///
     /// On the wire there is also `model`: The model. Always 4711.
     ///
@@ -1212,13 +1320,16 @@ record! {
 }
 
 field! {
-    StatusFull: 0x01, 0x90, "tools.status_full", constants [0: 18 103] [2: 2], sizes 16..=usize::MAX, answers Status
+    StatusFull: 0x01, 0x90, "tools.status_full";
+    constants [0: 18 103] [2: 2];
+    sizes 16..=usize::MAX;
+    answers Status;
 }
 
 record! {
     /// Bias response (0x01,0x9B).
     ///
-    /// Answers [`Bias`] and [`CaptureBias`]. Supported by Model A.
+    /// Answers [`Bias`] and [`CaptureBias`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Bias; leaflet: Bias.
     #[derive(Default)]
@@ -1231,5 +1342,6 @@ record! {
 }
 
 field! {
-    BiasVector: 0x01, 0x9B, "tools.bias_vector", answers Bias CaptureBias
+    BiasVector: 0x01, 0x9B, "tools.bias_vector";
+    answers Bias CaptureBias;
 }

@@ -1,0 +1,126 @@
+"""What texts of a specification name: fields, types and other names in backticks, descriptors in quotations only.
+
+A text names a field by its full name, `3dm.pps_source_control`, and a type of a set likewise; `describe` makes
+references of these. Other names in backticks are those of parameters, values and the like. Descriptors, as in
+(0x0C,0x28), are the way of the manuals, and only what quotes a manual has them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from . import model as m
+from .nodes import Node
+from .problems import Problems, nearest
+
+#: Keys with texts for readers, and those with what a manual prints.
+PROSE = ("description", "notes", "uncertain", "incomplete", "evidence", "deprecated", "note", "reason", "text")
+QUOTATIONS = ("printed", "right")
+
+DESCRIPTOR = re.compile(r"\(0x(?P<set>[0-9A-Fa-f]{2}),\s?0x(?P<descriptor>[0-9A-Fa-f]{2})\)")
+
+_CODE = re.compile(r"`([^`]*)`")
+_NAME = re.compile(r"[a-z0-9_]+(\.[a-z0-9_]+)?")
+_BARE = re.compile(r"(?<![\w.`])[a-z0-9]+(?:_[a-z0-9]+)+(?![\w])|(?<![\w.])\w+\.\w+(?![\w*])")
+
+
+def check(roots: Iterable[Node], model: m.Model, problems: Problems) -> None:
+    """Reports what is named in another way, or does not exist."""
+    names = _Names(model, problems.add)
+    for root in roots:
+        names.inside(root)
+
+
+@dataclass(frozen=True)
+class _Names:
+    model: m.Model
+    problem: Callable[[m.Position, str], None]
+
+    def inside(self, node: Node) -> None:
+        if isinstance(node.value, list):
+            for item in node:
+                self.inside(item)
+        elif isinstance(node.value, dict):
+            for key, entry in node.items():
+                for text in _texts(entry):
+                    if key in PROSE:
+                        self.prose(text)
+                    elif key in QUOTATIONS:
+                        self.quotation(text, node)
+                self.inside(entry)
+
+    # ----------------------------------------------------------------------- texts
+
+    def prose(self, node: Node) -> None:
+        for name in _CODE.findall(node.value):
+            if _NAME.fullmatch(name):
+                self.name(name, node.position)
+        plain = _CODE.sub("", node.value)
+        for found in DESCRIPTOR.finditer(plain):
+            known = [f"`{f.full_name}`" for f in self.fields(found)]
+            remedy = f"write {' or '.join(known)}" if known else "no field has this one, so say it in words"
+            self.problem(node.position, f"a text names a field, not its descriptor {found[0]}; {remedy}")
+        for found in _BARE.finditer(plain):
+            if "_" in found[0] or self.known(found[0]):
+                self.problem(node.position, f"'{found[0]}' is a name; put it in backticks: `{found[0]}`")
+
+    def quotation(self, node: Node, erratum: Node) -> None:
+        """Descriptors that do not exist may be quoted where an erratum says that they do not."""
+        claims = [c["reference"].value for c in erratum.get("claims") or () if "reference" in c]
+        for found in DESCRIPTOR.finditer(node.value):
+            subject = f"0x{found['set'].upper()},0x{found['descriptor'].upper()}"
+            if subject not in claims and not self.fields(found) and not self.named(found):
+                self.problem(node.position, f'no field has {found[0]}; claim it: claims: [reference: "{subject}"]')
+
+    def name(self, name: str, place: m.Position) -> None:
+        if self.known(name):
+            return
+        if "." in name:
+            self.problem(place, f"no field or type '{name}'{nearest(name, self.full_names)}")
+        elif name not in self.words:
+            whole = sorted(f"`{x}`" for x in self.full_names if x.endswith(f".{name}"))
+            remedy = f"; write {' or '.join(whole)}" if whole else nearest(name, self.words)
+            self.problem(place, f"no parameter, value or bit is called '{name}'{remedy}")
+
+    # ----------------------------------------------------------------------- what there is
+
+    def fields(self, found: re.Match[str]) -> tuple[m.Field, ...]:
+        return self.model.candidates(int(found["set"], 16), int(found["descriptor"], 16))
+
+    def named(self, found: re.Match[str]) -> bool:
+        s = self.model.set(int(found["set"], 16))
+        return s is not None and any(x.descriptor == int(found["descriptor"], 16) for x in s.named)
+
+    def known(self, name: str) -> bool:
+        """Is it the name of a field or a type, or of a descriptor without a layout?"""
+        return self.model.field(name) is not None or self.model.type(name) is not None or name in self.full_names
+
+    @cached_property
+    def full_names(self) -> set[str]:
+        types = {f"{s.name}.{t.name}" for s in self.model.sets for t in s.types}
+        named = {f"{s.name}.{x.name}" for s in self.model.sets for x in s.named}
+        return {f.full_name for f in self.model.fields} | types | named
+
+    @cached_property
+    def words(self) -> set[str]:
+        """Names that stand alone: of parameters, values and bits, of sets, functions, frames and devices."""
+        protocol, types = self.model.protocol, (*self.model.all_types, self.model.protocol.function_selector)
+        records: list[m.Field | m.Struct] = [*self.model.fields, protocol.acknowledge]
+        records += [t for t in types if isinstance(t, m.Struct)]
+        found = {q.name for r in records for p in r.parameters for q in (p, *(c.parameter for c in p.cases)) if q}
+        found |= {v.name for t in types if isinstance(t, m.Enum) for v in t.values}
+        found |= {b.name for t in types if isinstance(t, m.Bitfield) for b in t.bits}
+        found |= {s.name for s in self.model.sets} | {t.name for t in self.model.types}
+        return found | {w.symbol for w in protocol.frames} | {d.name for d in self.model.devices}
+
+
+def _texts(node: Node) -> Iterator[Node]:
+    if isinstance(node.value, str):
+        yield node
+    elif isinstance(node.value, list):
+        yield from (item for item in node if isinstance(item.value, str))
+    elif isinstance(node.value, dict):
+        yield from (item for item in node.value.values() if isinstance(item.value, str))

@@ -1,0 +1,271 @@
+"""Changes the project at random places, one at a time, and reports the changes that no test sees.
+
+    make mutate COUNT=20 PART=c SEED=7
+
+Each change (a mutant) is made in a copy of the project below build/mutate: an operator, a constant, a condition
+turned around, a line dropped, two arguments swapped; in `docs`, a fact in the generated documentation. What is
+generated is generated again, and the quick tests of that part run. What survives is either a gap in the tests or a
+change without effect; a person has to look.
+"""
+
+from __future__ import annotations
+
+import argparse
+import difflib
+import os
+import random
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+COPY = ROOT / "build/mutate/copy"
+SPECS = (("spec", "generated"), ("tests/invented/spec", "tests/invented/golden"))
+
+
+@dataclass(frozen=True)
+class Part:
+    """Files to change, targets to generate again, and tests to run, the quickest first."""
+
+    files: tuple[str, ...]
+    targets: tuple[str, ...]
+    tests: tuple[tuple[str, ...], ...]
+
+
+PARTS = {
+    "generator": Part(
+        ("generator/mipgen/*.py",),
+        ("c", "python", "rust", "markdown"),
+        (("tests/generator",), ("tests/conformance", "-k", "python-invented")),
+    ),
+    "c": Part(
+        ("templates/c/**/*.j2", "templates/c/runtime/**/*.[ch]", "generator/mipgen/targets/c.py"),
+        ("c",),
+        (
+            ("tests/c", "-k", "not clang and (test_unit or facts or every_ or small_program)"),
+            ("tests/conformance", "-k", "c-invented or c]"),
+            ("tests/conformance", "-k", "c-real"),
+        ),
+    ),
+    "python": Part(
+        ("templates/python/**/*.j2", "templates/python/runtime/**/*.py", "generator/mipgen/targets/python.py"),
+        ("python",),
+        (("tests/python", "-k", "not version"), ("tests/conformance", "-k", "python")),
+    ),
+    "rust": Part(
+        ("templates/rust/**/*.j2", "templates/rust/runtime/**/*.rs", "generator/mipgen/targets/rust.py"),
+        ("rust",),
+        (
+            ("tests/rust", "-k", "test_cases or (test_everything and invented)"),
+            ("tests/conformance", "-k", "rust-invented or rust]"),
+        ),
+    ),
+    "docs": Part(
+        ("generated/c/include/mip/*.h", "generated/python/mip_protocol/*.py", "generated/rust/src/*.rs",
+         "generated/markdown/docs/**/*.md"),
+        (),
+        (("tests/docs",), ("tests", "-k", "facts or describ")),
+    ),
+}  # fmt: skip
+
+
+# --------------------------------------------------------------------------- mutants
+
+
+@dataclass(frozen=True)
+class Mutant:
+    path: str
+    line: int  # from 1
+    text: str  # the new line; empty if it is dropped
+
+
+def next_number(match: re.Match[str]) -> str:
+    digits = match[0].removeprefix("0x")
+    wide = f"0{len(digits)}"
+    return f"{int(digits) + 1:{wide}}" if digits == match[0] else f"0x{int(digits, 16) + 1:{wide}X}"
+
+
+#: What is looked for in code, and what it becomes.
+CODE: list[tuple[str, object]] = [
+    (r"(?<= )<(?= )", "<="), (r"(?<= )>(?= )", ">="), (r"<=", "<"), (r">=", ">"), (r"==", "!="), (r"!=", "=="),
+    (r" and ", " or "), (r" or ", " and "), (r"&&", "||"), (r"\|\|", "&&"),
+    (r"\bnot (?!in\b)", ""), (r"!(?=[\w(])", ""), (r" \+ ", " - "), (r" - ", " + "), (r" & ", " | "),
+    (r"<<", ">>"), (r">>", "<<"), (r"\btrue\b", "false"), (r"\bfalse\b", "true"),
+    (r"\bTrue\b", "False"), (r"\bFalse\b", "True"),
+    (r"\bcontinue\b", "break"), (r"\bmin\b", "max"), (r"\bmax\b", "min"), (r"\bany\(", "all("), (r"\ball\(", "any("),
+    (r"(?<![\w.])(0x[0-9A-Fa-f]+|\d+)(?![\w.])", next_number),
+    (r"\(([a-z_.]+), ([a-z_.]+)\)", r"(\2, \1)"),
+]  # fmt: skip
+#: The same for facts in documentation.
+FACTS: list[tuple[str, object]] = [
+    (r"(?<![\w.,:])\d+(?![\w,:])", next_number), (r"\bm/s\b", "km/h"), (r"\brad\b", "deg"), (r"\bdeg\b", "rad"),
+    (r"\bned\b", "sensor"), (r"≤", "<"), (r"≥", ">"),
+    (r"(?i)\bat least\b", "at most"), (r"(?i)\bat most\b", "at least"),
+    (r"GX5-15", "GX5-25"), (r"CV7-GNSS/INS", "CV7-AHRS"), (r"\b(tow|week_number)\b", "reserved"),
+]  # fmt: skip
+FACT_LINE = re.compile(r"(?i)range|unit|frame|valid|default|support|at least|at most|≤|≥|\[[\w/%°²,. ]+\]")
+NO_CODE = re.compile(r"\s*(//|/\*|\*|#|\{#|import |from |use |$)")
+
+
+def hidden(line: str) -> str:
+    """The line with its strings and comments blotted out, of the same length."""
+    line = re.sub(r'"(?:[^"\\]|\\.)*"', lambda m: '"' + "\x00" * (len(m[0]) - 2) + '"', line)
+    return re.sub(r"(//|/\*|  # ).*", lambda m: "\x00" * len(m[0]), line)
+
+
+def mutants(path: Path, docs: bool) -> Iterator[Mutant]:
+    name, quoted = path.relative_to(ROOT).as_posix(), False
+    for number, line in enumerate(path.read_text("utf-8").splitlines(), 1):
+        marks = line.count('"""')
+        was, quoted = quoted, quoted ^ (marks % 2 == 1)
+        text = was or marks or bool(re.match(r"\s*(//|/\*|\*)", line)) or path.suffix == ".md"
+        if docs != bool(text) or (docs and not FACT_LINE.search(line)) or (not docs and NO_CODE.match(line)):
+            continue
+        shown = line if docs else hidden(line)
+        for pattern, becomes in FACTS if docs else CODE:
+            for match in re.finditer(pattern, shown):
+                new = becomes(match) if callable(becomes) else match.expand(str(becomes))
+                changed = line[: match.start()] + new + line[match.end() :]
+                if changed != line:
+                    yield Mutant(name, number, changed)
+        if not docs and (dropped := without(line, path.suffix)) is not None:
+            yield Mutant(name, number, dropped)
+
+
+def without(line: str, suffix: str) -> str | None:
+    """A line that is one statement, dropped."""
+    indent = line[: len(line) - len(line.lstrip())]
+    if suffix == ".py":
+        statement = re.match(r"\s+[a-z_][\w.\[\]]*( [+|-]?= |\().*[^,({\[\\:]$", line) and line.count(
+            "("
+        ) == line.count(")")
+        return f"{indent}pass" if statement else None
+    return (
+        "" if indent and re.match(r"\s+[a-z_*(].*;$", line) and not re.match(r"\s+(return|let|const)\b", line) else None
+    )
+
+
+# --------------------------------------------------------------------------- the copy
+
+
+def listed() -> list[str]:
+    done = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, capture_output=True, text=True)
+    return [name for name in done.stdout.splitlines() if (ROOT / name).is_file()]
+
+
+def restore(places: tuple[str, ...] = ("",)) -> None:
+    """Makes the copy equal again; files that are equal keep their times, so that little is built anew."""
+    names = [n for n in listed() if n.startswith(places)]
+    for folder in (COPY / place for place in places if place.endswith("/")):
+        for path in folder.rglob("*"):
+            if path.is_file() and path.relative_to(COPY).as_posix() not in names:
+                path.unlink()
+    for name in names:
+        source, target = ROOT / name, COPY / name
+        if not target.is_file() or target.read_bytes() != source.read_bytes():
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(source, target)
+            shutil.copymode(source, target)
+
+
+def run(limit: float, *command: str) -> tuple[bool, str]:
+    """Runs a command in the copy for so many seconds at most; is it well, and what did it print?"""
+    environment = {**os.environ, "PYTHONPATH": str(COPY / "generator"), "PYTHONDONTWRITEBYTECODE": "1"}
+    process = subprocess.Popen(
+        command, cwd=COPY, env=environment, text=True, start_new_session=True,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+    )  # fmt: skip
+    try:
+        printed, _ = process.communicate(timeout=limit)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)  # with everything that it has started
+        process.communicate()
+        return False, f"E   no end after {limit:.0f} s"
+    return process.returncode == 0, printed
+
+
+def generate(part: Part) -> tuple[bool, str]:
+    for spec, out in SPECS if part.targets else ():
+        targets = [word for target in part.targets for word in ("--target", target)]
+        well, printed = run(120, sys.executable, "-m", "mipgen", "generate", "--spec", spec, "--out", out, *targets)
+        if not well:
+            return False, "generation fails: " + (printed.strip().splitlines() or [""])[-1]
+    return True, ""
+
+
+def tested(part: Part, limit: float) -> tuple[bool, str]:
+    """Do all tests pass? If not, the first that fails."""
+    for tests in part.tests:
+        well, printed = run(limit, sys.executable, "-m", "pytest", "-x", "-p", "no:cacheprovider", *tests)
+        if not well:
+            found = re.search(r"^(FAILED|ERROR) (\S+)", printed, re.M) or re.search(r"^(E) +(.*)", printed, re.M)
+            return False, (found[2] if found else printed.strip())[-150:]
+    return True, ""
+
+
+def outcome(part: Part, mutant: Mutant, limit: float) -> str:
+    """What kills the mutant; empty if nothing does."""
+    path = COPY / mutant.path
+    lines = path.read_text("utf-8").splitlines(keepends=True)
+    lines[mutant.line - 1] = f"{mutant.text}\n" if mutant.text else ""
+    path.write_text("".join(lines), "utf-8")
+    try:
+        well, why = generate(part)
+        if well:
+            well, why = tested(part, limit)
+    finally:
+        restore((mutant.path, *(f"{out}/{target}/" for _, out in SPECS for target in part.targets)))
+    return "" if well else why
+
+
+def difference(mutant: Mutant) -> str:
+    old = (ROOT / mutant.path).read_text("utf-8").splitlines()
+    new = old[: mutant.line - 1] + ([mutant.text] if mutant.text else []) + old[mutant.line :]
+    return "\n".join(list(difflib.unified_diff(old, new, lineterm="", n=1))[2:])
+
+
+# --------------------------------------------------------------------------- the run
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("--count", type=int, default=10, help="mutants of each part (10)")
+    parser.add_argument("--seed", type=int, default=1, help="another seed takes other mutants (1)")
+    parser.add_argument(
+        "--part", action="append", choices=sorted(PARTS), help="all parts without it; may be given again"
+    )
+    parser.add_argument("--path", default="", help="only files whose path contains this")
+    given = parser.parse_args()
+    restore()
+    survivors = []
+    for name in given.part or PARTS:
+        part = PARTS[name]
+        paths = sorted({p for pattern in part.files for p in ROOT.glob(pattern) if "README" not in p.name})
+        paths = [p for p in paths if given.path in p.as_posix()]
+        everything = [mutant for path in paths for mutant in mutants(path, name == "docs")]
+        began = time.monotonic()
+        well, why = tested(part, 3600)
+        limit = 60 + 4 * (time.monotonic() - began)  # a mutant may never end
+        if not well:
+            print(f"{name}: the tests fail without any change: {why}", file=sys.stderr)
+            return 2
+        for mutant in random.Random(given.seed).sample(everything, min(given.count, len(everything))):
+            began = time.monotonic()
+            why = outcome(part, mutant, limit)
+            said = f"killed by {why}" if why else "SURVIVED"
+            print(f"{name}: {mutant.path}:{mutant.line}: {said} ({time.monotonic() - began:.0f} s)", flush=True)
+            if not why:
+                survivors.append(mutant)
+                print(difference(mutant), flush=True)
+    print(f"{len(survivors)} survived" + "".join(f"\n  {s.path}:{s.line}" for s in survivors))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
