@@ -153,7 +153,7 @@ class _Heir:
 
     def check_new(self, full: str, entry: Node, lacked: set[str], inherited: dict[str, Node]) -> None:
         if full in inherited and full not in lacked:
-            self.problems.add(entry.position, f"'{self.like}' supports '{full}' already; remove it")
+            self.problems.add(entry.position, f"'{self.like}' already supports '{full}'; remove it")
 
     def names(self, supports: Node, may_support: Node) -> set[str]:
         """The fields that are supported, perhaps, with their responses; and their sets."""

@@ -160,7 +160,10 @@ def test_what_is_compared_holds_all_topics() -> None:
 def test_words_of_c() -> None:
     """References are names of C, but descriptors stay as they are."""
     found = comments("invented")
-    assert found["mip_tools_settings.mode"] == "What to do. Default: MIP_MODE_FAST. Required for write, read and apply."
+    assert found["mip_tools_settings.mode"] == (
+        "What to do. Default: MIP_MODE_FAST. Required for write, read and apply. "
+        "On the Model C: only MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated."
+    )
     assert found["mip_tools_settings.limit"] == (
         "Required by no function, not even by write. Optional. If mode is MIP_MODE_FAST: unit s; range 1 to 10; "
         "default 5. If mode is MIP_MODE_SLOW: unit m."

@@ -308,13 +308,25 @@ class _Writer:
         of = f"devices::{rust.constant(d.name)}"
         for s in d.supports:
             functions = [x.value for x in s.functions]
-            yield f"let field = {of}.supports({s.field.set}, {s.field.descriptor}).unwrap();"
+            supports = "may_support" if s.evidence else "supports"
+            yield f"let field = {of}.{supports}({s.field.set}, {s.field.descriptor}).unwrap();"
+            evidence = f"Some({text(s.evidence)})" if s.evidence else "None"
+            yield f"assert_eq!(field.evidence, {evidence});"
             yield f'assert_eq!(field.name, "{s.field.full_name}");'
             yield f"assert_eq!(field.functions.iter().map(|f| f.0).collect::<Vec<u8>>(), {functions});"
         yield f"assert_eq!({of}.fields.len(), {len(d.supports)});"
         number = "None" if d.model_number is None else f"Some({d.model_number})"
         yield f"assert_eq!(({of}.id, {of}.title, {of}.model_number), ({text(d.id)}, {text(d.title)}, {number}));"
         yield f"assert_eq!({of}.description, {text(d.description)});"
+        generation = "None" if d.generation is None else f"Some({d.generation})"
+        manual = f"Some({text(d.manual)})" if d.manual else "None"
+        yield f"assert_eq!(({of}.generation, {of}.manual), ({generation}, {manual}));"
+        for name, texts in (("also", d.also), ("incomplete", d.incomplete)):
+            yield f"assert_eq!({of}.{name}, [{', '.join(map(text, texts))}] as [&str; {len(texts)}]);"
+        for name in (d.id, d.title, *d.also):
+            yield f"assert_eq!(devices::Device::find({text(name)}), Some(&{of}));"
+        if d.model_number is not None:
+            yield f"assert_eq!(devices::Device::by_model({d.model_number}), Some(&{of}));"
         rates = {r.set.number: f"Some({float(r.hertz)!r})" for r in d.base_rates}
         for s in self.model.sets:
             yield f"assert_eq!({of}.base_rate({s.number}), {rates.get(s.number)});"

@@ -89,7 +89,8 @@ class Docs:
     # ------------------------------------------------------------------ devices
 
     def device(self, d: m.Device) -> list[Block]:
-        found: list[Block] = [prose(d.title), self._prose(d.description, "devices")]
+        said, _ = self._facts(describe.device(d, self.model), "devices")
+        found: list[Block] = [prose(d.title), self._prose(d.description, "devices"), said, sources(d)]
         for n in d.notes:
             rows = [tuple(map(prose, row)) for row in n.rows]
             rule = [("---",) * len(rows[0])] if rows else []
@@ -120,7 +121,7 @@ def title(f: m.Field) -> str:
     return f"{prose(f.title)} (0x{f.set:02X},0x{f.descriptor:02X})"
 
 
-def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct) -> str:
+def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct | m.Device) -> str:
     found = "; ".join(map(prose, describe.sources(thing)))
     return f"Source: {found}." if found else ""
 

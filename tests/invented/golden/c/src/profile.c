@@ -51,6 +51,12 @@ uint16_t mip_model_number(const char *text, size_t size) {
 
 const struct mip_device_field *mip_device_supports(const struct mip_device *device,
                                                    uint8_t descriptor_set, uint8_t descriptor) {
+    const struct mip_device_field *f = mip_device_may_support(device, descriptor_set, descriptor);
+    return f != NULL && f->evidence == NULL ? f : NULL;
+}
+
+const struct mip_device_field *mip_device_may_support(const struct mip_device *device,
+                                                      uint8_t descriptor_set, uint8_t descriptor) {
     for (size_t i = 0; i < device->field_count; i++) {
         const struct mip_device_field *f = &device->fields[i];
         const bool shared = f->descriptor_set == 0xFF && descriptor_set >= 0x80;

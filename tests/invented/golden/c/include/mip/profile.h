@@ -121,9 +121,13 @@ const struct mip_device *mip_device_by_model(uint16_t model_number);
  */
 uint16_t mip_model_number(const char *text, size_t size);
 
-/** Does the device support a command or a data field? NULL if nothing is known of that. */
+/** Does the device support a command or a data field? NULL if it is not known to. */
 const struct mip_device_field *mip_device_supports(const struct mip_device *device,
                                                    uint8_t descriptor_set, uint8_t descriptor);
+
+/** The same, though it may not be certain: `evidence` says why it is believed. */
+const struct mip_device_field *mip_device_may_support(const struct mip_device *device,
+                                                      uint8_t descriptor_set, uint8_t descriptor);
 
 /** The base rate of a data set in Hz: 0 if data are sent as they come, negative if it has none. */
 double mip_device_base_rate(const struct mip_device *device, uint8_t descriptor_set);

@@ -112,12 +112,13 @@ macro_rules! add_to {
 
 /// The fields that a device supports, with the functions that it takes.
 macro_rules! supported {
-    ($($set:literal $descriptor:literal $name:literal [$($function:ident)*];)*) => {
+    ($($set:literal $descriptor:literal $name:literal [$($function:ident)*] $evidence:expr;)*) => {
         &[$($crate::devices::Supported {
             set: $set,
             descriptor: $descriptor,
             name: $name,
             functions: &[$($crate::protocol::FunctionSelector::$function),*],
+            evidence: $evidence,
         }),*]
     };
 }
