@@ -11,7 +11,7 @@ import random
 from collections.abc import Iterator
 from typing import Any
 
-from conformance.client_model import wanted_response
+from conformance.client_model import wanted_responses
 from mipgen import codec
 from mipgen import model as m
 from mipgen.targets.rust import names as rust
@@ -176,11 +176,11 @@ class _Writer:
         data = codec.encode(f, values)
         silent = [c for c in f.silent_when if values.get(c.parameter) == c.value]
         replies = (function is None or function.reply) and not (f.silent_when and len(silent) == len(f.silent_when))
-        wanted = wanted_response(self.model, f, values)
+        wanted = wanted_responses(self.model, f, values)
         yield f"let command = {expression};"
         yield f"same(command, {data_literal(data)});"
         yield f"assert_eq!(command.expects_reply(), {str(replies).lower()});"
-        yield f"assert_eq!(command.expects_response(), {str(wanted is not None).lower()});"
+        yield f"assert_eq!(command.expects_response(), {str(bool(wanted)).lower()});"
 
     def prefixes(self, f: m.Field, data: bytes) -> list[int]:
         found = []
