@@ -43,16 +43,19 @@ def set_numbers(model: m.Model, problems: Problems) -> None:
 
 def descriptors(model: m.Model, problems: Problems) -> None:
     for s in model.sets:
-        seen: dict[int, m.Field] = {}
+        seen: dict[int, list[m.Field]] = {}
         for f in s.fields:
             _descriptor_range(s, f, problems)
-            other = seen.setdefault(f.descriptor, f)
-            if other is not f and not _told_apart(other, f):
-                apart = ", or a const that tells the two layouts apart" if f.role == m.RESPONSE else ""
-                problems.add(
-                    f.position,
-                    f"'{f.name}' has the descriptor 0x{f.descriptor:02X} of '{other.name}'; give it another{apart}",
-                )
+            layouts = seen.setdefault(f.descriptor, [])
+            other = next((g for g in layouts if not _told_apart(g, f)), None)
+            if other is None:
+                layouts.append(f)
+                continue
+            apart = ", or a const or a fixed size that tells the layouts apart" if f.role == m.RESPONSE else ""
+            problems.add(
+                f.position,
+                f"'{f.name}' has the descriptor 0x{f.descriptor:02X} of '{other.name}'; give it another{apart}",
+            )
 
 
 def _descriptor_range(s: m.Set, f: m.Field | m.Named, problems: Problems) -> None:
@@ -69,10 +72,14 @@ def _descriptor_range(s: m.Set, f: m.Field | m.Named, problems: Problems) -> Non
 
 
 def _told_apart(a: m.Field, b: m.Field) -> bool:
+    """By a constant that differs; or, with the same constants, by their sizes."""
     if a.role != m.RESPONSE or b.role != m.RESPONSE:
         return False
-    mine = {(at, op.size): op.value for at, op in a.constants}
-    return any(mine.get((at, op.size), op.value) != op.value for at, op in b.constants)
+    mine = {(at, size): value for at, size, value in a.signature}
+    if any(mine.get((at, size), value) != value for at, size, value in b.signature):
+        return True
+    fixed = a.min_size == a.max_size and b.min_size == b.max_size
+    return a.signature == b.signature and fixed and a.min_size != b.min_size
 
 
 def named(model: m.Model, problems: Problems) -> None:

@@ -73,13 +73,22 @@ def split(model: m.Model, packet: bytes) -> list[tuple[int, bytes]]:
 
 
 def choose(candidates: tuple[m.Field, ...], data: bytes) -> m.Field | None:
-    """The layout whose constants the data holds; the only one, if there is just one."""
+    """The layout that data of a descriptor have.
+
+    Constants tell it, as far as the data reach. Where several remain, it is the one of this size, else the longest
+    that the data hold, else the shortest, of which they are a part only.
+    """
     if len(candidates) <= 1:
         return candidates[0] if candidates else None
-    for f in candidates:
-        if all(data[at : at + op.size] == op.value.to_bytes(op.size, "big") for at, op in f.constants):
-            return f
-    return None
+    fitting = [
+        f
+        for f in candidates
+        if all(op.value.to_bytes(op.size, "big").startswith(data[at : at + op.size]) for at, op in f.constants)
+    ]
+    held = [f for f in fitting if f.min_size <= len(data)]
+    if held:
+        return max(held, key=lambda f: f.min_size)
+    return min(fitting, key=lambda f: f.min_size, default=None)
 
 
 # --------------------------------------------------------------------------- decoding

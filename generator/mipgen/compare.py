@@ -10,6 +10,7 @@ wire           the same bytes mean something else, or other bytes are sent
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any, Final, Literal
@@ -83,8 +84,15 @@ def enough(report: Report) -> bool:
 
 
 def _fields(old: m.Model, new: m.Model) -> Iterator[Change]:
-    """Two fields are the same if set, descriptor, role and constants are."""
-    theirs, ours = ({_identity(f): f for f in model.fields} for model in (old, new))
+    """Fields are the same thing if set, descriptor, role and constants are; and the size, where it tells layouts
+    apart."""
+    shared = {key for model in (old, new) for key, n in Counter(map(_identity, model.fields)).items() if n > 1}
+
+    def place(f: m.Field) -> tuple[object, ...]:
+        key = _identity(f)
+        return (key, f.min_size) if key in shared else (key,)
+
+    theirs, ours = ({place(f): f for f in model.fields} for model in (old, new))
     for key, f in theirs.items():
         if key not in ours:
             yield Change("source", f.full_name, f"removed {_place(f)}")
@@ -97,7 +105,7 @@ def _fields(old: m.Model, new: m.Model) -> Iterator[Change]:
 
 
 def _identity(f: m.Field) -> tuple[object, ...]:
-    return (f.set, f.descriptor, f.role, tuple((at, op.value) for at, op in f.constants))
+    return (f.set, f.descriptor, f.role, f.signature)
 
 
 def _place(f: m.Field) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from . import model as m
 from .checks import computed_length
@@ -88,6 +88,9 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
         found.append(_fact("responses", answers, "Answered by {}."))
     if f.role == m.RESPONSE and model.commands(f):
         found.append(_fact("commands", joined([(_field(c),) for c in model.commands(f)]), "Answers {}."))
+    others = [g for g in model.layouts(f) if g is not f and g.signature == f.signature]
+    if others:
+        found.append(_fact("layout", joined([(_field(g),) for g in others]), "Told from {} by the size of its data."))
     if f.when:
         command = next(c for c in model.commands(f) if c.name == f.command)
         found.append(_fact("when", conditions(f.when, command), "Sent if {}."))
@@ -103,8 +106,12 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
     devices = model.devices_of(f)
     if devices:
         found.append(_fact("devices", joined([(_device(d),) for d in devices]), "Supported by {}."))
-    elif model.devices and f.role != m.RESPONSE:
+    perhaps = model.devices_of(f, certain=False)
+    if perhaps:
+        found.append(_fact("perhaps", joined([(_device(d),) for d in perhaps]), "May be supported by {}."))
+    if model.devices and f.role != m.RESPONSE and not devices and not perhaps:
         found.append(_fact("devices", (), "No device profile lists it."))
+    found += [_deprecation(d, s.deprecated, model) for d, s in model.supports(f) if s.deprecated]
     found += [_support(d, s) for d, s in model.supports(f) if s.differs]
     found += _evidence(f, model)
     return [*found, *_remarks(f, model)]
@@ -124,14 +131,22 @@ def _remarks(of: m.Field | m.Parameter, model: m.Model) -> Iterator[Fact]:
     yield from uncertain(of, model)
 
 
-def uncertain(of: m.Field | m.Set | m.Parameter | m.Type | m.EnumValue | m.Bits, model: m.Model) -> list[Fact]:
-    """The uncertain facts, each with what is known and what is inferred."""
+Doubtful = m.Field | m.Set | m.Parameter | m.Type | m.EnumValue | m.Bits | m.Device
+
+
+def uncertain(of: Doubtful, model: m.Model) -> list[Fact]:
+    """What is not sure, each with what is known and what is inferred."""
     return [_fact("uncertain", prose(text.rstrip("."), model), "Uncertain: {}.") for text in of.uncertain]
 
 
 def _support(d: m.Device, s: m.Support) -> Fact:
     functions = _functions(s.functions)
     return Fact("support", functions, ("On the ", _device(d), ": ", *functions, " only."))
+
+
+def _deprecation(d: m.Device, instead: str, model: m.Model) -> Fact:
+    text = prose(instead.rstrip("."), model)
+    return Fact("deprecation", text, ("Deprecated on the ", _device(d), ": ", *text, "."))
 
 
 def conditions(found: Sequence[m.Condition], command: m.Field) -> Text:
@@ -178,9 +193,9 @@ def parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
         found.append(_fact("elements", (", ".join(p.element.elements),), "Elements: {}."))
     found += _measures(p, p, model)
     if p.valid:
-        found.append(_valid(p, beside, record))
+        found.append(_valid(p.valid, p, record))
     found += _presence(p, record)
-    found += [variant(v, p, record, model) for v in p.variants]
+    found += [fact for _, fact in variants(p, record, model)]
     return [*found, *_remarks(p, model)]
 
 
@@ -233,21 +248,24 @@ def default(value: object, p: m.Parameter) -> Text:
     return (number(value),)
 
 
-def _valid(p: m.Parameter, beside: dict[str, m.Parameter], record: Record) -> Fact:
+def _valid(paths: tuple[str, ...], p: m.Parameter, record: Record, device: str | None = None) -> Fact:
     """The bit that says that a value is valid, or one for each element."""
-    refs = [_bit(path, beside, record) for path in dict.fromkeys(p.valid)]
+    refs = [_bit(path, record, device) for path in dict.fromkeys(paths)]
     if len(refs) == 1:
         return _fact("valid", (refs[0],), "Valid if {} is set." if "." in refs[0].words else "Valid if {} is true.")
-    names = p.element.elements if isinstance(p.element, m.Vector) else tuple(map(str, range(len(p.valid))))
-    each = [(f"{name} by ", _bit(path, beside, record)) for name, path in zip(names, p.valid, strict=False)]
+    names = p.element.elements if isinstance(p.element, m.Vector) else tuple(map(str, range(len(paths))))
+    each = [(f"{name} by ", _bit(path, record, device)) for name, path in zip(names, paths, strict=False)]
     return _fact("valid", _interleaved(each, ", "), "Each element is valid by its bit: {}.")
 
 
-def _bit(path: str, beside: dict[str, m.Parameter], record: Record) -> Ref:
-    flags, _, bit = path.partition(".")
-    e = beside[flags].element
+def _bit(path: str, record: Record, device: str | None) -> Ref:
+    """A bit of a sibling, by the type that it has on a device."""
+    name, _, bit = path.partition(".")
+    flags = next(q for q in record.parameters if q.name == name)
+    own = (v.type for v in flags.readings if v.by_device and v.key == device)
+    e = next(own, None) or flags.element
     known = next((b for b in e.bits if b.name == bit), None) if isinstance(e, m.Bitfield) else None
-    return Ref(known, path, e) if known and isinstance(e, m.Bitfield) else Ref(beside[flags], path, record)
+    return Ref(known, path, e) if known and isinstance(e, m.Bitfield) else Ref(flags, path, record)
 
 
 def _presence(p: m.Parameter, record: Record) -> Iterator[Fact]:
@@ -266,29 +284,69 @@ def case(c: m.Case, union: m.Parameter, record: Record) -> Fact:
     return _fact("case", value, "If {}." if c.parameter else "Empty if {}.")
 
 
-def variant(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Fact:
-    """How a parameter, or a member of its structure, differs on a device or with a value of a sibling."""
+def variants(p: m.Parameter, record: Record, model: m.Model) -> list[tuple[tuple[m.Variant, ...], Fact]]:
+    """What is different on devices, or with values of a sibling: one fact for all devices where it is the same."""
+    groups: list[list[m.Variant]] = []
+    for v in p.variants:
+        same = next((g for g in groups if v.by_device and replace(g[0], key=v.key) == v), None)
+        if same is None:
+            groups.append([v])
+        else:
+            same.append(v)
+    found = []
+    for group in groups:
+        said = difference(group[0], p, record, model)
+        sentence = (*_condition(group, record, model), ": ", *said, ".")
+        found.append((tuple(group), Fact("variant", said, sentence)))
+    return found
+
+
+def difference(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Text:
+    """What a variant says, in words; it may be about a member of a structure."""
     within = p.element if v.member and isinstance(p.element, m.Struct) else None
     if within is not None:
         p = next(q for q in within.parameters if q.name == v.member)
     parts: list[Text] = []
+    if v.unknown:
+        parts.append(("values that are not known",))
     if v.type is not None:
         parts.append(("values of ", Ref(v.type, v.type.name)))
+    if v.only:
+        named = v.type or p.element
+        assert isinstance(named, (m.Enum, m.Bitfield))
+        parts.append(("only ", *joined([(Ref(x, x.name, named),) for x in v.only])))
+    if v.constant is not None:
+        parts.append((f"always {v.constant}",))
     for fact in _measures(v, p, model):
         parts.append((f"{fact.topic} ", *fact.value))
+    if v.valid is not None:
+        parts.append(_validity(v, p, record))
+    if v.deprecated is not None:
+        parts.append(("deprecated" if v.deprecated else "not deprecated",))
     said = _interleaved(parts, "; ")
     if within is not None:
         said = (Ref(p, p.name, within), " has " if parts else ": ", *said)
     if v.description:
         said = (*said, *([". "] if parts else []), *prose(v.description.rstrip("."), model))
-    return Fact("variant", said, (*variant_condition(v, record, model), ": ", *said, "."))
+    return said
 
 
-def variant_condition(v: m.Variant, record: Record, model: m.Model) -> Text:
-    """When a variant applies: "On the 3DM-GX5-15", "If mode is fast"."""
+def _validity(v: m.Variant, p: m.Parameter, record: Record) -> Text:
+    """What says that the value is valid there."""
+    if not v.valid:
+        return ("nothing says whether it is valid",)
+    fact = _valid(v.valid, p, record, v.key if v.by_device else None)
+    many = len(set(v.valid)) > 1
+    state = "" if many else " is set" if "." in v.valid[0] else " is true"
+    return ("valid by element: " if many else "valid if ", *fact.value, *([state] if state else []))
+
+
+def _condition(group: Sequence[m.Variant], record: Record, model: m.Model) -> Text:
+    """Where variants hold: "On the 3DM-GX5-15", "If mode is fast"."""
+    v = group[0]
     if v.by_device:
-        found = model.device(v.key)
-        return ("On the ", _device(found) if found else v.key)
+        devices = [(x.key, model.device(x.key)) for x in group]
+        return ("On the ", *joined([(_device(d) if d else key,) for key, d in devices]))
     p = next(q for q in record.parameters if q.name == v.by)
     assert isinstance(p.element, m.Enum)
     value = p.element.by_name(v.key)
@@ -326,6 +384,30 @@ def value(v: m.EnumValue, model: m.Model) -> list[Fact]:
     return [*([_fact("deprecated", (), "Deprecated.")] if v.deprecated else []), *uncertain(v, model)]
 
 
+# --------------------------------------------------------------------------- devices
+
+
+def device(d: m.Device, model: m.Model) -> list[Fact]:
+    """What there is to say of a device besides its description, its fields, and what differs there."""
+    found: list[Fact] = []
+    if d.also:
+        found.append(_fact("also", joined([(name,) for name in d.also]), "Also called {}."))
+    if d.generation is not None:
+        found.append(_fact("generation", (str(d.generation),), "Generation {}."))
+    if d.model_number is not None:
+        found.append(_fact("model_number", (str(d.model_number),), "Model number {}."))
+    other = model.device(d.like) if d.like else None
+    if other is not None:
+        found.append(_fact("like", (_device(other),), "Like the {}, but for what is said here."))
+    manual = next((x for x in model.protocol.manuals if x.id == d.manual), None)
+    known = (f"{manual.title}, {manual.document}",) if manual else ()
+    found.append(_fact("manual", known, "Manual: {}." if manual else "No manual of it is known."))
+    found += [
+        _fact("incomplete", prose(text.rstrip("."), model), "This profile is incomplete: {}.") for text in d.incomplete
+    ]
+    return found + uncertain(d, model)
+
+
 def lengths(manual: m.Manual, model: m.Model) -> Text:
     """How a manual counts the lengths of fields that it prints, and for how many that makes a difference."""
     if manual.lengths == "none":
@@ -341,8 +423,8 @@ def _has_union(f: m.Field) -> bool:
     return any(p.cases for p in f.parameters)
 
 
-def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct) -> list[str]:
-    """The places in manuals: "3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)"."""
+def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct | m.Device) -> list[str]:
+    """Where manuals say it: "3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)"."""
     return [f"{s.manual}: {s.section}" for s in thing.sources]
 
 

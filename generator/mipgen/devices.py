@@ -2,30 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-from . import meaning
+from . import inheritance, meaning
 from . import model as m
 from .layout import Types
 from .nodes import Node
 from .problems import Problems, nearest
 from .variation import variant
+from .vocabulary import sentences, sources
+
+#: What a profile must have, unless it says what is not known of the device.
+REQUIRED = ("supports", "base_rates", "ack_codes")
 
 
-def resolve(nodes: list[Node], model: m.Model, types: Types, problems: Problems) -> m.Model:
+def resolve(nodes: list[Node], families: list[Node], model: m.Model, types: Types, problems: Problems) -> m.Model:
     """The model with its devices, and with what differs on them said of each parameter."""
-    for key, what in (("device", "called"), ("name", "called"), ("title", "titled")):
-        _unique((node[key] for node in nodes), f"two devices are {what} '{{}}'; rename one", problems)
+    names = [name for node in nodes for name in (node["title"], *(node.get("also") or ()))]
+    _unique((node["name"] for node in nodes), "two devices are called '{}'; rename one", problems)
+    _unique(names, "two devices are titled '{}'; rename one", problems)
+    numbers = (node["model_number"] for node in nodes if "model_number" in node)
+    _unique(numbers, "two devices have the model number {}; correct one", problems)
     nodes = sorted(nodes, key=lambda node: str(node["device"].value))
-    found = [(path, v) for node in nodes for path, v in _variants(node, model, types, problems)]
+    whole = inheritance.resolve(nodes, families, model, problems)
+    found = [(path, v) for node in whole for path, v in _variants(node, model, types, problems)]
     model = _with_variants(model, found)
-    made = tuple(_Device(node, model, problems).resolve() for node in nodes)
+    made = tuple(_Device(node, model, types, problems).resolve() for node in whole)
     return replace(model, devices=made)
 
 
 def _unique(entries: Iterable[Node], message: str, problems: Problems) -> None:
-    seen: set[str] = set()
+    seen: set[object] = set()
     for entry in entries:
         if entry.value in seen:
             problems.add(entry.position, message.format(entry.value))
@@ -56,16 +64,6 @@ def _variants(node: Node, model: m.Model, types: Types, problems: Problems) -> I
         yield path, variant(case, p, m.DEVICE, device, None, types.scope(f.set_name))
 
 
-def _unsupported(node: Node, supports: tuple[m.Support, ...], model: m.Model, problems: Problems) -> None:
-    """What varies belongs to a field that the device supports."""
-    known = {f.full_name for s in supports for f in (s.field, *model.responses(s.field))}
-    known.add(model.protocol.acknowledge.full_name)
-    for path in node["varies"].value if "varies" in node else ():
-        name = path.rpartition(".")[0]
-        if model.field(name) is not None and name not in known:
-            problems.add(node["varies"].keys[path], f"the device does not support '{name}'; add it to supports")
-
-
 def _with_variants(model: m.Model, found: list[tuple[str, m.Variant]]) -> m.Model:
     """The same fields, with these variants added to their parameters."""
     by_path: dict[str, list[m.Variant]] = {}
@@ -90,30 +88,43 @@ def _with_variants(model: m.Model, found: list[tuple[str, m.Variant]]) -> m.Mode
 class _Device:
     node: Node
     model: m.Model
+    types: Types
     problems: Problems
+
+    @property
+    def id(self) -> str:
+        return str(self.node["device"].value)
+
+    def place(self, key: str) -> m.Position:
+        """Where something is missing: at the key that should have it, else at the device."""
+        return self.node.keys.get(key, self.node.position)
 
     def resolve(self) -> m.Device:
         node = self.node
-        device_id = node["device"].value
+        self.complete()
+        manual = node.get("manual")
         manuals = [x.id for x in self.model.protocol.manuals]
-        manual = node["manual"]
-        if manual.value not in manuals:
+        if manual is not None and manual.value not in manuals:
             self.problems.add(manual.position, meaning.unknown_manual(manual.value, manuals))
         for key in ("limits", "notes"):
             entries = (entry["name"] for entry in node.get(key) or ())
             _unique(entries, f"'{{}}' is used twice in {key}; rename one", self.problems)
-        supports = self.supports(node["supports"], self.functions(node.get("functions")))
-        _unsupported(node, supports, self.model, self.problems)
-        self.readings(device_id, supports)
+        supports = self.supports()
+        self.check_varies(supports)
+        like = node.scalar("like")
         return m.Device(
-            id=device_id,
+            id=self.id,
             name=node["name"].value,
             title=node["title"].value,
-            manual=manual.value,
-            description=node["description"].value,
+            description=node.scalar("description", ""),
+            also=sentences(node, "also"),
             model_number=node.scalar("model_number"),
+            generation=node.scalar("generation"),
+            manual=manual.value if manual else None,
+            sources=sources(node, self.types.vocabulary, self.problems),
+            like=like if like in self.types.vocabulary.devices else None,
             supports=supports,
-            base_rates=self.rates(node["base_rates"], node.keys["base_rates"], supports),
+            base_rates=self.rates(supports),
             ports=tuple(
                 m.Port(p["name"].value, p.scalar("id"), tuple(p["baud_rates"].plain()), tuple(p["protocols"].plain()))
                 for p in node.get("ports") or ()
@@ -131,38 +142,73 @@ class _Device:
                 for f in (self.model.protocol.acknowledge, *self.model.fields)
                 for p in f.parameters
                 for v in p.variants
-                if v.by_device and v.key == device_id
+                if v.by_device and v.key == self.id
             ),
-            ack_codes=self.codes(node["ack_codes"]),
+            ack_codes=self.codes(),
+            incomplete=sentences(node, "incomplete"),
+            uncertain=sentences(node, "uncertain"),
             position=node.position,
         )  # fmt: skip
 
-    def supports(self, node: Node, functions: dict[str, Node]) -> tuple[m.Support, ...]:
+    def complete(self) -> None:
+        """A profile has everything, or it says what is not known."""
+        if "description" not in self.node:
+            self.problems.add(self.node.position, "'description' is missing; say in one short sentence what it is")
+        for key in REQUIRED if not sentences(self.node, "incomplete") else ():
+            if key not in self.node or (key != "base_rates" and not self.node[key].value):
+                place = self.node.position
+                self.problems.add(place, f"'{key}' is missing; write it, or say in incomplete what is not known")
+
+    # ----------------------------------------------------------------------- support
+
+    def listed(self) -> Iterator[tuple[Node, str | None]]:
+        """The lists of fields by set, each with the evidence for it if it is not certain."""
+        if "supports" in self.node:
+            yield self.node["supports"], None
+        for group in self.node.get("may_support") or ():
+            yield group["fields"], group["evidence"].value
+
+    def supports(self) -> tuple[m.Support, ...]:
         found: dict[str, m.Support] = {}
-        for set_name, entries in node.items():
-            of = next((s for s in self.model.sets if s.name == set_name), None)
-            if of is None:
-                near = nearest(set_name, [s.name for s in self.model.sets])
-                self.problems.add(node.keys[set_name], f"unknown set '{set_name}'{near}")
-                continue
-            known = {f.name: f for f in of.fields if f.role != m.RESPONSE}
-            for entry in entries:
-                f, full = known.get(entry.value), f"{set_name}.{entry.value}"
-                if f is None:
-                    self.problems.add(entry.position, f"unknown field '{full}'{nearest(entry.value, known)}")
-                elif full in found:
-                    self.problems.add(entry.position, f"'{full}' is listed twice; remove one")
-                else:
-                    own = functions.get(full)
-                    taken = tuple(x for x in f.functions if own is None or x.letter in own.value)
-                    found[full] = m.Support(f, taken)
-        for full in functions.keys() - found.keys():
-            place = self.node["functions"].keys[full]
-            self.problems.add(place, f"the device does not support '{full}'; add it to supports")
+        functions, deprecated = self.functions(), self.node.get("deprecated")
+        for node, evidence in self.listed():
+            for set_name, entries in node.items():
+                of = next((s for s in self.model.sets if s.name == set_name), None)
+                if of is None:
+                    near = nearest(set_name, [s.name for s in self.model.sets])
+                    self.problems.add(node.keys[set_name], f"unknown set '{set_name}'{near}")
+                    continue
+                known = {f.name: f for f in of.fields if f.role != m.RESPONSE}
+                for entry in entries:
+                    f, full = known.get(entry.value), f"{set_name}.{entry.value}"
+                    if f is None:
+                        self.problems.add(entry.position, f"unknown field '{full}'{nearest(entry.value, known)}")
+                    elif full in found:
+                        self.problems.add(entry.position, f"'{full}' is listed twice; remove one")
+                    else:
+                        own = functions.get(full)
+                        taken = tuple(x for x in f.functions if own is None or x.letter in own.value)
+                        instead = deprecated.scalar(full) if deprecated else None
+                        found[full] = m.Support(f, taken, evidence, instead)
+        for key in ("functions", "deprecated"):
+            for full, _ in self.node[key].items() if key in self.node else ():
+                f = self.model.field(full)
+                if full not in found and not (key == "functions" and (f is None or not f.functions)):
+                    self.unsupported(key, full, full)
         return tuple(sorted(found.values(), key=lambda s: (s.field.set, s.field.descriptor)))
 
-    def functions(self, node: Node | None) -> dict[str, Node]:
+    def unsupported(self, key: str, entry: str, field: str) -> None:
+        known = self.model.field(field)
+        if known is None:
+            near = nearest(field, [f.full_name for f in self.model.fields])
+            self.problems.add(self.node[key].keys[entry], f"unknown field '{field}'{near}")
+        else:
+            place = self.node[key].keys[entry]
+            self.problems.add(place, f"the device does not support '{field}'; add it to supports")
+
+    def functions(self) -> dict[str, Node]:
         """Full name -> letters, where the device takes others than the definition says."""
+        node = self.node.get("functions")
         found = {}
         for name, letters in node.items() if node else ():
             assert node is not None
@@ -180,28 +226,80 @@ class _Device:
             found[name] = letters
         return found
 
-    def readings(self, device_id: str, supports: tuple[m.Support, ...]) -> None:
-        """A parameter whose values are read by device needs a reading from each that supports it."""
-        for s in supports:
-            for f in (s.field, *self.model.responses(s.field)):
-                for p in f.parameters:
-                    named = any(v.key == device_id and v.type for v in p.variants if v.by_device)
-                    if p.by_device and not named:
-                        path = f"{f.full_name}.{p.name}"
-                        place = self.node.keys["varies"] if "varies" in self.node else self.node.position
-                        self.problems.add(
-                            place, f"the device must say how it reads '{path}'; add {path}: {{type: ...}} to varies"
-                        )
+    # ----------------------------------------------------------------------- what differs
 
-    def rates(self, node: Node, place: m.Position, supports: tuple[m.Support, ...]) -> tuple[m.Rate, ...]:
+    def check_varies(self, supports: tuple[m.Support, ...]) -> None:
+        """What varies belongs to fields that the device supports; what it reads in its own way is said."""
+        fields = [f for s in supports for f in (s.field, *self.model.responses(s.field))]
+        known = {self.model.protocol.acknowledge.full_name, *(f.full_name for f in fields)}
+        for path in self.node["varies"].value if "varies" in self.node else ():
+            name = path.rpartition(".")[0]
+            if self.model.field(name) is not None and name not in known:
+                self.unsupported("varies", path, name)
+        for f in {f.full_name: f for f in fields}.values():
+            for p in f.parameters:
+                self.check_reading(f, p)
+                self.check_valid(f, p)
+
+    def own(self, p: m.Parameter) -> m.Variant | None:
+        return next((v for v in p.variants if v.by_device and v.key == self.id), None)
+
+    def check_reading(self, f: m.Field, p: m.Parameter) -> None:
+        """A parameter whose values are read by device needs a reading from each that supports it."""
+        own = self.own(p)
+        if p.by_device and not (own and (own.type or own.unknown)):
+            path = f"{f.full_name}.{p.name}"
+            self.problems.add(
+                self.place("varies"),
+                f"the device must say how it reads '{path}'; add {path}: {{type: ...}} to varies, or {path}: unknown",
+            )
+
+    def check_valid(self, f: m.Field, p: m.Parameter) -> None:
+        """The bit that says whether a value is valid is one that the flags have on this device."""
+        own = self.own(p)
+        explicit = own is not None and own.valid is not None
+        path = f"{f.full_name}.{p.name}"
+        if explicit:
+            node = self.node["varies"][path]
+            if node["valid"].value is not None:
+                meaning.valid_bits(node, p, f.parameters, self.problems.add)
+        for word in dict.fromkeys((own.valid or ()) if own and explicit else p.valid):
+            name, dot, bit = word.partition(".")
+            flags = next((q for q in f.parameters if q.name == name), None)
+            known = self.bits(flags) if dot and flags else None
+            if known is not None and flags is not None and bit in meaning.bits(flags) - known:
+                remedy = (
+                    f"give the bit that says whether '{p.name}' is valid, {path}: {{valid: ...}}, or ~ if there is none"
+                )
+                self.problems.add(self.place("varies"), f"'{name}' has no bit '{bit}' on the device; {remedy}")
+
+    def bits(self, flags: m.Parameter) -> set[str] | None:
+        """The bits that flags have here, if they are others than elsewhere."""
+        own = self.own(flags)
+        if own is not None and own.only:
+            return {x.name for x in own.only}
+        return {b.name for b in own.type.bits} if own is not None and isinstance(own.type, m.Bitfield) else None
+
+    # ----------------------------------------------------------------------- the rest
+
+    def rates(self, supports: tuple[m.Support, ...]) -> tuple[m.Rate, ...]:
+        """The base rates that are known."""
+        node = self.node.get("base_rates")
         known = {s.name: s for s in self.model.sets if s.kind == "data"}
-        for name in node.value:
+        given = dict(node.items()) if node else {}
+        for name in given:
             if name not in known:
+                assert node is not None
                 self.problems.add(node.keys[name], f"unknown data set '{name}'{nearest(name, known)}")
         for name in sorted({s.field.set_name for s in supports}):
-            if name in known and name not in node:
-                self.problems.add(place, f"the rate of '{name}' is missing (0 if its data are sent as they come)")
-        return tuple(m.Rate(known[name], rate.value) for name, rate in node.items() if name in known)
+            if name in known and name not in given:
+                self.problems.add(
+                    self.place("base_rates"),
+                    f"the rate of '{name}' is missing (0 if its data are sent as they come, ~ if it is not known)",
+                )
+        return tuple(
+            m.Rate(known[name], rate.value) for name, rate in given.items() if name in known and rate.value is not None
+        )
 
     def limit(self, node: Node) -> m.Limit:
         unit = node.scalar("unit")
@@ -210,8 +308,10 @@ class _Device:
             self.problems.add(node["unit"].position, meaning.unknown_unit(unit, known))
         return m.Limit(node["name"].value, node["value"].value, unit, node["description"].value)
 
-    def codes(self, node: Node) -> tuple[int, ...]:
-        of = self.model.protocol.ack_code
+    def codes(self) -> tuple[int, ...]:
+        node, of = self.node.get("ack_codes"), self.model.protocol.ack_code
+        if node is None:
+            return ()
         known = {v.value for v in of.values}
         for code in node if of is not self.model.protocol.function_selector else ():
             if code.value not in known:

@@ -30,6 +30,10 @@ LAYOUT = {
     "errata": "errata/*.yaml",
 }
 
+#: A file with several devices or families, and under which keys it has them.
+DEVICES = "devices"
+PARTS = {"device": "devices", "family": "families"}
+
 #: The files of an overlay: the same, but what it adds to the protocol has a file of its own.
 OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.items() if kind != "protocol"}}
 
@@ -58,18 +62,28 @@ def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Probl
             root = read(path, shown(path), problems)
             if root is None:
                 continue
-            of = (
-                f"{kind}_extension" if over and "extend" in root and f"{kind}_extension" in overlay.EXTENSIONS else kind
-            )
+            of = _schema(kind, root, over)
             seen = cache.key(stamp.program(), of, str(over), path.read_bytes())
             if cache.get("valid", seen) is None:
                 if not _valid(_validators(over)[of], root, "the file", problems):
                     continue
                 judged[seen] = b""
-            documents.append(Document(of, name, root))
+            if of == DEVICES:
+                parts = ((one, entry) for one, many in PARTS.items() for entry in root.get(many) or ())
+                documents += [Document(one, name, entry) for one, entry in parts]
+            else:
+                documents.append(Document(of, name, root))
     cache.put("valid", judged)
     _strays(folder, layout, problems)
     return documents
+
+
+def _schema(kind: str, root: Node, over: bool) -> str:
+    """Which schema judges a file: one that extends another, or has several devices, has its own."""
+    extension = f"{kind}_extension"
+    if over and "extend" in root and extension in overlay.EXTENSIONS:
+        return extension
+    return DEVICES if kind == "device" and any(many in root for many in PARTS.values()) else kind
 
 
 def shown(path: Path) -> str:

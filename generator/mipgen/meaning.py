@@ -281,12 +281,18 @@ def _valid_bit(node: Node, p: m.Parameter, names: dict[str, m.Parameter], proble
                 f"'{flags}' is not a bool, so it cannot say whether '{p.name}' is valid; name a bool, or a bit: a.b",
             )
         return
-    readable = [other.element, *(v.type for v in other.readings)]
-    known = {b.name for t in readable if isinstance(t, m.Bitfield) for b in t.bits}
+    known = bits(other)
     if not known:
         problem(node.position, f"'{flags}' is not a bitfield, so it cannot say whether '{p.name}' is valid")
     elif bit not in known:
         problem(node.position, f"'{flags}' has no bit '{bit}'{nearest(bit, known)}")
+
+
+def bits(flags: m.Parameter) -> set[str]:
+    """The names of its bits, in any of its readings."""
+    return {
+        b.name for t in (flags.element, *(v.type for v in flags.readings)) if isinstance(t, m.Bitfield) for b in t.bits
+    }
 
 
 def valid(node: Node) -> tuple[str, ...]:

@@ -234,6 +234,11 @@ class Variant:
     minimum: float | int | None = None
     maximum: float | int | None = None
     default: object = None
+    valid: tuple[str, ...] | None = None  # as of a parameter; empty: nothing says that it is valid
+    constant: int | None = None  # it always has this value
+    only: tuple[EnumValue | Bits, ...] = ()  # of the values or bits that its type names, those that there are
+    deprecated: bool | None = None
+    unknown: bool = False  # nobody knows what its values are
     description: str = ""
 
     @property
@@ -512,13 +517,18 @@ class Field:
             offset += op.size
         return tuple(found)
 
+    @property
+    def signature(self) -> tuple[tuple[int, int, int], ...]:
+        """Its constants as offset, size and value: layouts that share them are told apart by the size of the data."""
+        return tuple((at, op.size, op.value) for at, op in self.constants)
+
 
 @dataclass(frozen=True, slots=True)
 class Reply:
-    """A response of a command. It is sent if the function is one of `functions`, where the command has a selector,
-    and if all of `when` holds."""
+    """The response of a command, in each of its layouts. It is sent if the function is one of `functions`, where the
+    command has a selector, and if all of `when` holds."""
 
-    response: Field
+    layouts: tuple[Field, ...]
     functions: tuple[Function, ...]
     when: tuple[Condition, ...]
 
@@ -590,6 +600,8 @@ class Support:
 
     field: Field
     functions: tuple[Function, ...]
+    evidence: str | None = None  # why the device is believed to support it; None if that is certain
+    deprecated: str | None = None  # what to use instead on the device
 
     @property
     def differs(self) -> bool:
@@ -629,17 +641,28 @@ class Device:
     id: str
     name: str
     title: str
-    manual: str
     description: str
-    model_number: int | None
-    supports: tuple[Support, ...]  # by set and descriptor
-    base_rates: tuple[Rate, ...]
-    ports: tuple[Port, ...]
-    limits: tuple[Limit, ...]
-    notes: tuple[Note, ...]
-    variants: tuple[DeviceVariant, ...]
-    ack_codes: tuple[int, ...]
+    also: tuple[str, ...] = ()  # what others call it
+    model_number: int | None = None
+    generation: int | None = None
+    manual: str | None = None
+    sources: tuple[Source, ...] = ()
+    like: str | None = None  # the device that it is like
+    supports: tuple[Support, ...] = ()  # by set and descriptor, those that are not certain included
+    base_rates: tuple[Rate, ...] = ()
+    ports: tuple[Port, ...] = ()
+    limits: tuple[Limit, ...] = ()
+    notes: tuple[Note, ...] = ()
+    variants: tuple[DeviceVariant, ...] = ()
+    ack_codes: tuple[int, ...] = ()
+    incomplete: tuple[str, ...] = ()  # what is not known; more may be supported than is listed
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
+
+    @property
+    def certain(self) -> tuple[Support, ...]:
+        """What it supports without a doubt."""
+        return tuple(s for s in self.supports if s.evidence is None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -797,6 +820,19 @@ class Model:
             found = self._descriptors.get((SHARED_SET, descriptor), ())
         return found
 
+    def layouts(self, f: Field) -> tuple[Field, ...]:
+        """The layouts of the descriptor of a field: itself, and those that it must be told from."""
+        return self._descriptors.get((f.set, f.descriptor), (f,))
+
+    def sizes(self, f: Field) -> range:
+        """The sizes of data with which the descriptor has this layout, given its constants.
+
+        Of several with the same constants it is the longest that the data hold, else the shortest.
+        """
+        others = [g.min_size for g in self.layouts(f) if g.signature == f.signature]
+        first = f.min_size if min(others) < f.min_size else 0
+        return range(first, min((n for n in others if n > f.min_size), default=MAX_FIELD_DATA + 1))
+
     def responses(self, command: Field) -> tuple[Field, ...]:
         """What a command may be answered with."""
         return tuple(self._fields[f"{command.set_name}.{name}"] for name in command.responses)
@@ -805,7 +841,8 @@ class Model:
         """What a command is answered with, and when. Conditions are on the parameters of the command that owns a
         response; another command that has the same response is answered with it always."""
         functions = tuple(f for f in command.functions if f.responds)
-        return tuple(Reply(r, functions, r.when if r.command == command.name else ()) for r in self.responses(command))
+        layouts = _grouped((r.when if r.command == command.name else (), r) for r in self.responses(command))
+        return tuple(Reply(found, functions, when) for when, found in layouts.items())
 
     def commands(self, response: Field) -> tuple[Field, ...]:
         """The commands that a response answers."""
@@ -820,16 +857,17 @@ class Model:
         return self._repeats.get(f.full_name, ())
 
     def supports(self, f: Field) -> tuple[tuple[Device, Support], ...]:
-        """The devices that support a command or data field."""
+        """The devices that support a command or data field, those of which it is not certain included."""
         return self._supports.get(f.full_name, ())
 
-    def devices_of(self, f: Field) -> tuple[Device, ...]:
-        """The devices that support a field; a response where one of its commands asks for it."""
+    def devices_of(self, f: Field, certain: bool = True) -> tuple[Device, ...]:
+        """The devices that support a field, or may support it; a response where one of its commands asks for it."""
         if f.role == RESPONSE:
             found = [(d, s) for c in self.commands(f) for d, s in self.supports(c) if s.responds]
         else:
             found = list(self.supports(f))
-        names = {d.id for d, _ in found}
+        known = {d.id for d, s in found if s.evidence is None}
+        names = known if certain else {d.id for d, _ in found} - known
         return tuple(d for d in self.devices if d.id in names)
 
     def device(self, id: str) -> Device | None:

@@ -16,7 +16,10 @@ from .problems import Problems, nearest
 EXTENSIONS = {
     "set_extension": ("set", "name", ("types", "parts", "fields", "named")),
     "device_extension": (
-        "device", "device", ("supports", "functions", "base_rates", "ports", "limits", "notes", "varies")
+        "device",
+        "device",
+        ("also", "sources", "supports", "may_support", "functions", "deprecated", "base_rates", "ports", "limits",
+         "notes", "varies", "incomplete", "uncertain"),
     ),
 }  # fmt: skip
 

@@ -17,7 +17,7 @@ from .nodes import Node
 from .problems import Problems, nearest
 
 #: Keys with texts for readers, and those with what a manual prints.
-PROSE = ("description", "notes", "uncertain", "deprecated", "note", "reason", "text")
+PROSE = ("description", "notes", "uncertain", "incomplete", "evidence", "deprecated", "note", "reason", "text")
 QUOTATIONS = ("printed", "right")
 
 DESCRIPTOR = re.compile(r"\(0x(?P<set>[0-9A-Fa-f]{2}),\s?0x(?P<descriptor>[0-9A-Fa-f]{2})\)")
@@ -118,3 +118,5 @@ def _texts(node: Node) -> Iterator[Node]:
         yield node
     elif isinstance(node.value, list):
         yield from (item for item in node if isinstance(item.value, str))
+    elif isinstance(node.value, dict):
+        yield from (item for item in node.value.values() if isinstance(item.value, str))

@@ -23,11 +23,11 @@ def load_model(spec: Path, *overlays: Path) -> m.Model:
     problems = Problems()
     documents = loader.load(spec, overlays, problems)
     problems.raise_if_any()
-    roots = {kind: [d.root for d in documents if d.kind == kind] for kind in loader.LAYOUT}
+    roots = {kind: [d.root for d in documents if d.kind == kind] for kind in (*loader.LAYOUT, "family")}
     types, model = definitions(roots, problems)
     checks.check_definitions(model, problems)
     sound = not problems
-    model = devices.resolve(roots["device"], model, types, problems)
+    model = devices.resolve(roots["device"], roots["family"], model, types, problems)
     if sound:
         manuals = types.vocabulary.manuals
         examples = evidence.examples(roots["examples"], model, problems)

@@ -1,9 +1,10 @@
 """What differs: by device, or with one value of a sibling.
 
-A variant says the same things as a parameter (unit, frame, range, default, description), and it may
-name the type that gives a plain number its meaning. Those by sibling are given in the set file,
-those by device in the device's file. What differs may be a member of a structure: what is read by a
-parameter outside of it is said where the structure is used.
+A variant says the same things as a parameter (unit, frame, range, default, description, ...). It may
+name the type that gives a plain number its meaning, or say which values there are, or that they are
+not known. Those by sibling are given in the set file, those by device in the device's file. What
+differs may be a member of a structure: what is read by a parameter outside of it is said where the
+structure is used.
 """
 
 from __future__ import annotations
@@ -18,6 +19,9 @@ from .nodes import Node
 from .operations import size
 from .problems import nearest
 from .vocabulary import Vocabulary
+
+#: In the place of what is different: nobody knows.
+UNKNOWN = "unknown"
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +67,8 @@ def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope:
         if value is None:
             near = nearest(key, [v.name for v in sibling.element.values])
             scope.problem(spec["cases"].keys[key], f"'{sibling.element.name}' has no value '{key}'{near}")
+        if case.scalar("valid") is not None:
+            meaning.valid_bits(case, what, siblings.values(), scope.problem)
         one = variant(case, what, by.value, key, value.value if value else None, scope)
         found.append(replace(one, member=spec.scalar("member", "")))
     return tuple(found)
@@ -83,19 +89,59 @@ def _concerned(spec: Node, p: m.Parameter, scope: Scope) -> m.Parameter | None:
 def variant(node: Node, p: m.Parameter, by: str, key: str, value: int | None, scope: Scope) -> m.Variant:
     """One case."""
     words, problem = scope.words, scope.problem
+    if node.value == UNKNOWN:
+        return m.Variant(by, key, value, unknown=True)
     low, high = meaning.limits(node, p, problem)
+    reading = _reading(node, p, scope)
     return m.Variant(
         by=by,
         key=key,
         value=value,
-        type=_reading(node, p, scope),
+        type=reading,
         units=meaning.units(node, p, words.units, problem),
         frame=meaning.frame(node, words.frames, problem),
         minimum=low,
         maximum=high,
         default=meaning.default(node, replace(p, minimum=low, maximum=high), problem),
+        valid=meaning.valid(node) if "valid" in node else None,
+        constant=_constant(node, p, problem),
+        only=_only(node, p, reading or p.element, problem),
+        deprecated=node.scalar("deprecated"),
         description=node.scalar("description", ""),
     )
+
+
+def _constant(node: Node, p: m.Parameter, problem: Problem) -> int | None:
+    """The only value that a number has."""
+    if "const" not in node:
+        return None
+    value: int = node["const"].value
+    if p.constant is not None:
+        problem(node.keys["const"], f"'{p.name}' is always {p.constant} by its definition; remove const there or here")
+    elif not (isinstance(p.element, m.Scalar) and p.element.kind == "unsigned" and p.length is None):
+        problem(node.keys["const"], f"'{p.name}' is not one unsigned number, so it has no const; remove it")
+    elif value >> (8 * p.element.size):
+        problem(node["const"].position, f"{value} does not fit in {p.element.name}")
+    return value
+
+
+def _only(node: Node, p: m.Parameter, t: object, problem: Problem) -> tuple[m.EnumValue | m.Bits, ...]:
+    """The values of an enumeration, or the bits of a bitfield, that there are."""
+    found: list[m.EnumValue | m.Bits] = []
+    for part, kind, what in (("values", m.Enum, "an enumeration"), ("bits", m.Bitfield, "a bitfield")):
+        if part not in node:
+            continue
+        if not isinstance(t, kind):
+            problem(node.keys[part], f"'{p.name}' is not {what}, so it has no {part}; remove them")
+            continue
+        known = {x.name: x for x in (t.values if isinstance(t, m.Enum) else t.bits)}
+        for entry in node[part]:
+            if entry.value in known:
+                found.append(known[entry.value])
+            else:
+                near = nearest(entry.value, known)
+                problem(entry.position, f"'{t.name}' has no {part[:-1]} '{entry.value}'{near}")
+    return tuple(found)
 
 
 def _reading(node: Node, p: m.Parameter, scope: Scope) -> m.Enum | m.Bitfield | None:

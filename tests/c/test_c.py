@@ -14,7 +14,7 @@ import awkward
 import pytest
 from mipgen import cli, codec
 from mipgen import model as m
-from mipgen.targets.c import members, names
+from mipgen.targets.c import literals, members, names
 from support import ROOT, SPECS, heavy, model, need, sent
 
 HERE = Path(__file__).parent
@@ -399,8 +399,20 @@ def device_checks(d: m.Device) -> Iterator[str]:
     name = f"mip_device_{d.name}"
     yield f'CHECK(mip_device_find("{d.id}") == &{name} && {name}.model_number == {d.model_number or 0});'
     yield f"CHECK({name}.field_count == {len(d.supports)} && {name}.rate_count == {len(d.base_rates)});"
+    for text in (d.title, *d.also):
+        yield f'CHECK(mip_device_find("{text}") == &{name});'
+    if d.model_number is not None:
+        yield f"CHECK(mip_device_by_model({d.model_number}) == &{name});"
+    yield f'CHECK({name}.generation == {d.generation or 0} && strcmp({name}.manual, "{d.manual or ""}") == 0);'
+    yield f"CHECK({name}.also_count == {len(d.also)} && {name}.incomplete_count == {len(d.incomplete)});"
+    for i, text in enumerate(d.incomplete):
+        yield f"CHECK(strcmp({name}.incomplete[{i}], {literals.string(text)}) == 0);"
     for s in d.supports:
-        found = f"mip_device_supports(&{name}, {s.field.set}, {s.field.descriptor})"
+        found = f"mip_device_may_support(&{name}, {s.field.set}, {s.field.descriptor})"
+        certain = f"mip_device_supports(&{name}, {s.field.set}, {s.field.descriptor})"
+        yield f"CHECK({certain} == {'NULL' if s.evidence else found});"
+        evidence = f"strcmp({found}->evidence, {literals.string(s.evidence)})" if s.evidence else f"{found}->evidence"
+        yield f"CHECK({evidence} == {'0' if s.evidence else 'NULL'});"
         yield f'CHECK(strcmp({found}->functions, "{m.letters(s.functions)}") == 0);'
     for r in d.base_rates:
         yield f"CHECK(!(mip_device_base_rate(&{name}, {r.set.number}) < {r.hertz}));"

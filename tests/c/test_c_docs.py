@@ -107,7 +107,8 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
                 if members.has_accessor(b, t):
                     yield f"{names.type_name(t)}_get_{b.name}", told
     for d in of.devices:
-        yield f"mip_device_{d.name}", [d.title, d.description]
+        told = [d.title, prose(d.description, of), *said(describe.device(d, of)), *describe.sources(d)]
+        yield f"mip_device_{d.name}", told
 
 
 def of_record(record: m.Field | m.Struct, of: m.Model) -> Iterator[tuple[str, list[str]]]:
@@ -146,11 +147,13 @@ def test_what_is_compared_holds_all_topics() -> None:
     facts = [x for f in of.fields for x in describe.field(f, of)]
     facts += [x for f in of.fields for p in f.parameters for x in describe.parameter(p, f, of)]
     facts += [describe.case(c, p, f) for f in of.fields for p in f.parameters for c in p.cases]
+    facts += [x for d in of.devices for x in describe.device(d, of)]
     facts += [x for t in of.all_types if isinstance(t, m.Bitfield) for b in t.bits for x in describe.bits(b, of)]
     assert {x.topic for x in facts} >= {
-        "advanced", "alias", "case", "commands", "constant", "counts", "default", "definition", "deprecated", "devices",
-        "elements", "frame", "functions", "max_rate", "note", "optional", "place", "range", "required", "reserved",
-        "responses", "silent", "tag", "timeout", "unit", "valid", "values", "variant", "when",
+        "advanced", "alias", "also", "case", "commands", "constant", "counts", "default", "definition", "deprecated",
+        "deprecation", "devices", "elements", "frame", "functions", "generation", "incomplete", "layout", "like",
+        "manual", "max_rate", "model_number", "note", "optional", "perhaps", "place", "range", "required", "reserved",
+        "responses", "silent", "tag", "timeout", "uncertain", "unit", "valid", "values", "variant", "when",
     }  # fmt: skip
 
 
@@ -160,7 +163,10 @@ def test_what_is_compared_holds_all_topics() -> None:
 def test_words_of_c() -> None:
     """References are names of C."""
     found = comments("invented")
-    assert found["mip_tools_settings.mode"] == "What to do. Default: MIP_MODE_FAST. Required for write, read and apply."
+    assert found["mip_tools_settings.mode"] == (
+        "What to do. Default: MIP_MODE_FAST. Required for write, read and apply. "
+        "On the Model C: only MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated."
+    )
     assert found["mip_tools_settings.limit"] == (
         "Required by no function, not even by write. Optional. If mode is MIP_MODE_FAST: unit s; range 1 to 10; "
         "default 5. If mode is MIP_MODE_SLOW: unit m."

@@ -24,7 +24,7 @@ class Waiting:
 
     number: int
     command: m.Field
-    wanted: m.Field | None  # the response that it asks for
+    wanted: list[m.Field]  # the response that it asks for, in each of its layouts
     deadline: int
 
 
@@ -57,7 +57,7 @@ class Client:
             if is_silent(command, f["values"]):
                 self.happens("silent", command=number)
             else:
-                wanted = wanted_response(self.of, command, f["values"])
+                wanted = wanted_responses(self.of, command, f["values"])
                 allowed = max(TIMEOUT, round(1000 * (command.timeout or 0)))
                 self.waiting.append(Waiting(number, command, wanted, self.now + allowed))
 
@@ -145,10 +145,12 @@ class Client:
         if code != 0:
             return self.done(asked[0], "refused", code=code) if asked else None
         for w in asked:
-            if w in bare and w.wanted is None:
+            if w in bare and not w.wanted:
                 return self.done(w, "acknowledged")
-            if w not in bare and w.wanted and w.wanted.descriptor == behind[0]:
-                response = decoded(w.wanted, behind[1])
+            for layout in w.wanted if w not in bare else ():
+                if layout.descriptor != behind[0] or not fits(self.of, layout, behind[1]):
+                    continue
+                response = decoded(layout, behind[1])
                 if response.get("error") != "constant":  # that is another layout
                     return self.done(w, "undecodable" if "error" in response else "acknowledged", response=response)
         return self.done(bare[0], "missing_response") if bare else None
@@ -177,15 +179,21 @@ def descriptors(of: m.Model, command: m.Field) -> set[int]:
     return {r.descriptor for r in responses(of, command)}
 
 
-def wanted_response(of: m.Model, command: m.Field, values: dict[str, Any]) -> m.Field | None:
-    """The response that a command asks for with its values."""
+def wanted_responses(of: m.Model, command: m.Field, values: dict[str, Any]) -> list[m.Field]:
+    """The response that a command asks for with its values, in each of its layouts."""
     if command.functions and not any(f.responds and f.value == values["function"] for f in command.functions):
-        return None
-    for r in responses(of, command):
-        conditions = r.when if r.command == command.name else ()
-        if all(values.get(c.parameter) == c.value for c in conditions):
-            return r
-    return None
+        return []
+    conditions = {f.full_name: f.when if f.command == command.name else () for f in responses(of, command)}
+    for found in conditions.values():
+        if all(values.get(c.parameter) == c.value for c in found):
+            return [f for f in responses(of, command) if conditions[f.full_name] == found]
+    return []
+
+
+def fits(of: m.Model, layout: m.Field, data: bytes) -> bool:
+    """Can the data have this layout of their descriptor, as far as they reach?"""
+    constants = (value.to_bytes(size, "big").startswith(data[at : at + size]) for at, size, value in layout.signature)
+    return len(of.layouts(layout)) == 1 or (len(data) in of.sizes(layout) and all(constants))
 
 
 def decoded(response: m.Field, data: bytes) -> dict[str, Any]:

@@ -271,13 +271,14 @@ def scenarios(of: m.Model) -> Iterator[Scenario]:
         "sent 0 1; acknowledged 1 with data; acknowledged 0 with data",
     )
     form = w.layouts
-    short, long = ((form, w.asked(form, i)) for i in (0, 1))
-    descriptor, layout = w.response(form, 1)
+    forms = responses(w.of, form)
+    second = next(i for i, r in enumerate(forms) if r.when != forms[0].when)
+    short, long = ((form, w.asked(form, i)) for i in (0, second))
     yield (
         "the layout that the values select",
         [
             w.send(short),
-            receive(w.reply(ok(form), w.response(form, 1), number=form.set)),
+            receive(w.reply(ok(form), w.response(form, second), number=form.set)),
             receive(w.reply(ok(form), w.response(form, 0), number=form.set)),
         ],
         "sent 0; received 2; acknowledged 0 with data",
@@ -286,16 +287,20 @@ def scenarios(of: m.Model) -> Iterator[Scenario]:
         "both layouts, each for its own command",
         [
             w.send(short, long),
-            receive(w.reply(ok(form), w.response(form, 1), ok(form), w.response(form, 0), number=form.set)),
+            receive(w.reply(ok(form), w.response(form, second), ok(form), w.response(form, 0), number=form.set)),
         ],
         "sent 0 1; acknowledged 1 with data; acknowledged 0 with data",
     )
-    for size in range(len(layout)):
-        yield (
-            f"a layout that is cut after {size} bytes",
-            [w.send(long), receive(w.reply(ok(form), (descriptor, layout[:size]), number=form.set))],
-            "sent 0; undecodable 0 truncated",
-        )
+    for i, f in enumerate(forms):
+        descriptor, layout = w.response(form, i)
+        shortest = min(r.min_size for r in forms if r.when == f.when)
+        for size in range(len(layout) + 2):
+            answer = (descriptor, layout[:size].ljust(size, b"\0"))
+            yield (
+                f"{f.name} with {size} bytes",
+                [w.send((form, w.asked(form, i))), receive(w.reply(ok(form), answer, number=form.set))],
+                f"sent 0; {'acknowledged 0 with data' if size >= shortest else 'undecodable 0 truncated'}",
+            )
     yield (
         "a selector that nobody knows",
         [w.send((setting, values_of(setting, "R") | {"function": 99})), receive(w.reply(ok(setting)))],
@@ -497,7 +502,8 @@ def part(w: Words, number: int, waiting: list[Waiting], commands: list[m.Field])
         for _ in range(draw(st.integers(1, 3))):
             some = draw(st.sampled_from(waiting)) if waiting and draw(st.integers(0, 4)) else None
             command = some.command if some else draw(st.sampled_from(commands))
-            fields += draw(reply(w, command, some.wanted if some else None))
+            wanted = draw(st.sampled_from(some.wanted)) if some and some.wanted else None
+            fields += draw(reply(w, command, wanted))
         sets = [number] * 6 + [w.other_set, 0x80]
         return w.reply(*fitting(fields), number=draw(st.sampled_from(sets)))
 

@@ -130,6 +130,28 @@ def test_every_prefix_of_every_field(language: str, spec: str) -> None:
 
 
 @each
+def test_every_length_of_several_layouts(language: str, spec: str) -> None:
+    """Constants tell layouts of one descriptor apart, as far as the data reach, then the size."""
+    of, requests, wanted = model(spec), [], []
+    for f in of.fields:
+        if len(of.layouts(f)) == 1:
+            continue
+        head = bytearray(f.min_size)
+        for at, size, value in f.signature:
+            head[at : at + size] = value.to_bytes(size, "big")
+        wrong = [head[:at] + bytes([head[at] ^ 0x40]) + head[at + 1 :] for at, _, _ in f.signature]
+        for start in (head, *wrong):
+            for n in range(m.MAX_FIELD_DATA + 1):
+                data = bytes(start[:n].ljust(n, b"\1"))
+                requests.append(decode_request(codec.build(of, f.set, [(f.descriptor, data)])))
+                wanted.append(f.full_name if start is head and n in of.sizes(f) and n >= f.min_size else None)
+    answers = compare(language, spec, requests)
+    assert {a["fields"][0].get("name") for a in answers} > {None} or not requests
+    for name, answer in zip(wanted, answers, strict=True):
+        assert name is None or answer["fields"][0]["name"] == name
+
+
+@each
 def test_random_bytes_in_every_field(language: str, spec: str) -> None:
     of, chance = model(spec), random.Random(2)
     requests = []

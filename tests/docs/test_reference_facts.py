@@ -189,7 +189,7 @@ def test_a_response_of_two_commands(manual: Manual) -> None:
         ("sets/3d.md", "`fast` (1)", "`slow` (2)"),  # the setting of another command
         ("sets/measurements.md", "x by [`valid_flags.ready`]", "x by [`valid_flags.hot`]"),  # a valid flag
         ("sets/measurements.md", "[sensor](../units.md#frame.sensor-frame)", ""),  # a frame
-        ("sets/measurements.md", " and [Model B](../devices/model-b.md).", "."),  # a device
+        ("sets/measurements.md", "[Model B](../devices/model-b.md) and ", ""),  # a device
         ("sets/measurements.md", "Sent at 100 Hz at most.", ""),  # a rate
         ("types.md", "| bit 1 |", "| bit 2 |"),  # the place of a bit
         ("types.md", "Deprecated.", ""),  # of a value

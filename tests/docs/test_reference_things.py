@@ -27,7 +27,9 @@ def test_contents(manual: Manual) -> None:
         for s in of.sets:
             assert [f"0x{s.number:02X}", s.title, str(len(asked(s))), prose(s.description, of)] in rows, s.name
         for d in of.devices:
-            assert [d.title, str(len(d.supports)), prose(d.description, of)] in rows, d.id
+            known = f"{len(d.certain)}{' (incomplete)' if d.incomplete else ''}"
+            row = [d.title, ", ".join(d.also), str(d.model_number or ""), known, prose(d.description, of)]
+            assert [cell for cell in row if cell] in [[cell for cell in found if cell] for found in rows], d.id
         for x in of.protocol.manuals:
             errata = sum(e.manual == x.id for e in of.errata)
             examples = sum(e.manual == x.id for e in of.examples)
@@ -130,7 +132,7 @@ def test_packets(manual: Manual) -> None:
     assert [bytes(step[1:]) for step in steps] == [codec.checksum(packet[: i + 1]) for i in range(len(packet))]
     end = re.search(r"The packet ends with `([0-9A-F ]+)`", page)
     assert end and codec.split(manual.model, packet + bytes.fromhex(end[1]))
-    for d in manual.model.devices:
+    for d in (d for d in manual.model.devices if d.ack_codes):
         assert f"{d.title} sends the codes {', '.join(map(str, d.ack_codes))}." in bullets(page)
     rows = rows_of(manual.section("packets.md", "protocol.function_selector"))
     for x in protocol.functions:
@@ -169,9 +171,19 @@ def test_every_device_has_its_page(manual: Manual) -> None:
         page = manual.page(f"devices/{d.id}.md")
         text, rows = words(page), rows_of(page)
         assert page.startswith(f"# {d.title}\n") and prose(d.description, of) in text
-        assert [d.ack_codes] == [
+        assert [d.ack_codes] * bool(d.ack_codes) == [
             tuple(map(int, row[1].partition(" (")[0].split(", "))) for row in rows if row[0] == "Acknowledge codes"
         ]
+        facts = describe.device(d, of)
+        assert [seen(x.sentence) for x in describe.topics(facts, "incomplete", "uncertain")] == [
+            b for b in bullets(page) if b.startswith(("This profile is incomplete: ", "Uncertain: "))
+        ]
+        properties = {row[0]: row[1] for row in rows if len(row) == 2}
+        assert properties.get("Also called", "") == ", ".join(d.also)
+        assert properties.get("Generation") == (str(d.generation) if d.generation is not None else None)
+        assert properties.get("Like") == (of.device(d.like).title if d.like else None)  # type: ignore[union-attr]
+        assert (properties["Manual"] == "none is known") == (d.manual is None)
+        assert properties.get("Sources", "") == "; ".join(describe.sources(d))
         for port in d.ports:
             wanted = {port.name, ", ".join(map(str, port.baud_rates)), ", ".join(port.protocols)}
             wanted |= {f"0x{port.id:02X}"} if port.id is not None else set()
@@ -189,10 +201,26 @@ def test_what_a_device_supports(manual: Manual) -> None:
     for d in manual.model.devices:
         page = manual.page(f"devices/{d.id}.md").partition("\n## Supported fields\n")[2].partition("\n## ")[0]
         rows = [row for t in tables(page) for row in t]
-        assert len(rows) == len(d.supports)
-        for s, row in zip(d.supports, rows, strict=True):
+        assert len(rows) == len(d.certain)
+        for s, row in zip(d.certain, rows, strict=True):
             assert f"#{s.field.full_name})" in row["Field"] and words(row["Field"]).startswith(s.field.title)
             assert words(row.get("Functions", "")) == letters(s.functions)
+            assert f"(../devices/{d.id}.md)" in manual.field(s.field)
+
+
+def test_what_a_device_may_support(manual: Manual) -> None:
+    for d in manual.model.devices:
+        page = (
+            manual.page(f"devices/{d.id}.md").partition("\n## Fields that may be supported\n")[2].partition("\n## ")[0]
+        )
+        wanted = [s for s in d.supports if s.evidence]
+        rows = [row for t in tables(page) for row in t]
+        assert len(rows) == len(wanted)
+        for s in wanted:
+            row = next(row for row in rows if f"#{s.field.full_name})" in row["Field"])
+            assert words(row["Set"]) == f"{manual.model.set(s.field.set).title} (0x{s.field.set:02X})"  # type: ignore[union-attr]
+            before = words(page[: page.index(f"#{s.field.full_name})")])
+            assert prose(s.evidence or "", manual.model) in before
             assert f"(../devices/{d.id}.md)" in manual.field(s.field)
 
 
@@ -208,8 +236,10 @@ def test_what_differs_on_a_device(manual: Manual) -> None:
         )
         assert all(row in rows for row in wanted)
         for v in d.variants:
-            fact = describe.variant(v.variant, v.parameter, v.field, manual.model)
-            assert [f"{v.field.title} {number(v.field)}", v.parameter.name, seen(fact.value)] in rows, v.path
+            said = describe.difference(v.variant, v.parameter, v.field, manual.model)
+            assert [f"{v.field.title} {number(v.field)}", v.parameter.name, seen(said)] in rows, v.path
+        for s in (s for s in d.supports if s.deprecated):
+            assert [f"{s.field.title} {number(s.field)}", prose(s.deprecated or "", manual.model)] in rows
 
 
 def test_base_rates(manual: Manual) -> None:

@@ -58,7 +58,7 @@ def test_devices_that_send_a_response() -> None:
         for d in INVENTED.devices
     )
     changed = dataclasses.replace(INVENTED, devices=devices)
-    assert [d.id for d in INVENTED.devices_of(response)] == ["model-a", "model-b"]
-    assert [d.id for d in changed.devices_of(settings)] == ["model-a", "model-b"]
-    assert [d.id for d in changed.devices_of(response)] == ["model-a"]
-    assert [d.id for d in INVENTED.devices_of(field(INVENTED, "tools.inventory_response"))] == ["model-a"]
+    assert [d.id for d in INVENTED.devices_of(response)] == ["model-a", "model-b", "model-c"]
+    assert [d.id for d in changed.devices_of(settings)] == ["model-a", "model-b", "model-c"]
+    assert [d.id for d in changed.devices_of(response)] == ["model-a", "model-c"]
+    assert [d.id for d in INVENTED.devices_of(field(INVENTED, "tools.inventory_response"))] == ["model-a", "model-c"]

@@ -21,7 +21,7 @@ from mipgen.resolve import load_model
 GENERATOR = Path(mipgen.__file__).parent
 MODULES = (
     "loader", "nodes", "syntax", "vocabulary", "layout", "meaning", "variation", "resolve", "sets", "devices",
-    "evidence", "checks", "references", "naming",
+    "inheritance", "evidence", "checks", "references", "naming",
 )  # fmt: skip
 
 #: What reports a problem: calls of these, `raise _Wrong(...)`, the faults that `syntax` returns, and the messages that

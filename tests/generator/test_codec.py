@@ -137,11 +137,34 @@ def test_packets() -> None:
             codec.build(MODEL, 1, fields)
 
 
-def test_layouts_are_told_apart_by_their_constants() -> None:
-    both = MODEL.candidates(1, 0x90)
-    names = [(f := codec.choose(both, bytes.fromhex(d))) and f.name for d in ("126701", "126702", "126703", "")]
-    assert names == ["status_short", "status_long", None, None]
-    assert codec.choose((), b"") is None
+STATUS = MODEL.candidates(1, 0x90)
+
+
+@pytest.mark.parametrize(
+    ("head", "chosen"),
+    [
+        ("126701", {0: "status_short"}),
+        ("126702", {0: "status_old", 15: "status_long", 16: "status_full"}),
+        ("126703", {0: None}),
+        ("126802", {0: None}),
+    ],
+)
+def test_layouts_are_told_apart_by_their_constants_then_by_size(head: str, chosen: dict[int, str | None]) -> None:
+    """`chosen`: the size of data from which on it is that layout."""
+    for size in range(3, m.MAX_FIELD_DATA + 1):
+        f = codec.choose(STATUS, bytes.fromhex(head).ljust(size, b"\0"))
+        assert (f.name if f else None) == chosen[max(n for n in chosen if n <= size)], size
+        values = [(0, 2, int(head[:4], 16)), (2, 1, int(head[4:], 16))]
+        assert [g for g in STATUS if list(g.signature) == values and size in MODEL.sizes(g)] == ([f] if f else [])
+
+
+def test_one_layout_has_all_sizes() -> None:
+    assert MODEL.sizes(field("tools.ping")) == range(m.MAX_FIELD_DATA + 1)
+
+
+def test_data_that_end_before_a_constant_do_not_speak_against_a_layout() -> None:
+    assert [codec.choose(STATUS, bytes.fromhex(d)) for d in ("", "12", "1267")] == [STATUS[0]] * 3
+    assert codec.choose(STATUS, b"\x13") is None and codec.choose((), b"") is None
 
 
 @pytest.mark.parametrize(

@@ -27,13 +27,27 @@ def of(path: str, own: m.Model = INVENTED) -> dict[str, str]:
     return {x.topic: plain(x.sentence) for x in describe.parameter(p, f, own)}
 
 
-A, BOTH = "Supported by <Model A>.", "Supported by <Model A> and <Model B>."
+A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Model B> and <Model C>."
 
 
 @pytest.mark.parametrize(
     ("path", "facts"),
     [
-        ("tools.ping", {"devices": BOTH}),
+        (
+            "tools.ping",
+            {
+                "devices": "Supported by <Model A>, <Model B>, <Model C> and <Old 1>.",
+                "perhaps": "May be supported by <Old 2>.",
+            },
+        ),
+        (
+            "tools.capture_bias",
+            {
+                "responses": "Answered by <tools.bias_vector>.",
+                "devices": A,
+                "deprecation": "Deprecated on the <Model C>: use <tools.bias> instead.",
+            },
+        ),
         (
             "tools.set_time",
             {
@@ -47,8 +61,18 @@ A, BOTH = "Supported by <Model A>.", "Supported by <Model A> and <Model B>."
             "tools.status",
             {
                 "advanced": "For advanced use.",
-                "responses": "Answered by <tools.status_short> or <tools.status_long>.",
+                "responses": "Answered by <tools.status_short>, <tools.status_long>, <tools.status_old> or "
+                "<tools.status_full>.",
                 "timeout": "The device may take 2.5 s to answer.",
+                "devices": BOTH,
+            },
+        ),
+        (
+            "tools.status_old",
+            {
+                "commands": "Answers <tools.status>.",
+                "layout": "Told from <tools.status_long> and <tools.status_full> by the size of its data.",
+                "when": "Sent if <selector> is 2.",
                 "devices": BOTH,
             },
         ),
@@ -102,6 +126,7 @@ A, BOTH = "Supported by <Model A>.", "Supported by <Model A> and <Model B>."
             {
                 "also": "Also called `keep_alive_response` and `welcome`.",
                 "commands": "Answers <tools.hello>.",
+                "perhaps": "May be supported by <Model C>.",
                 "evidence": "Known from the <Kit of names> only.",
                 "uncertain": "Uncertain: When it comes.",
             },
@@ -109,7 +134,11 @@ A, BOTH = "Supported by <Model A>.", "Supported by <Model A> and <Model B>."
         ("tools.settings:port", {"range": "Range: 0 to 8."}),
         (
             "tools.settings:mode",
-            {"default": "Default: <fast>.", "required": "Required for <write>, <read> and <apply>."},
+            {
+                "default": "Default: <fast>.",
+                "required": "Required for <write>, <read> and <apply>.",
+                "variant": "On the <Model C>: only <default> and <fast>; not deprecated.",
+            },
         ),
         (
             "tools.settings:baud",
@@ -129,13 +158,74 @@ A, BOTH = "Supported by <Model A>.", "Supported by <Model A> and <Model B>."
                 "frame": "Frame: <sensor>.",
                 "valid": "Each element is valid by its bit: x by <valid_flags.ready>, y by <valid_flags.hot>, "
                 "z by <valid_flags.ready>.",
-                "variant": "On the <Model B>: unit m, m, s; frame <ned>. Turned by the device.",
+                "variant": "On the <Model C>: nothing says whether it is valid.",
             },
         ),
+        ("measurements.accel:valid_flags", {"variant": "On the <Model C>: only <ready> and <level>."}),
+        ("tools.status:selector", {"range": "Range: 1 to 2.", "variant": "On the <Model C>: always 2."}),
+        ("tools.status_short:flags", {"variant": "On the <Model B>: values of <model_b_faults>."}),
+        ("tools.status_long:flags", {"variant": "On the <Model C>: values that are not known."}),
     ],
 )
 def test_facts(path: str, facts: dict[str, str]) -> None:
     assert of(path) == facts
+
+
+def variants(path: str, own: m.Model = INVENTED) -> list[str]:
+    name, _, parameter = path.partition(":")
+    f = own.field(name)
+    assert f is not None
+    p = next(p for p in f.parameters if p.name == parameter)
+    return [plain(x.sentence) for x in describe.parameter(p, f, own) if x.topic == "variant"]
+
+
+def test_what_is_the_same_on_devices_is_told_once() -> None:
+    assert variants("tools.status_short:flags") == [
+        "On the <Model A> and <Model C>: values of <model_a_faults>.",
+        "On the <Model B>: values of <model_b_faults>.",
+    ]
+    assert variants("measurements.accel:scaled_accel")[0] == (
+        "On the <Model B>: unit m, m, s; frame <ned>; valid by element: x by <valid_flags.hot>, "
+        "y by <valid_flags.ready>, z by <valid_flags.hot>. Turned by the device."
+    )
+    assert variants("measurements.radio:noise") == ["On the <Model C>: valid if <connected> is true; deprecated."]
+
+
+@pytest.mark.parametrize(
+    ("device", "facts"),
+    [
+        ("model-a", ["Model number 4711.", "Manual: A guide to devices that do not exist, 1."]),
+        (
+            "model-c",
+            [
+                "Also called Model See and c.",
+                "Generation 3.",
+                "Model number 4713.",
+                "Like the <Model A>, but for what is said here.",
+                "No manual of it is known.",
+                "Uncertain: Whether it has a model number of its own.",
+            ],
+        ),
+        (
+            "old-1",
+            [
+                "Also called First.",
+                "Generation 1.",
+                "Model number 4001.",
+                "No manual of it is known.",
+                "This profile is incomplete: No manual is known; see <tools.ping>.",
+            ],
+        ),
+    ],
+)
+def test_devices(device: str, facts: list[str]) -> None:
+    d = INVENTED.device(device)
+    assert d is not None and [plain(x.sentence) for x in describe.device(d, INVENTED)] == facts
+
+
+def test_valid_by_device_is_a_bit_of_its_own_type() -> None:
+    said = variants("sensor.gps_timestamp:tow", REAL)
+    assert "On the <3DM-GX5-15>: valid if <valid_flags.time_initialized> is set." in said
 
 
 def test_variants_by_value_are_told_one_by_one() -> None:

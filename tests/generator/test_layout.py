@@ -244,7 +244,8 @@ def test_calls() -> None:
 def test_variants() -> None:
     flags = invented("tools.status_short").parameters[2]
     assert flags.by_device and [(v.by, v.key, v.type and v.type.name) for v in flags.readings] == [
-        ("device", "model-a", "model_a_faults"), ("device", "model-b", "model_b_faults")
+        ("device", "model-a", "model_a_faults"), ("device", "model-b", "model_b_faults"),
+        ("device", "model-c", "model_a_faults"),
     ]  # fmt: skip
     use = invented("tools.pin").parameters[2]
     assert [(v.by, v.key, v.value) for v in use.readings] == [("drive", "pulse", 1), ("drive", "serial", 2)]
@@ -253,7 +254,10 @@ def test_variants() -> None:
         ("kind", "pulse", "pulse_use"), ("kind", "serial", "serial_use")
     ]  # fmt: skip
     accel = invented("measurements.accel").parameters[0]
-    assert [(v.key, v.units, v.frame, v.type) for v in accel.variants] == [("model-b", ("m", "m", "s"), "ned", None)]
+    assert [(v.key, v.units, v.frame, v.type) for v in accel.variants] == [
+        ("model-b", ("m", "m", "s"), "ned", None), ("model-c", (), None, None)
+    ]  # fmt: skip
+    assert [v.valid for v in accel.variants] == [("valid_flags.hot", "valid_flags.ready", "valid_flags.hot"), ()]
     device = INVENTED.device("model-b")
     assert device is not None and [v.path for v in device.variants] == [
         "protocol.acknowledge.code", "tools.status_short.flags", "tools.status_long.flags",
@@ -267,8 +271,8 @@ def test_references() -> None:
     assert INVENTED.commands(shared) == (bias, invented("tools.capture_bias"))
     assert INVENTED.original(invented("more.accel")) is invented("measurements.accel")
     assert INVENTED.repeats(invented("measurements.accel")) == (invented("more.accel"), invented("copy.accel"))
-    assert [d.id for d in INVENTED.devices_of(shared)] == ["model-a"]
-    ((first, a), (second, b)) = INVENTED.supports(invented("tools.settings"))
+    assert [d.id for d in INVENTED.devices_of(shared)] == ["model-a", "model-c"]
+    ((first, a), (second, b), _) = INVENTED.supports(invented("tools.settings"))
     assert (first.id, m.letters(a.functions), a.differs) == ("model-a", "WRSLDA", False)
     assert (second.id, m.letters(b.functions), b.differs) == ("model-b", "WR", True)
 
@@ -335,8 +339,12 @@ def test_what_others_call_it() -> None:
 
 def test_candidates() -> None:
     names = {n: [f.name for f in INVENTED.candidates(*n)] for n in ((1, 0xF1), (1, 0x90), (0x80, 0xD3), (1, 0xD3))}
-    assert names == {(1, 0xF1): ["acknowledge"], (1, 0x90): ["status_short", "status_long"],
-                     (0x80, 0xD3): ["timestamp"], (1, 0xD3): []}  # fmt: skip
+    assert names == {
+        (1, 0xF1): ["acknowledge"],
+        (1, 0x90): ["status_short", "status_long", "status_old", "status_full"],
+        (0x80, 0xD3): ["timestamp"],
+        (1, 0xD3): [],
+    }
 
 
 def test_positions_are_those_of_the_file() -> None:

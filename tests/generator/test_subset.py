@@ -68,7 +68,7 @@ def test_devices_narrow_sets() -> None:
     part = select(INVENTED, Selection(devices=("model-b",), sets=("tools",)))
     assert names(part) == {
         "tools.ping", "tools.settings", "tools.settings_response", "tools.status", "tools.status_short",
-        "tools.status_long",
+        "tools.status_long", "tools.status_old", "tools.status_full",
     }  # fmt: skip
 
 

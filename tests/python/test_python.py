@@ -277,7 +277,7 @@ def test_repeated_fields_are_read_in_their_own_way(tmp_path: Path) -> None:
     assert isinstance(second, it.varied.State) and second.code == 1
     assert first.meaning("code", "model-a") is it.types.Mode.FAST and first.meaning("code", "model-b") == 1
     assert second.meaning("code", "model-b") is it.types.Mode.FAST and type(second.meaning("code", "model-a")) is int
-    assert "On the Model A: values of `types.Mode`." in (out / "mip_protocol/varied.py").read_text("utf-8")
+    assert "On the Model A and Model C: values of `types.Mode`." in (out / "mip_protocol/varied.py").read_text("utf-8")
     assert "On the Model B: values of `types.Mode`." in (out / "mip_protocol/again.py").read_text("utf-8")
 
 
@@ -494,11 +494,15 @@ def test_devices(spec: str) -> None:
     assert sorted(package.devices.DEVICES) == [d.id for d in of.devices]
     for d in of.devices:
         device = package.devices.DEVICES[d.id]
-        keys = [(s.field.set, s.field.descriptor) for s in d.supports]
-        letters = [m.letters(s.functions) if s.differs else None for s in d.supports]
-        assert device.fields == set(keys)
-        assert all(device.supports(*key) for key in keys)
-        assert device.functions == {key: own for key, own in zip(keys, letters, strict=True) if own is not None}
+        keys = {(s.field.set, s.field.descriptor): s for s in d.supports}
+        sure = {(s.field.set, s.field.descriptor) for s in d.certain}
+        assert device.fields == sure and device.incomplete == d.incomplete
+        assert device.perhaps == {key: s.evidence for key, s in keys.items() if s.evidence}
+        assert all(device.may_support(*key) and device.supports(*key) == (key in sure) for key in keys)
+        assert (device.also, device.generation, device.manual) == (d.also, d.generation, d.manual)
+        assert all(package.devices.find(name) is device for name in (d.id, d.title, *d.also))
+        assert d.model_number is None or package.devices.by_model(d.model_number) is device
+        assert device.functions == {key: m.letters(s.functions) for key, s in keys.items() if s.differs}
         assert device.base_rates == {rate.set.number: rate.hertz for rate in d.base_rates}
         assert [(p.name, p.id, p.baud_rates, p.protocols) for p in device.ports] == [
             (p.name, p.id, p.baud_rates, p.protocols) for p in d.ports
@@ -512,6 +516,31 @@ def test_devices(spec: str) -> None:
         readings = {v.path: names.qualified(v.variant.type) for v in d.variants if v.variant.type}
         assert {k: f"{t.__module__.rpartition('.')[2]}.{t.__name__}" for k, t in device.readings.items()} == readings
         assert device.ack_codes == set(d.ack_codes)
+
+
+@pytest.mark.parametrize(
+    ("text", "number"),
+    [
+        *((t, 6254) for t in ("6254", "  6254-4220      ", "6254.12345", "6254 x", "6254\0\0", "06254")),
+        ("65535", 65535),
+        *((t, None) for t in ("", " ", "625", "625-1234", "GX5-15", "6254x", "-6254", "65536", "9" * 11, "0000")),
+        *((t, None) for t in ("+6254", "6254\xb2", "\u0666\u0662\u0665\u0664")),
+    ],
+)
+def test_model_number(text: str, number: int | None) -> None:
+    assert real.devices.model_number(text) == number
+
+
+def test_identify() -> None:
+    def info(model: str, serial: str) -> Any:
+        texts = {"model_name": "3DM-GX5-15", "lot_number": "", "device_options": ""}
+        return real.base.BaseDeviceInfo(1000, model_number=model, serial_number=serial, **texts)
+
+    devices = real.devices
+    assert devices.identify(info("6254-4220", "6254.12345")) is devices.GX5_15
+    assert devices.identify(info("", "  6254.12345")) is devices.GX5_15
+    assert devices.identify(info("7999-1234", "6254.1")) is None and devices.identify(info("", "")) is None
+    assert mip.devices.by_model(4001) is mip.devices.OLD_1 and mip.devices.by_model(4003) is None
 
 
 @pytest.mark.parametrize("spec", sorted(SPECS))

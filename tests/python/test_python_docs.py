@@ -115,14 +115,28 @@ def test_every_fact_is_documented_where_it_belongs(spec: str) -> None:
     assert len(wanted) > {"real": 4000, "invented": 300}[spec]
 
 
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_every_device_is_documented(spec: str) -> None:
+    of = model(spec)
+    text = plain((SPECS[spec][1] / "python/mip_protocol/devices.py").read_text("utf-8"))
+    for d in of.devices:
+        said = docs.say(describe.prose(d.description, of), "devices")
+        said += "".join(f" {docs.say(x.sentence, 'devices')}" for x in describe.device(d, of))
+        sources = "".join(f" - {s}" for s in describe.sources(d))
+        assert plain(f'"""{said}{sources}') in text, d.id
+
+
 def test_references_are_names_of_python() -> None:
     package = SPECS["invented"][1] / "python/mip_protocol"
     tools, more = documentation(package / "tools.py"), documentation(package / "more.py")
     assert tools["SetTimeSlowResponse"] == (
-        "Set time response (0x01,0x84). Answers `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A. "
-        "- guide: Set time"
+        "Set time response (0x01,0x84). Answers `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A "
+        "and Model C. - guide: Set time"
     )
-    assert tools["Settings.mode"] == "What to do. Default: `types.Mode.FAST`. Required for `write`, `read` and `apply`."
+    assert tools["Settings.mode"] == (
+        "What to do. Default: `types.Mode.FAST`. Required for `write`, `read` and `apply`. "
+        "- On the Model C: only `types.Mode.DEFAULT` and `types.Mode.FAST`; not deprecated."
+    )
     assert tools["Path#num_points"] == "Number of points. The number of elements of `points`."
     assert tools["Circle.filling"] == (
         "How it is filled. Selected by `fill`. - If `fill` is `Fill.EMPTY`: `None`. "

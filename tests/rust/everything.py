@@ -11,7 +11,7 @@ import random
 from collections.abc import Iterator
 from typing import Any
 
-from conformance.client_model import wanted_response
+from conformance.client_model import wanted_responses
 from mipgen import codec
 from mipgen import model as m
 from mipgen.targets.rust import names as rust
@@ -176,11 +176,11 @@ class _Writer:
         data = codec.encode(f, values)
         silent = [c for c in f.silent_when if values.get(c.parameter) == c.value]
         replies = (function is None or function.reply) and not (f.silent_when and len(silent) == len(f.silent_when))
-        wanted = wanted_response(self.model, f, values)
+        wanted = wanted_responses(self.model, f, values)
         yield f"let command = {expression};"
         yield f"same(command, {data_literal(data)});"
         yield f"assert_eq!(command.expects_reply(), {str(replies).lower()});"
-        yield f"assert_eq!(command.expects_response(), {str(wanted is not None).lower()});"
+        yield f"assert_eq!(command.expects_response(), {str(bool(wanted)).lower()});"
 
     def prefixes(self, f: m.Field, data: bytes) -> list[int]:
         found = []
@@ -308,13 +308,25 @@ class _Writer:
         of = f"devices::{rust.constant(d.name)}"
         for s in d.supports:
             functions = [x.value for x in s.functions]
-            yield f"let field = {of}.supports({s.field.set}, {s.field.descriptor}).unwrap();"
+            supports = "may_support" if s.evidence else "supports"
+            yield f"let field = {of}.{supports}({s.field.set}, {s.field.descriptor}).unwrap();"
+            evidence = f"Some({text(s.evidence)})" if s.evidence else "None"
+            yield f"assert_eq!(field.evidence, {evidence});"
             yield f'assert_eq!(field.name, "{s.field.full_name}");'
             yield f"assert_eq!(field.functions.iter().map(|f| f.0).collect::<Vec<u8>>(), {functions});"
         yield f"assert_eq!({of}.fields.len(), {len(d.supports)});"
         number = "None" if d.model_number is None else f"Some({d.model_number})"
         yield f"assert_eq!(({of}.id, {of}.title, {of}.model_number), ({text(d.id)}, {text(d.title)}, {number}));"
         yield f"assert_eq!({of}.description, {text(d.description)});"
+        generation = "None" if d.generation is None else f"Some({d.generation})"
+        manual = f"Some({text(d.manual)})" if d.manual else "None"
+        yield f"assert_eq!(({of}.generation, {of}.manual), ({generation}, {manual}));"
+        for name, texts in (("also", d.also), ("incomplete", d.incomplete)):
+            yield f"assert_eq!({of}.{name}, [{', '.join(map(text, texts))}] as [&str; {len(texts)}]);"
+        for name in (d.id, d.title, *d.also):
+            yield f"assert_eq!(devices::Device::find({text(name)}), Some(&{of}));"
+        if d.model_number is not None:
+            yield f"assert_eq!(devices::Device::by_model({d.model_number}), Some(&{of}));"
         rates = {r.set.number: f"Some({float(r.hertz)!r})" for r in d.base_rates}
         for s in self.model.sets:
             yield f"assert_eq!({of}.base_rate({s.number}), {rates.get(s.number)});"

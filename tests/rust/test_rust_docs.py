@@ -97,7 +97,8 @@ class Expected:
             item = ("known", names.constant(d.name), "")
             prose = [self.prose(text, "devices") for text in (d.description, *(n.description for n in d.notes))]
             words = [text for n in d.notes for text in (n.title, *(cell for row in n.rows for cell in row))]
-            yield from ((item, text) for text in (d.title, *prose, *words))
+            facts = [said(fact.sentence, "devices") for fact in describe.device(d, self.model)]
+            yield from ((item, text) for text in (d.title, *prose, *words, *facts, *describe.sources(d)))
 
     def prose(self, text: str, here: str) -> str:
         return said(describe.prose(text, self.model), here)

@@ -110,6 +110,7 @@ const struct mip_codec mip_3dm_poll_imu_data_codec = {
     write_poll_imu_data,
     silent_poll_imu_data,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
@@ -166,6 +167,7 @@ const struct mip_codec mip_3dm_poll_gnss_data_codec = {
     read_poll_gnss_data,
     write_poll_gnss_data,
     silent_poll_gnss_data,
+    NULL,
     NULL,
 };
 
@@ -224,6 +226,7 @@ const struct mip_codec mip_3dm_poll_filter_data_codec = {
     write_poll_filter_data,
     silent_poll_filter_data,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_poll_filter_data_decode(struct mip_3dm_poll_filter_data *value,
@@ -281,6 +284,7 @@ const struct mip_codec mip_3dm_poll_nmea_data_codec = {
     write_poll_nmea_data,
     silent_poll_nmea_data,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
@@ -320,6 +324,7 @@ const struct mip_codec mip_3dm_get_imu_base_rate_codec = {
     mip_write_nothing,
     NULL,
     responses_get_imu_base_rate,
+    NULL,
 };
 
 mip_error mip_3dm_get_imu_base_rate_decode(struct mip_3dm_get_imu_base_rate *value,
@@ -355,6 +360,7 @@ const struct mip_codec mip_3dm_get_imu_base_rate_response_codec = {
     write_get_imu_base_rate_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_get_imu_base_rate_response_decode(
@@ -383,6 +389,7 @@ const struct mip_codec mip_3dm_get_gnss_base_rate_codec = {
     mip_write_nothing,
     NULL,
     responses_get_gnss_base_rate,
+    NULL,
 };
 
 mip_error mip_3dm_get_gnss_base_rate_decode(struct mip_3dm_get_gnss_base_rate *value,
@@ -416,6 +423,7 @@ const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec = {
     0, /* time-out */
     read_get_gnss_base_rate_response,
     write_get_gnss_base_rate_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -480,6 +488,7 @@ const struct mip_codec mip_3dm_imu_message_format_codec = {
     write_imu_message_format,
     NULL,
     responses_imu_message_format,
+    NULL,
 };
 
 mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *value,
@@ -560,6 +569,7 @@ const struct mip_codec mip_3dm_imu_message_format_response_codec = {
     write_imu_message_format_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_imu_message_format_response_decode(
@@ -622,6 +632,7 @@ const struct mip_codec mip_3dm_gnss_message_format_codec = {
     write_gnss_message_format,
     NULL,
     responses_gnss_message_format,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_message_format_decode(struct mip_3dm_gnss_message_format *value,
@@ -702,6 +713,7 @@ const struct mip_codec mip_3dm_gnss_message_format_response_codec = {
     write_gnss_message_format_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_message_format_response_decode(
@@ -766,6 +778,7 @@ const struct mip_codec mip_3dm_filter_message_format_codec = {
     write_filter_message_format,
     NULL,
     responses_filter_message_format,
+    NULL,
 };
 
 mip_error mip_3dm_filter_message_format_decode(struct mip_3dm_filter_message_format *value,
@@ -846,6 +859,7 @@ const struct mip_codec mip_3dm_filter_message_format_response_codec = {
     write_filter_message_format_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_filter_message_format_response_decode(
@@ -875,6 +889,7 @@ const struct mip_codec mip_3dm_get_filter_base_rate_codec = {
     mip_write_nothing,
     NULL,
     responses_get_filter_base_rate,
+    NULL,
 };
 
 mip_error mip_3dm_get_filter_base_rate_decode(struct mip_3dm_get_filter_base_rate *value,
@@ -908,6 +923,7 @@ const struct mip_codec mip_3dm_get_filter_base_rate_response_codec = {
     0, /* time-out */
     read_get_filter_base_rate_response,
     write_get_filter_base_rate_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -972,6 +988,7 @@ const struct mip_codec mip_3dm_nmea_message_format_codec = {
     write_nmea_message_format,
     NULL,
     responses_nmea_message_format,
+    NULL,
 };
 
 mip_error mip_3dm_nmea_message_format_decode(struct mip_3dm_nmea_message_format *value,
@@ -1052,6 +1069,7 @@ const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
     write_nmea_message_format_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_nmea_message_format_response_decode(
@@ -1095,6 +1113,7 @@ const struct mip_codec mip_3dm_poll_data_codec = {
     read_poll_data,
     write_poll_data,
     silent_poll_data,
+    NULL,
     NULL,
 };
 
@@ -1145,6 +1164,7 @@ const struct mip_codec mip_3dm_get_base_rate_codec = {
     write_get_base_rate,
     NULL,
     responses_get_base_rate,
+    NULL,
 };
 
 mip_error mip_3dm_get_base_rate_decode(struct mip_3dm_get_base_rate *value,
@@ -1186,6 +1206,7 @@ const struct mip_codec mip_3dm_get_base_rate_response_codec = {
     0, /* time-out */
     read_get_base_rate_response,
     write_get_base_rate_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -1253,6 +1274,7 @@ const struct mip_codec mip_3dm_message_format_codec = {
     write_message_format,
     NULL,
     responses_message_format,
+    NULL,
 };
 
 mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
@@ -1340,6 +1362,7 @@ const struct mip_codec mip_3dm_message_format_response_codec = {
     write_message_format_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_message_format_response_decode(struct mip_3dm_message_format_response *value,
@@ -1373,6 +1396,7 @@ const struct mip_codec mip_3dm_factory_streaming_codec = {
     0, /* time-out */
     read_factory_streaming,
     write_factory_streaming,
+    NULL,
     NULL,
     NULL,
 };
@@ -1443,6 +1467,7 @@ const struct mip_codec mip_3dm_data_stream_control_codec = {
     write_data_stream_control,
     NULL,
     responses_data_stream_control,
+    NULL,
 };
 
 mip_error mip_3dm_data_stream_control_decode(struct mip_3dm_data_stream_control *value,
@@ -1522,6 +1547,7 @@ const struct mip_codec mip_3dm_data_stream_control_response_codec = {
     write_data_stream_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_data_stream_control_response_decode(
@@ -1590,6 +1616,7 @@ const struct mip_codec mip_3dm_constellation_settings_codec = {
     write_constellation_settings,
     NULL,
     responses_constellation_settings,
+    NULL,
 };
 
 mip_error mip_3dm_constellation_settings_decode(struct mip_3dm_constellation_settings *value,
@@ -1675,6 +1702,7 @@ const struct mip_codec mip_3dm_constellation_settings_response_codec = {
     write_constellation_settings_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_constellation_settings_response_decode(
@@ -1742,6 +1770,7 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
     write_gnss_sbas_settings,
     NULL,
     responses_gnss_sbas_settings,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *value,
@@ -1825,6 +1854,7 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
     write_gnss_sbas_settings_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_sbas_settings_response_decode(
@@ -1885,6 +1915,7 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {
     write_gnss_assisted_fix,
     NULL,
     responses_gnss_assisted_fix,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *value,
@@ -1964,6 +1995,7 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec = {
     write_gnss_assisted_fix_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_assisted_fix_response_decode(
@@ -2030,6 +2062,7 @@ const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
     write_gnss_time_assistance,
     NULL,
     responses_gnss_time_assistance,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_time_assistance_decode(struct mip_3dm_gnss_time_assistance *value,
@@ -2088,6 +2121,7 @@ const struct mip_codec mip_3dm_gnss_time_assistance_response_codec = {
     write_gnss_time_assistance_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_time_assistance_response_decode(
@@ -2144,6 +2178,7 @@ const struct mip_codec mip_3dm_pps_source_control_codec = {
     write_pps_source_control,
     NULL,
     responses_pps_source_control,
+    NULL,
 };
 
 mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *value,
@@ -2215,6 +2250,7 @@ const struct mip_codec mip_3dm_pps_source_control_response_codec = {
     write_pps_source_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_pps_source_control_response_decode(
@@ -2253,6 +2289,7 @@ const struct mip_codec mip_3dm_get_event_support_codec = {
     write_get_event_support,
     NULL,
     responses_get_event_support,
+    NULL,
 };
 
 mip_error mip_3dm_get_event_support_decode(struct mip_3dm_get_event_support *value,
@@ -2303,6 +2340,7 @@ const struct mip_codec mip_3dm_get_event_support_response_codec = {
     0, /* time-out */
     read_get_event_support_response,
     write_get_event_support_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -2364,6 +2402,7 @@ const struct mip_codec mip_3dm_event_control_codec = {
     write_event_control,
     NULL,
     responses_event_control,
+    NULL,
 };
 
 mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
@@ -2442,6 +2481,7 @@ const struct mip_codec mip_3dm_event_control_response_codec = {
     write_event_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_event_control_response_decode(struct mip_3dm_event_control_response *value,
@@ -2483,6 +2523,7 @@ const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
     write_get_event_trigger_status,
     NULL,
     responses_get_event_trigger_status,
+    NULL,
 };
 
 mip_error mip_3dm_get_event_trigger_status_decode(struct mip_3dm_get_event_trigger_status *value,
@@ -2534,6 +2575,7 @@ const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
     write_get_event_trigger_status_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_get_event_trigger_status_response_decode(
@@ -2576,6 +2618,7 @@ const struct mip_codec mip_3dm_get_event_action_status_codec = {
     write_get_event_action_status,
     NULL,
     responses_get_event_action_status,
+    NULL,
 };
 
 mip_error mip_3dm_get_event_action_status_decode(struct mip_3dm_get_event_action_status *value,
@@ -2625,6 +2668,7 @@ const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
     0, /* time-out */
     read_get_event_action_status_response,
     write_get_event_action_status_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -2718,6 +2762,7 @@ const struct mip_codec mip_3dm_event_trigger_config_codec = {
     write_event_trigger_config,
     NULL,
     responses_event_trigger_config,
+    NULL,
 };
 
 mip_error mip_3dm_event_trigger_config_decode(struct mip_3dm_event_trigger_config *value,
@@ -2827,6 +2872,7 @@ const struct mip_codec mip_3dm_event_trigger_config_response_codec = {
     write_event_trigger_config_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_event_trigger_config_response_decode(
@@ -2913,6 +2959,7 @@ const struct mip_codec mip_3dm_event_action_config_codec = {
     write_event_action_config,
     NULL,
     responses_event_action_config,
+    NULL,
 };
 
 mip_error mip_3dm_event_action_config_decode(struct mip_3dm_event_action_config *value,
@@ -3019,6 +3066,7 @@ const struct mip_codec mip_3dm_event_action_config_response_codec = {
     write_event_action_config_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_event_action_config_response_decode(
@@ -3050,6 +3098,7 @@ const struct mip_codec mip_3dm_device_settings_codec = {
     1000, /* time-out */
     read_device_settings,
     write_device_settings,
+    NULL,
     NULL,
     NULL,
 };
@@ -3141,6 +3190,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec = {
     write_sensor_to_vehicle_transform_euler,
     NULL,
     responses_sensor_to_vehicle_transform_euler,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
@@ -3225,6 +3275,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec 
     write_sensor_to_vehicle_transform_euler_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode(
@@ -3289,6 +3340,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec = {
     write_sensor_to_vehicle_transform_quaternion,
     NULL,
     responses_sensor_to_vehicle_transform_quaternion,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_decode(
@@ -3370,6 +3422,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_c
     write_sensor_to_vehicle_transform_quaternion_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode(
@@ -3434,6 +3487,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec = {
     write_sensor_to_vehicle_transform_dcm,
     NULL,
     responses_sensor_to_vehicle_transform_dcm,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
@@ -3509,6 +3563,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec = 
     write_sensor_to_vehicle_transform_dcm_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode(
@@ -3572,6 +3627,7 @@ const struct mip_codec mip_3dm_accel_bias_codec = {
     write_accel_bias,
     silent_accel_bias,
     responses_accel_bias,
+    NULL,
 };
 
 mip_error mip_3dm_accel_bias_decode(struct mip_3dm_accel_bias *value,
@@ -3648,6 +3704,7 @@ const struct mip_codec mip_3dm_accel_bias_response_codec = {
     write_accel_bias_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_accel_bias_response_decode(struct mip_3dm_accel_bias_response *value,
@@ -3707,6 +3764,7 @@ const struct mip_codec mip_3dm_gyro_bias_codec = {
     write_gyro_bias,
     silent_gyro_bias,
     responses_gyro_bias,
+    NULL,
 };
 
 mip_error mip_3dm_gyro_bias_decode(struct mip_3dm_gyro_bias *value, const struct mip_field *field) {
@@ -3782,6 +3840,7 @@ const struct mip_codec mip_3dm_gyro_bias_response_codec = {
     write_gyro_bias_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gyro_bias_response_decode(struct mip_3dm_gyro_bias_response *value,
@@ -3820,6 +3879,7 @@ const struct mip_codec mip_3dm_capture_gyro_bias_codec = {
     write_capture_gyro_bias,
     NULL,
     responses_capture_gyro_bias,
+    NULL,
 };
 
 mip_error mip_3dm_capture_gyro_bias_decode(struct mip_3dm_capture_gyro_bias *value,
@@ -3885,6 +3945,7 @@ const struct mip_codec mip_3dm_mag_hard_iron_offset_codec = {
     write_mag_hard_iron_offset,
     NULL,
     responses_mag_hard_iron_offset,
+    NULL,
 };
 
 mip_error mip_3dm_mag_hard_iron_offset_decode(struct mip_3dm_mag_hard_iron_offset *value,
@@ -3956,6 +4017,7 @@ const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec = {
     write_mag_hard_iron_offset_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_mag_hard_iron_offset_response_decode(
@@ -4014,6 +4076,7 @@ const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec = {
     write_mag_soft_iron_matrix,
     NULL,
     responses_mag_soft_iron_matrix,
+    NULL,
 };
 
 mip_error mip_3dm_mag_soft_iron_matrix_decode(struct mip_3dm_mag_soft_iron_matrix *value,
@@ -4085,6 +4148,7 @@ const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec = {
     write_mag_soft_iron_matrix_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_mag_soft_iron_matrix_response_decode(
@@ -4143,6 +4207,7 @@ const struct mip_codec mip_3dm_coning_sculling_enable_codec = {
     write_coning_sculling_enable,
     NULL,
     responses_coning_sculling_enable,
+    NULL,
 };
 
 mip_error mip_3dm_coning_sculling_enable_decode(struct mip_3dm_coning_sculling_enable *value,
@@ -4214,6 +4279,7 @@ const struct mip_codec mip_3dm_coning_sculling_enable_response_codec = {
     write_coning_sculling_enable_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_coning_sculling_enable_response_decode(
@@ -4270,6 +4336,7 @@ const struct mip_codec mip_3dm_uart_baud_rate_codec = {
     write_uart_baud_rate,
     NULL,
     responses_uart_baud_rate,
+    NULL,
 };
 
 mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
@@ -4340,6 +4407,7 @@ const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
     write_uart_baud_rate_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_uart_baud_rate_response_decode(struct mip_3dm_uart_baud_rate_response *value,
@@ -4407,6 +4475,7 @@ const struct mip_codec mip_3dm_gpio_config_codec = {
     write_gpio_config,
     NULL,
     responses_gpio_config,
+    NULL,
 };
 
 mip_error mip_3dm_gpio_config_decode(struct mip_3dm_gpio_config *value,
@@ -4491,6 +4560,7 @@ const struct mip_codec mip_3dm_gpio_config_response_codec = {
     write_gpio_config_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gpio_config_response_decode(struct mip_3dm_gpio_config_response *value,
@@ -4550,6 +4620,7 @@ const struct mip_codec mip_3dm_gpio_state_codec = {
     write_gpio_state,
     NULL,
     responses_gpio_state,
+    NULL,
 };
 
 mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
@@ -4599,6 +4670,7 @@ const struct mip_codec mip_3dm_gpio_state_response_codec = {
     0, /* time-out */
     read_gpio_state_response,
     write_gpio_state_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -4664,6 +4736,7 @@ const struct mip_codec mip_3dm_odometer_config_codec = {
     write_odometer_config,
     NULL,
     responses_odometer_config,
+    NULL,
 };
 
 mip_error mip_3dm_odometer_config_decode(struct mip_3dm_odometer_config *value,
@@ -4741,6 +4814,7 @@ const struct mip_codec mip_3dm_odometer_config_response_codec = {
     write_odometer_config_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_odometer_config_response_decode(struct mip_3dm_odometer_config_response *value,
@@ -4813,6 +4887,7 @@ const struct mip_codec mip_3dm_imu_low_pass_filter_codec = {
     write_imu_low_pass_filter,
     NULL,
     responses_imu_low_pass_filter,
+    NULL,
 };
 
 mip_error mip_3dm_imu_low_pass_filter_decode(struct mip_3dm_imu_low_pass_filter *value,
@@ -4902,6 +4977,7 @@ const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec = {
     write_imu_low_pass_filter_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_imu_low_pass_filter_response_decode(
@@ -4972,6 +5048,7 @@ const struct mip_codec mip_3dm_complementary_filter_codec = {
     write_complementary_filter,
     NULL,
     responses_complementary_filter,
+    NULL,
 };
 
 mip_error mip_3dm_complementary_filter_decode(struct mip_3dm_complementary_filter *value,
@@ -5054,6 +5131,7 @@ const struct mip_codec mip_3dm_complementary_filter_response_codec = {
     write_complementary_filter_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_complementary_filter_response_decode(
@@ -5113,6 +5191,7 @@ const struct mip_codec mip_3dm_sensor_range_codec = {
     write_sensor_range,
     NULL,
     responses_sensor_range,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
@@ -5191,6 +5270,7 @@ const struct mip_codec mip_3dm_sensor_range_response_codec = {
     write_sensor_range_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_range_response_decode(struct mip_3dm_sensor_range_response *value,
@@ -5231,6 +5311,7 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
     write_get_calibrated_sensor_ranges,
     NULL,
     responses_get_calibrated_sensor_ranges,
+    NULL,
 };
 
 mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
@@ -5280,6 +5361,7 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
     0, /* time-out */
     read_get_calibrated_sensor_ranges_response,
     write_get_calibrated_sensor_ranges_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -5355,6 +5437,7 @@ const struct mip_codec mip_3dm_low_pass_filter_codec = {
     write_low_pass_filter,
     NULL,
     responses_low_pass_filter,
+    NULL,
 };
 
 mip_error mip_3dm_low_pass_filter_decode(struct mip_3dm_low_pass_filter *value,
@@ -5452,6 +5535,7 @@ const struct mip_codec mip_3dm_low_pass_filter_response_codec = {
     write_low_pass_filter_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_low_pass_filter_response_decode(struct mip_3dm_low_pass_filter_response *value,
@@ -5467,13 +5551,13 @@ mip_error mip_3dm_low_pass_filter_response_encode(
 
 static void read_device_status(struct mip_reader *r, void *value) {
     struct mip_3dm_device_status *v = (struct mip_3dm_device_status *)value;
-    mip_read_constant(r, 6254, 2);
+    mip_read_u16(r, &v->model_number, 1);
     mip_read_u8(r, &v->status_selector, 1);
 }
 
 static void write_device_status(struct mip_writer *w, const void *value) {
     const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
-    mip_write_constant(w, 6254, 2);
+    mip_write_u16(w, &v->model_number, 1);
     mip_write_u8(w, &v->status_selector, 1);
 }
 
@@ -5491,7 +5575,13 @@ static bool asked_device_status_2(const void *value) {
 
 static const struct mip_response responses_device_status[] = {
     {&mip_3dm_device_status_basic_response_codec, asked_device_status_1},
+    {&mip_3dm_device_status_basic_without_state_response_codec, asked_device_status_1},
     {&mip_3dm_device_status_diagnostic_response_codec, asked_device_status_2},
+    {&mip_3dm_device_status_diagnostic_gnss_response_codec, asked_device_status_2},
+    {&mip_3dm_device_status_diagnostic_gq4_45_response_codec, asked_device_status_2},
+    {&mip_3dm_device_status_diagnostic_rq1_45_response_codec, asked_device_status_2},
+    {&mip_3dm_device_status_diagnostic_gx4_response_codec, asked_device_status_2},
+    {&mip_3dm_device_status_diagnostic_imu_response_codec, asked_device_status_2},
     {NULL, NULL},
 };
 
@@ -5505,6 +5595,7 @@ const struct mip_codec mip_3dm_device_status_codec = {
     write_device_status,
     NULL,
     responses_device_status,
+    NULL,
 };
 
 mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
@@ -5519,9 +5610,10 @@ mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value
 }
 
 struct mip_3dm_device_status
-mip_3dm_device_status_make(mip_3dm_device_status_selector status_selector) {
+mip_3dm_device_status_make(uint16_t model_number, mip_3dm_device_status_selector status_selector) {
     struct mip_3dm_device_status v;
     memset(&v, 0, sizeof(v));
+    v.model_number = model_number;
     v.status_selector = status_selector;
     return v;
 }
@@ -5529,7 +5621,7 @@ mip_3dm_device_status_make(mip_3dm_device_status_selector status_selector) {
 static void read_device_status_basic_response(struct mip_reader *r, void *value) {
     struct mip_3dm_device_status_basic_response *v =
         (struct mip_3dm_device_status_basic_response *)value;
-    mip_read_constant(r, 6254, 2);
+    mip_read_u16(r, &v->model_number, 1);
     mip_read_constant(r, 1, 1);
     mip_read_u32(r, &v->status_flags, 1);
     mip_read_u16(r, &v->system_state, 1);
@@ -5539,12 +5631,22 @@ static void read_device_status_basic_response(struct mip_reader *r, void *value)
 static void write_device_status_basic_response(struct mip_writer *w, const void *value) {
     const struct mip_3dm_device_status_basic_response *v =
         (const struct mip_3dm_device_status_basic_response *)value;
-    mip_write_constant(w, 6254, 2);
+    mip_write_u16(w, &v->model_number, 1);
     mip_write_constant(w, 1, 1);
     mip_write_u32(w, &v->status_flags, 1);
     mip_write_u16(w, &v->system_state, 1);
     mip_write_u32(w, &v->system_timer, 1);
 }
+
+static const struct mip_constant constants_device_status_basic_response[] = {
+    {2, 1, 1},
+};
+static const struct mip_layout layout_device_status_basic_response = {
+    13,
+    253, /* bytes of data */
+    1,
+    constants_device_status_basic_response,
+};
 
 const struct mip_codec mip_3dm_device_status_basic_response_codec = {
     0x0C, /* descriptor set */
@@ -5556,6 +5658,7 @@ const struct mip_codec mip_3dm_device_status_basic_response_codec = {
     write_device_status_basic_response,
     NULL,
     NULL,
+    &layout_device_status_basic_response,
 };
 
 mip_error mip_3dm_device_status_basic_response_decode(
@@ -5569,10 +5672,67 @@ mip_error mip_3dm_device_status_basic_response_encode(
                             write_device_status_basic_response, value);
 }
 
+static void read_device_status_basic_without_state_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_status_basic_without_state_response *v =
+        (struct mip_3dm_device_status_basic_without_state_response *)value;
+    mip_read_u16(r, &v->model_number, 1);
+    mip_read_constant(r, 1, 1);
+    mip_read_u32(r, &v->status_flags, 1);
+    mip_read_u32(r, &v->system_timer, 1);
+}
+
+static void write_device_status_basic_without_state_response(struct mip_writer *w,
+                                                             const void *value) {
+    const struct mip_3dm_device_status_basic_without_state_response *v =
+        (const struct mip_3dm_device_status_basic_without_state_response *)value;
+    mip_write_u16(w, &v->model_number, 1);
+    mip_write_constant(w, 1, 1);
+    mip_write_u32(w, &v->status_flags, 1);
+    mip_write_u32(w, &v->system_timer, 1);
+}
+
+static const struct mip_constant constants_device_status_basic_without_state_response[] = {
+    {2, 1, 1},
+};
+static const struct mip_layout layout_device_status_basic_without_state_response = {
+    0,
+    12, /* bytes of data */
+    1,
+    constants_device_status_basic_without_state_response,
+};
+
+const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_device_status_basic_without_state_response),
+    0, /* time-out */
+    read_device_status_basic_without_state_response,
+    write_device_status_basic_without_state_response,
+    NULL,
+    NULL,
+    &layout_device_status_basic_without_state_response,
+};
+
+mip_error mip_3dm_device_status_basic_without_state_response_decode(
+    struct mip_3dm_device_status_basic_without_state_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_device_status_basic_without_state_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_device_status_basic_without_state_response_encode(
+    const struct mip_3dm_device_status_basic_without_state_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_DESCRIPTOR,
+                            write_device_status_basic_without_state_response, value);
+}
+
 static void read_device_status_diagnostic_response(struct mip_reader *r, void *value) {
     struct mip_3dm_device_status_diagnostic_response *v =
         (struct mip_3dm_device_status_diagnostic_response *)value;
-    mip_read_constant(r, 6254, 2);
+    mip_read_u16(r, &v->model_number, 1);
     mip_read_constant(r, 2, 1);
     mip_read_u32(r, &v->status_flags, 1);
     mip_read_u16(r, &v->system_state, 1);
@@ -5593,7 +5753,7 @@ static void read_device_status_diagnostic_response(struct mip_reader *r, void *v
 static void write_device_status_diagnostic_response(struct mip_writer *w, const void *value) {
     const struct mip_3dm_device_status_diagnostic_response *v =
         (const struct mip_3dm_device_status_diagnostic_response *)value;
-    mip_write_constant(w, 6254, 2);
+    mip_write_u16(w, &v->model_number, 1);
     mip_write_constant(w, 2, 1);
     mip_write_u32(w, &v->status_flags, 1);
     mip_write_u16(w, &v->system_state, 1);
@@ -5611,6 +5771,16 @@ static void write_device_status_diagnostic_response(struct mip_writer *w, const 
     mip_write_u32(w, &v->imu_last_message_time, 1);
 }
 
+static const struct mip_constant constants_device_status_diagnostic_response[] = {
+    {2, 1, 2},
+};
+static const struct mip_layout layout_device_status_diagnostic_response = {
+    0,
+    59, /* bytes of data */
+    1,
+    constants_device_status_diagnostic_response,
+};
+
 const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR,
@@ -5621,6 +5791,7 @@ const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
     write_device_status_diagnostic_response,
     NULL,
     NULL,
+    &layout_device_status_diagnostic_response,
 };
 
 mip_error mip_3dm_device_status_diagnostic_response_decode(
@@ -5633,4 +5804,479 @@ mip_error mip_3dm_device_status_diagnostic_response_encode(
     const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR,
                             write_device_status_diagnostic_response, value);
+}
+
+static void read_device_status_diagnostic_gnss_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_status_diagnostic_gnss_response *v =
+        (struct mip_3dm_device_status_diagnostic_gnss_response *)value;
+    mip_read_u16(r, &v->model_number, 1);
+    mip_read_constant(r, 2, 1);
+    mip_read_u32(r, &v->status_flags, 1);
+    mip_read_u16(r, &v->system_state, 1);
+    mip_read_u32(r, &v->system_timer, 1);
+    mip_read_u8(r, &v->gnss_power_state, 1);
+    mip_read_u32(r, &v->pps_count, 1);
+    mip_read_u32(r, &v->pps_last_time, 1);
+    mip_read_bool(r, &v->imu_stream_enabled, 1);
+    mip_read_bool(r, &v->gnss_stream_enabled, 1);
+    mip_read_bool(r, &v->filter_stream_enabled, 1);
+    mip_read_u32(r, &v->imu_dropped_packets, 1);
+    mip_read_u32(r, &v->gnss_dropped_packets, 1);
+    mip_read_u32(r, &v->filter_dropped_packets, 1);
+    mip_read_u32(r, &v->comm_port_bytes_written, 1);
+    mip_read_u32(r, &v->comm_port_bytes_read, 1);
+    mip_read_u32(r, &v->comm_port_write_overruns, 1);
+    mip_read_u32(r, &v->comm_port_read_overruns, 1);
+    mip_read_u32(r, &v->imu_parser_errors, 1);
+    mip_read_u32(r, &v->imu_message_count, 1);
+    mip_read_u32(r, &v->imu_last_message_time, 1);
+    mip_read_u32(r, &v->gnss_parser_errors, 1);
+    mip_read_u32(r, &v->gnss_message_count, 1);
+    mip_read_u32(r, &v->gnss_last_message_time, 1);
+}
+
+static void write_device_status_diagnostic_gnss_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_device_status_diagnostic_gnss_response *v =
+        (const struct mip_3dm_device_status_diagnostic_gnss_response *)value;
+    mip_write_u16(w, &v->model_number, 1);
+    mip_write_constant(w, 2, 1);
+    mip_write_u32(w, &v->status_flags, 1);
+    mip_write_u16(w, &v->system_state, 1);
+    mip_write_u32(w, &v->system_timer, 1);
+    mip_write_u8(w, &v->gnss_power_state, 1);
+    mip_write_u32(w, &v->pps_count, 1);
+    mip_write_u32(w, &v->pps_last_time, 1);
+    mip_write_bool(w, &v->imu_stream_enabled, 1);
+    mip_write_bool(w, &v->gnss_stream_enabled, 1);
+    mip_write_bool(w, &v->filter_stream_enabled, 1);
+    mip_write_u32(w, &v->imu_dropped_packets, 1);
+    mip_write_u32(w, &v->gnss_dropped_packets, 1);
+    mip_write_u32(w, &v->filter_dropped_packets, 1);
+    mip_write_u32(w, &v->comm_port_bytes_written, 1);
+    mip_write_u32(w, &v->comm_port_bytes_read, 1);
+    mip_write_u32(w, &v->comm_port_write_overruns, 1);
+    mip_write_u32(w, &v->comm_port_read_overruns, 1);
+    mip_write_u32(w, &v->imu_parser_errors, 1);
+    mip_write_u32(w, &v->imu_message_count, 1);
+    mip_write_u32(w, &v->imu_last_message_time, 1);
+    mip_write_u32(w, &v->gnss_parser_errors, 1);
+    mip_write_u32(w, &v->gnss_message_count, 1);
+    mip_write_u32(w, &v->gnss_last_message_time, 1);
+}
+
+static const struct mip_constant constants_device_status_diagnostic_gnss_response[] = {
+    {2, 1, 2},
+};
+static const struct mip_layout layout_device_status_diagnostic_gnss_response = {
+    77,
+    79, /* bytes of data */
+    1,
+    constants_device_status_diagnostic_gnss_response,
+};
+
+const struct mip_codec mip_3dm_device_status_diagnostic_gnss_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_device_status_diagnostic_gnss_response),
+    0, /* time-out */
+    read_device_status_diagnostic_gnss_response,
+    write_device_status_diagnostic_gnss_response,
+    NULL,
+    NULL,
+    &layout_device_status_diagnostic_gnss_response,
+};
+
+mip_error mip_3dm_device_status_diagnostic_gnss_response_decode(
+    struct mip_3dm_device_status_diagnostic_gnss_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_device_status_diagnostic_gnss_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
+    const struct mip_3dm_device_status_diagnostic_gnss_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_DESCRIPTOR,
+                            write_device_status_diagnostic_gnss_response, value);
+}
+
+static void read_device_status_diagnostic_gq4_45_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_status_diagnostic_gq4_45_response *v =
+        (struct mip_3dm_device_status_diagnostic_gq4_45_response *)value;
+    mip_read_u16(r, &v->model_number, 1);
+    mip_read_constant(r, 2, 1);
+    mip_read_u32(r, &v->status_flags, 1);
+    mip_read_u16(r, &v->system_state, 1);
+    mip_read_u32(r, &v->system_timer, 1);
+    mip_read_u8(r, &v->gnss_power_state, 1);
+    mip_read_u32(r, &v->pps_count, 1);
+    mip_read_u32(r, &v->pps_last_time, 1);
+    mip_read_bool(r, &v->imu_stream_enabled, 1);
+    mip_read_bool(r, &v->gnss_stream_enabled, 1);
+    mip_read_bool(r, &v->filter_stream_enabled, 1);
+    mip_read_u32(r, &v->imu_dropped_packets, 1);
+    mip_read_u32(r, &v->gnss_dropped_packets, 1);
+    mip_read_u32(r, &v->filter_dropped_packets, 1);
+    mip_read_u32(r, &v->comm_port_bytes_written, 1);
+    mip_read_u32(r, &v->comm_port_bytes_read, 1);
+    mip_read_u32(r, &v->comm_port_write_overruns, 1);
+    mip_read_u32(r, &v->comm_port_read_overruns, 1);
+    mip_read_u32(r, &v->imu_parser_errors, 1);
+    mip_read_u32(r, &v->imu_message_count, 1);
+    mip_read_u32(r, &v->imu_last_message_time, 1);
+    mip_read_u32(r, &v->gnss_parser_errors, 1);
+    mip_read_u32(r, &v->gnss_message_count, 1);
+    mip_read_u32(r, &v->gnss_last_message_time, 1);
+    mip_read_bool(r, &v->mag_init_failed, 1);
+    mip_read_bool(r, &v->pressure_init_failed, 1);
+    mip_read_bool(r, &v->receiver_init_failed, 1);
+}
+
+static void write_device_status_diagnostic_gq4_45_response(struct mip_writer *w,
+                                                           const void *value) {
+    const struct mip_3dm_device_status_diagnostic_gq4_45_response *v =
+        (const struct mip_3dm_device_status_diagnostic_gq4_45_response *)value;
+    mip_write_u16(w, &v->model_number, 1);
+    mip_write_constant(w, 2, 1);
+    mip_write_u32(w, &v->status_flags, 1);
+    mip_write_u16(w, &v->system_state, 1);
+    mip_write_u32(w, &v->system_timer, 1);
+    mip_write_u8(w, &v->gnss_power_state, 1);
+    mip_write_u32(w, &v->pps_count, 1);
+    mip_write_u32(w, &v->pps_last_time, 1);
+    mip_write_bool(w, &v->imu_stream_enabled, 1);
+    mip_write_bool(w, &v->gnss_stream_enabled, 1);
+    mip_write_bool(w, &v->filter_stream_enabled, 1);
+    mip_write_u32(w, &v->imu_dropped_packets, 1);
+    mip_write_u32(w, &v->gnss_dropped_packets, 1);
+    mip_write_u32(w, &v->filter_dropped_packets, 1);
+    mip_write_u32(w, &v->comm_port_bytes_written, 1);
+    mip_write_u32(w, &v->comm_port_bytes_read, 1);
+    mip_write_u32(w, &v->comm_port_write_overruns, 1);
+    mip_write_u32(w, &v->comm_port_read_overruns, 1);
+    mip_write_u32(w, &v->imu_parser_errors, 1);
+    mip_write_u32(w, &v->imu_message_count, 1);
+    mip_write_u32(w, &v->imu_last_message_time, 1);
+    mip_write_u32(w, &v->gnss_parser_errors, 1);
+    mip_write_u32(w, &v->gnss_message_count, 1);
+    mip_write_u32(w, &v->gnss_last_message_time, 1);
+    mip_write_bool(w, &v->mag_init_failed, 1);
+    mip_write_bool(w, &v->pressure_init_failed, 1);
+    mip_write_bool(w, &v->receiver_init_failed, 1);
+}
+
+static const struct mip_constant constants_device_status_diagnostic_gq4_45_response[] = {
+    {2, 1, 2},
+};
+static const struct mip_layout layout_device_status_diagnostic_gq4_45_response = {
+    80,
+    85, /* bytes of data */
+    1,
+    constants_device_status_diagnostic_gq4_45_response,
+};
+
+const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_device_status_diagnostic_gq4_45_response),
+    0, /* time-out */
+    read_device_status_diagnostic_gq4_45_response,
+    write_device_status_diagnostic_gq4_45_response,
+    NULL,
+    NULL,
+    &layout_device_status_diagnostic_gq4_45_response,
+};
+
+mip_error mip_3dm_device_status_diagnostic_gq4_45_response_decode(
+    struct mip_3dm_device_status_diagnostic_gq4_45_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_device_status_diagnostic_gq4_45_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
+    const struct mip_3dm_device_status_diagnostic_gq4_45_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_DESCRIPTOR,
+                            write_device_status_diagnostic_gq4_45_response, value);
+}
+
+static void read_device_status_diagnostic_rq1_45_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_status_diagnostic_rq1_45_response *v =
+        (struct mip_3dm_device_status_diagnostic_rq1_45_response *)value;
+    mip_read_u16(r, &v->model_number, 1);
+    mip_read_constant(r, 2, 1);
+    mip_read_u32(r, &v->status_flags, 1);
+    mip_read_u16(r, &v->system_state, 1);
+    mip_read_u32(r, &v->system_timer, 1);
+    mip_read_u8(r, &v->gnss_power_state, 1);
+    mip_read_u8(r, &v->cold_start_on_power_on, 1);
+    mip_read_float(r, &v->temperature, 1);
+    mip_read_u32(r, &v->temperature_last_time, 1);
+    mip_read_u32(r, &v->pps_count, 1);
+    mip_read_u32(r, &v->pps_last_time, 1);
+    mip_read_bool(r, &v->imu_stream_enabled, 1);
+    mip_read_bool(r, &v->gnss_stream_enabled, 1);
+    mip_read_bool(r, &v->filter_stream_enabled, 1);
+    mip_read_u32(r, &v->imu_dropped_packets, 1);
+    mip_read_u32(r, &v->gnss_dropped_packets, 1);
+    mip_read_u32(r, &v->filter_dropped_packets, 1);
+    mip_read_u32(r, &v->comm_port_bytes_written, 1);
+    mip_read_u32(r, &v->comm_port_bytes_read, 1);
+    mip_read_u32(r, &v->comm_port_write_overruns, 1);
+    mip_read_u32(r, &v->comm_port_read_overruns, 1);
+    mip_read_u32(r, &v->imu_parser_errors, 1);
+    mip_read_u32(r, &v->imu_message_count, 1);
+    mip_read_u32(r, &v->imu_last_message_time, 1);
+    mip_read_u32(r, &v->gnss_parser_errors, 1);
+    mip_read_u32(r, &v->gnss_message_count, 1);
+    mip_read_u32(r, &v->gnss_last_message_time, 1);
+}
+
+static void write_device_status_diagnostic_rq1_45_response(struct mip_writer *w,
+                                                           const void *value) {
+    const struct mip_3dm_device_status_diagnostic_rq1_45_response *v =
+        (const struct mip_3dm_device_status_diagnostic_rq1_45_response *)value;
+    mip_write_u16(w, &v->model_number, 1);
+    mip_write_constant(w, 2, 1);
+    mip_write_u32(w, &v->status_flags, 1);
+    mip_write_u16(w, &v->system_state, 1);
+    mip_write_u32(w, &v->system_timer, 1);
+    mip_write_u8(w, &v->gnss_power_state, 1);
+    mip_write_u8(w, &v->cold_start_on_power_on, 1);
+    mip_write_float(w, &v->temperature, 1);
+    mip_write_u32(w, &v->temperature_last_time, 1);
+    mip_write_u32(w, &v->pps_count, 1);
+    mip_write_u32(w, &v->pps_last_time, 1);
+    mip_write_bool(w, &v->imu_stream_enabled, 1);
+    mip_write_bool(w, &v->gnss_stream_enabled, 1);
+    mip_write_bool(w, &v->filter_stream_enabled, 1);
+    mip_write_u32(w, &v->imu_dropped_packets, 1);
+    mip_write_u32(w, &v->gnss_dropped_packets, 1);
+    mip_write_u32(w, &v->filter_dropped_packets, 1);
+    mip_write_u32(w, &v->comm_port_bytes_written, 1);
+    mip_write_u32(w, &v->comm_port_bytes_read, 1);
+    mip_write_u32(w, &v->comm_port_write_overruns, 1);
+    mip_write_u32(w, &v->comm_port_read_overruns, 1);
+    mip_write_u32(w, &v->imu_parser_errors, 1);
+    mip_write_u32(w, &v->imu_message_count, 1);
+    mip_write_u32(w, &v->imu_last_message_time, 1);
+    mip_write_u32(w, &v->gnss_parser_errors, 1);
+    mip_write_u32(w, &v->gnss_message_count, 1);
+    mip_write_u32(w, &v->gnss_last_message_time, 1);
+}
+
+static const struct mip_constant constants_device_status_diagnostic_rq1_45_response[] = {
+    {2, 1, 2},
+};
+static const struct mip_layout layout_device_status_diagnostic_rq1_45_response = {
+    86,
+    253, /* bytes of data */
+    1,
+    constants_device_status_diagnostic_rq1_45_response,
+};
+
+const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_device_status_diagnostic_rq1_45_response),
+    0, /* time-out */
+    read_device_status_diagnostic_rq1_45_response,
+    write_device_status_diagnostic_rq1_45_response,
+    NULL,
+    NULL,
+    &layout_device_status_diagnostic_rq1_45_response,
+};
+
+mip_error mip_3dm_device_status_diagnostic_rq1_45_response_decode(
+    struct mip_3dm_device_status_diagnostic_rq1_45_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_device_status_diagnostic_rq1_45_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
+    const struct mip_3dm_device_status_diagnostic_rq1_45_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_DESCRIPTOR,
+                            write_device_status_diagnostic_rq1_45_response, value);
+}
+
+static void read_device_status_diagnostic_gx4_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_status_diagnostic_gx4_response *v =
+        (struct mip_3dm_device_status_diagnostic_gx4_response *)value;
+    mip_read_u16(r, &v->model_number, 1);
+    mip_read_constant(r, 2, 1);
+    mip_read_u32(r, &v->status_flags, 1);
+    mip_read_u32(r, &v->system_timer, 1);
+    mip_read_u32(r, &v->pps_count, 1);
+    mip_read_u32(r, &v->pps_last_time, 1);
+    mip_read_bool(r, &v->imu_stream_enabled, 1);
+    mip_read_bool(r, &v->filter_stream_enabled, 1);
+    mip_read_u32(r, &v->imu_dropped_packets, 1);
+    mip_read_u32(r, &v->filter_dropped_packets, 1);
+    mip_read_u32(r, &v->comm_port_bytes_written, 1);
+    mip_read_u32(r, &v->comm_port_bytes_read, 1);
+    mip_read_u32(r, &v->comm_port_write_overruns, 1);
+    mip_read_u32(r, &v->comm_port_read_overruns, 1);
+    mip_read_u32(r, &v->usb_bytes_written, 1);
+    mip_read_u32(r, &v->usb_bytes_read, 1);
+    mip_read_u32(r, &v->usb_write_overruns, 1);
+    mip_read_u32(r, &v->usb_read_overruns, 1);
+    mip_read_u32(r, &v->imu_parser_errors, 1);
+    mip_read_u32(r, &v->imu_message_count, 1);
+    mip_read_u32(r, &v->imu_last_message_time, 1);
+}
+
+static void write_device_status_diagnostic_gx4_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_device_status_diagnostic_gx4_response *v =
+        (const struct mip_3dm_device_status_diagnostic_gx4_response *)value;
+    mip_write_u16(w, &v->model_number, 1);
+    mip_write_constant(w, 2, 1);
+    mip_write_u32(w, &v->status_flags, 1);
+    mip_write_u32(w, &v->system_timer, 1);
+    mip_write_u32(w, &v->pps_count, 1);
+    mip_write_u32(w, &v->pps_last_time, 1);
+    mip_write_bool(w, &v->imu_stream_enabled, 1);
+    mip_write_bool(w, &v->filter_stream_enabled, 1);
+    mip_write_u32(w, &v->imu_dropped_packets, 1);
+    mip_write_u32(w, &v->filter_dropped_packets, 1);
+    mip_write_u32(w, &v->comm_port_bytes_written, 1);
+    mip_write_u32(w, &v->comm_port_bytes_read, 1);
+    mip_write_u32(w, &v->comm_port_write_overruns, 1);
+    mip_write_u32(w, &v->comm_port_read_overruns, 1);
+    mip_write_u32(w, &v->usb_bytes_written, 1);
+    mip_write_u32(w, &v->usb_bytes_read, 1);
+    mip_write_u32(w, &v->usb_write_overruns, 1);
+    mip_write_u32(w, &v->usb_read_overruns, 1);
+    mip_write_u32(w, &v->imu_parser_errors, 1);
+    mip_write_u32(w, &v->imu_message_count, 1);
+    mip_write_u32(w, &v->imu_last_message_time, 1);
+}
+
+static const struct mip_constant constants_device_status_diagnostic_gx4_response[] = {
+    {2, 1, 2},
+};
+static const struct mip_layout layout_device_status_diagnostic_gx4_response = {
+    73,
+    76, /* bytes of data */
+    1,
+    constants_device_status_diagnostic_gx4_response,
+};
+
+const struct mip_codec mip_3dm_device_status_diagnostic_gx4_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_device_status_diagnostic_gx4_response),
+    0, /* time-out */
+    read_device_status_diagnostic_gx4_response,
+    write_device_status_diagnostic_gx4_response,
+    NULL,
+    NULL,
+    &layout_device_status_diagnostic_gx4_response,
+};
+
+mip_error mip_3dm_device_status_diagnostic_gx4_response_decode(
+    struct mip_3dm_device_status_diagnostic_gx4_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_device_status_diagnostic_gx4_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
+    const struct mip_3dm_device_status_diagnostic_gx4_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_DESCRIPTOR,
+                            write_device_status_diagnostic_gx4_response, value);
+}
+
+static void read_device_status_diagnostic_imu_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_status_diagnostic_imu_response *v =
+        (struct mip_3dm_device_status_diagnostic_imu_response *)value;
+    mip_read_u16(r, &v->model_number, 1);
+    mip_read_constant(r, 2, 1);
+    mip_read_u32(r, &v->status_flags, 1);
+    mip_read_u32(r, &v->system_timer, 1);
+    mip_read_bool(r, &v->has_mag, 1);
+    mip_read_bool(r, &v->has_pressure, 1);
+    mip_read_u8(r, &v->power_state, 1);
+    mip_read_u16(r, &v->gyro_range, 1);
+    mip_read_u16(r, &v->accel_range, 1);
+    mip_read_u32(r, &v->reserved, 1);
+    mip_read_float(r, &v->temperature, 1);
+    mip_read_u32(r, &v->temperature_last_time, 1);
+    mip_read_u8(r, &v->temperature_error, 1);
+    mip_read_u32(r, &v->pps_count, 1);
+    mip_read_u32(r, &v->pps_last_time, 1);
+    mip_read_bool(r, &v->imu_stream_enabled, 1);
+    mip_read_u32(r, &v->imu_dropped_packets, 1);
+    mip_read_u32(r, &v->comm_port_bytes_written, 1);
+    mip_read_u32(r, &v->comm_port_bytes_read, 1);
+    mip_read_u32(r, &v->comm_port_write_overruns, 1);
+    mip_read_u32(r, &v->comm_port_read_overruns, 1);
+}
+
+static void write_device_status_diagnostic_imu_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_device_status_diagnostic_imu_response *v =
+        (const struct mip_3dm_device_status_diagnostic_imu_response *)value;
+    mip_write_u16(w, &v->model_number, 1);
+    mip_write_constant(w, 2, 1);
+    mip_write_u32(w, &v->status_flags, 1);
+    mip_write_u32(w, &v->system_timer, 1);
+    mip_write_bool(w, &v->has_mag, 1);
+    mip_write_bool(w, &v->has_pressure, 1);
+    mip_write_u8(w, &v->power_state, 1);
+    mip_write_u16(w, &v->gyro_range, 1);
+    mip_write_u16(w, &v->accel_range, 1);
+    mip_write_u32(w, &v->reserved, 1);
+    mip_write_float(w, &v->temperature, 1);
+    mip_write_u32(w, &v->temperature_last_time, 1);
+    mip_write_u8(w, &v->temperature_error, 1);
+    mip_write_u32(w, &v->pps_count, 1);
+    mip_write_u32(w, &v->pps_last_time, 1);
+    mip_write_bool(w, &v->imu_stream_enabled, 1);
+    mip_write_u32(w, &v->imu_dropped_packets, 1);
+    mip_write_u32(w, &v->comm_port_bytes_written, 1);
+    mip_write_u32(w, &v->comm_port_bytes_read, 1);
+    mip_write_u32(w, &v->comm_port_write_overruns, 1);
+    mip_write_u32(w, &v->comm_port_read_overruns, 1);
+}
+
+static const struct mip_constant constants_device_status_diagnostic_imu_response[] = {
+    {2, 1, 2},
+};
+static const struct mip_layout layout_device_status_diagnostic_imu_response = {
+    60,
+    72, /* bytes of data */
+    1,
+    constants_device_status_diagnostic_imu_response,
+};
+
+const struct mip_codec mip_3dm_device_status_diagnostic_imu_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_device_status_diagnostic_imu_response),
+    0, /* time-out */
+    read_device_status_diagnostic_imu_response,
+    write_device_status_diagnostic_imu_response,
+    NULL,
+    NULL,
+    &layout_device_status_diagnostic_imu_response,
+};
+
+mip_error mip_3dm_device_status_diagnostic_imu_response_decode(
+    struct mip_3dm_device_status_diagnostic_imu_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_device_status_diagnostic_imu_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_device_status_diagnostic_imu_response_encode(
+    const struct mip_3dm_device_status_diagnostic_imu_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_DESCRIPTOR,
+                            write_device_status_diagnostic_imu_response, value);
 }

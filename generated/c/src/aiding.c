@@ -92,6 +92,7 @@ const struct mip_codec mip_aiding_frame_config_codec = {
     write_frame_config,
     NULL,
     responses_frame_config,
+    NULL,
 };
 
 mip_error mip_aiding_frame_config_decode(struct mip_aiding_frame_config *value,
@@ -202,6 +203,7 @@ const struct mip_codec mip_aiding_frame_config_response_codec = {
     write_frame_config_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_frame_config_response_decode(struct mip_aiding_frame_config_response *value,
@@ -257,6 +259,7 @@ const struct mip_codec mip_aiding_echo_control_codec = {
     write_echo_control,
     NULL,
     responses_echo_control,
+    NULL,
 };
 
 mip_error mip_aiding_echo_control_decode(struct mip_aiding_echo_control *value,
@@ -327,6 +330,7 @@ const struct mip_codec mip_aiding_echo_control_response_codec = {
     write_echo_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_echo_control_response_decode(struct mip_aiding_echo_control_response *value,
@@ -366,6 +370,7 @@ const struct mip_codec mip_aiding_ecef_position_codec = {
     0, /* time-out */
     read_ecef_position,
     write_ecef_position,
+    NULL,
     NULL,
     NULL,
 };
@@ -426,6 +431,7 @@ const struct mip_codec mip_aiding_llh_position_codec = {
     write_llh_position,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_llh_position_decode(struct mip_aiding_llh_position *value,
@@ -484,6 +490,7 @@ const struct mip_codec mip_aiding_height_above_ellipsoid_codec = {
     write_height_above_ellipsoid,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_height_above_ellipsoid_decode(struct mip_aiding_height_above_ellipsoid *value,
@@ -538,6 +545,7 @@ const struct mip_codec mip_aiding_ecef_velocity_codec = {
     write_ecef_velocity,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_ecef_velocity_decode(struct mip_aiding_ecef_velocity *value,
@@ -590,6 +598,7 @@ const struct mip_codec mip_aiding_ned_velocity_codec = {
     0, /* time-out */
     read_ned_velocity,
     write_ned_velocity,
+    NULL,
     NULL,
     NULL,
 };
@@ -647,6 +656,7 @@ const struct mip_codec mip_aiding_body_frame_velocity_codec = {
     write_body_frame_velocity,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_body_frame_velocity_decode(struct mip_aiding_body_frame_velocity *value,
@@ -699,6 +709,7 @@ const struct mip_codec mip_aiding_true_heading_codec = {
     0, /* time-out */
     read_true_heading,
     write_true_heading,
+    NULL,
     NULL,
     NULL,
 };
@@ -755,6 +766,7 @@ const struct mip_codec mip_aiding_magnetic_field_codec = {
     write_magnetic_field,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_magnetic_field_decode(struct mip_aiding_magnetic_field *value,
@@ -807,6 +819,7 @@ const struct mip_codec mip_aiding_pressure_codec = {
     0, /* time-out */
     read_pressure,
     write_pressure,
+    NULL,
     NULL,
     NULL,
 };

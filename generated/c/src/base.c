@@ -31,6 +31,7 @@ const struct mip_codec mip_base_ping_codec = {
     mip_write_nothing,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_ping_decode(struct mip_base_ping *value, const struct mip_field *field) {
@@ -49,6 +50,7 @@ const struct mip_codec mip_base_set_idle_codec = {
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
     NULL,
 };
@@ -77,6 +79,7 @@ const struct mip_codec mip_base_get_device_info_codec = {
     mip_write_nothing,
     NULL,
     responses_get_device_info,
+    NULL,
 };
 
 mip_error mip_base_get_device_info_decode(struct mip_base_get_device_info *value,
@@ -111,6 +114,7 @@ const struct mip_codec mip_base_get_device_info_response_codec = {
     write_get_device_info_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_get_device_info_response_decode(struct mip_base_get_device_info_response *value,
@@ -139,6 +143,7 @@ const struct mip_codec mip_base_get_device_descriptors_codec = {
     mip_write_nothing,
     NULL,
     responses_get_device_descriptors,
+    NULL,
 };
 
 mip_error mip_base_get_device_descriptors_decode(struct mip_base_get_device_descriptors *value,
@@ -175,6 +180,7 @@ const struct mip_codec mip_base_get_device_descriptors_response_codec = {
     write_get_device_descriptors_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_get_device_descriptors_response_decode(
@@ -204,6 +210,7 @@ const struct mip_codec mip_base_built_in_test_codec = {
     mip_write_nothing,
     NULL,
     responses_built_in_test,
+    NULL,
 };
 
 mip_error mip_base_built_in_test_decode(struct mip_base_built_in_test *value,
@@ -238,6 +245,7 @@ const struct mip_codec mip_base_built_in_test_response_codec = {
     write_built_in_test_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_built_in_test_response_decode(struct mip_base_built_in_test_response *value,
@@ -259,6 +267,7 @@ const struct mip_codec mip_base_resume_codec = {
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
     NULL,
 };
@@ -286,6 +295,7 @@ const struct mip_codec mip_base_get_extended_descriptors_codec = {
     mip_write_nothing,
     NULL,
     responses_get_extended_descriptors,
+    NULL,
 };
 
 mip_error mip_base_get_extended_descriptors_decode(struct mip_base_get_extended_descriptors *value,
@@ -322,6 +332,7 @@ const struct mip_codec mip_base_get_extended_descriptors_response_codec = {
     write_get_extended_descriptors_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_get_extended_descriptors_response_decode(
@@ -351,6 +362,7 @@ const struct mip_codec mip_base_continuous_built_in_test_codec = {
     mip_write_nothing,
     NULL,
     responses_continuous_built_in_test,
+    NULL,
 };
 
 mip_error mip_base_continuous_built_in_test_decode(struct mip_base_continuous_built_in_test *value,
@@ -384,6 +396,7 @@ const struct mip_codec mip_base_continuous_built_in_test_response_codec = {
     0, /* time-out */
     read_continuous_built_in_test_response,
     write_continuous_built_in_test_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -446,6 +459,7 @@ const struct mip_codec mip_base_comm_speed_codec = {
     write_comm_speed,
     NULL,
     responses_comm_speed,
+    NULL,
 };
 
 mip_error mip_base_comm_speed_decode(struct mip_base_comm_speed *value,
@@ -522,6 +536,7 @@ const struct mip_codec mip_base_comm_speed_response_codec = {
     write_comm_speed_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_comm_speed_response_decode(struct mip_base_comm_speed_response *value,
@@ -593,6 +608,7 @@ const struct mip_codec mip_base_gps_time_update_codec = {
     write_gps_time_update,
     silent_gps_time_update,
     responses_gps_time_update,
+    NULL,
 };
 
 mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time_update *value,
@@ -656,6 +672,7 @@ const struct mip_codec mip_base_gps_time_update_week_number_response_codec = {
     write_gps_time_update_week_number_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_gps_time_update_week_number_response_decode(
@@ -693,6 +710,7 @@ const struct mip_codec mip_base_gps_time_update_tow_response_codec = {
     write_gps_time_update_tow_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_gps_time_update_tow_response_decode(
@@ -714,6 +732,7 @@ const struct mip_codec mip_base_soft_reset_codec = {
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
     NULL,
 };

@@ -6,188 +6,188 @@
 /* 3DM-CV7-GNSS/INS. */
 
 static const struct mip_device_field cv7_gnss_ins_fields[] = {
-    {0x01, 0x01, ""},      /* base.ping */
-    {0x01, 0x02, ""},      /* base.set_idle */
-    {0x01, 0x03, ""},      /* base.get_device_info */
-    {0x01, 0x04, ""},      /* base.get_device_descriptors */
-    {0x01, 0x05, ""},      /* base.built_in_test */
-    {0x01, 0x06, ""},      /* base.resume */
-    {0x01, 0x07, ""},      /* base.get_extended_descriptors */
-    {0x01, 0x08, ""},      /* base.continuous_built_in_test */
-    {0x01, 0x09, "WRSLD"}, /* base.comm_speed */
-    {0x01, 0x72, "W"},     /* base.gps_time_update */
-    {0x01, 0x7E, ""},      /* base.soft_reset */
-    {0x0C, 0x04, ""},      /* 3dm.poll_nmea_data */
-    {0x0C, 0x0C, "WRSLD"}, /* 3dm.nmea_message_format */
-    {0x0C, 0x0D, ""},      /* 3dm.poll_data */
-    {0x0C, 0x0E, ""},      /* 3dm.get_base_rate */
-    {0x0C, 0x0F, "WRSLD"}, /* 3dm.message_format */
-    {0x0C, 0x10, ""},      /* 3dm.factory_streaming */
-    {0x0C, 0x11, "WRSLD"}, /* 3dm.data_stream_control */
-    {0x0C, 0x22, "WRSLD"}, /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x28, "WRSLD"}, /* 3dm.pps_source_control */
-    {0x0C, 0x2A, ""},      /* 3dm.get_event_support */
-    {0x0C, 0x2B, "WRSLD"}, /* 3dm.event_control */
-    {0x0C, 0x2C, ""},      /* 3dm.get_event_trigger_status */
-    {0x0C, 0x2D, ""},      /* 3dm.get_event_action_status */
-    {0x0C, 0x2E, "WRSLD"}, /* 3dm.event_trigger_config */
-    {0x0C, 0x2F, "WRSLD"}, /* 3dm.event_action_config */
-    {0x0C, 0x30, "SLD"},   /* 3dm.device_settings */
-    {0x0C, 0x31, "WRSLD"}, /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x32, "WRSLD"}, /* 3dm.sensor_to_vehicle_transform_quaternion */
-    {0x0C, 0x33, "WRSLD"}, /* 3dm.sensor_to_vehicle_transform_dcm */
-    {0x0C, 0x37, "WRSLD"}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLD"}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, ""},      /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLD"}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLD"}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x40, "WRSLD"}, /* 3dm.uart_baud_rate */
-    {0x0C, 0x41, "WRSLD"}, /* 3dm.gpio_config */
-    {0x0C, 0x42, "WR"},    /* 3dm.gpio_state */
-    {0x0C, 0x43, "WRSLD"}, /* 3dm.odometer_config */
-    {0x0C, 0x50, "WRSLD"}, /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD"}, /* 3dm.complementary_filter */
-    {0x0C, 0x52, "WRSLD"}, /* 3dm.sensor_range */
-    {0x0C, 0x53, ""},      /* 3dm.get_calibrated_sensor_ranges */
-    {0x0C, 0x54, "WRSLD"}, /* 3dm.low_pass_filter */
-    {0x0D, 0x01, ""},      /* filter.reset */
-    {0x0D, 0x03, ""},      /* filter.set_initial_heading */
-    {0x0D, 0x05, ""},      /* filter.run */
-    {0x0D, 0x13, "WRSLD"}, /* filter.antenna_offset */
-    {0x0D, 0x15, "WRSLD"}, /* filter.gnss_source */
-    {0x0D, 0x17, ""},      /* filter.external_heading_update */
-    {0x0D, 0x1A, "WRSLD"}, /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD"}, /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD"}, /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD"}, /* filter.gyro_bias_model */
-    {0x0D, 0x1F, ""},      /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD"}, /* filter.auto_angular_zupt */
-    {0x0D, 0x28, "WRSLD"}, /* filter.gravity_noise */
-    {0x0D, 0x43, "WRSLD"}, /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD"}, /* filter.aiding_measurement_enable */
-    {0x0D, 0x52, "WRSLD"}, /* filter.initialization_config */
-    {0x0D, 0x53, "WRSLD"}, /* filter.adaptive_filter_options */
-    {0x0D, 0x54, "WRSLD"}, /* filter.multi_antenna_offset */
-    {0x0D, 0x55, "WRSLD"}, /* filter.relative_position_config */
-    {0x0D, 0x56, "WRSLD"}, /* filter.reference_point_lever_arm */
-    {0x0D, 0x61, "WRSLD"}, /* filter.speed_lever_arm */
-    {0x0D, 0x63, "WRSLD"}, /* filter.wheeled_vehicle_constraint_control */
-    {0x0D, 0x64, "WRSLD"}, /* filter.gnss_antenna_calibration_control */
-    {0x0E, 0x01, ""},      /* gnss.receiver_info */
-    {0x0E, 0x02, "WRSLD"}, /* gnss.signal_config */
-    {0x0E, 0x20, "WRSLD"}, /* gnss.spartn_config */
-    {0x13, 0x01, "WRSLD"}, /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD"}, /* aiding.echo_control */
-    {0x13, 0x21, ""},      /* aiding.ecef_position */
-    {0x13, 0x22, ""},      /* aiding.llh_position */
-    {0x13, 0x23, ""},      /* aiding.height_above_ellipsoid */
-    {0x13, 0x28, ""},      /* aiding.ecef_velocity */
-    {0x13, 0x29, ""},      /* aiding.ned_velocity */
-    {0x13, 0x2A, ""},      /* aiding.body_frame_velocity */
-    {0x13, 0x31, ""},      /* aiding.true_heading */
-    {0x13, 0x32, ""},      /* aiding.magnetic_field */
-    {0x13, 0x33, ""},      /* aiding.pressure */
-    {0x80, 0x04, ""},      /* sensor.scaled_accel */
-    {0x80, 0x05, ""},      /* sensor.scaled_gyro */
-    {0x80, 0x06, ""},      /* sensor.scaled_mag */
-    {0x80, 0x07, ""},      /* sensor.delta_theta */
-    {0x80, 0x08, ""},      /* sensor.delta_velocity */
-    {0x80, 0x09, ""},      /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, ""},      /* sensor.comp_quaternion */
-    {0x80, 0x0C, ""},      /* sensor.comp_euler_angles */
-    {0x80, 0x12, ""},      /* sensor.gps_timestamp */
-    {0x80, 0x14, ""},      /* sensor.temperature_statistics */
-    {0x80, 0x17, ""},      /* sensor.scaled_pressure */
-    {0x80, 0x18, ""},      /* sensor.overrange_status */
-    {0x80, 0x40, ""},      /* sensor.odometer */
-    {0x82, 0x01, ""},      /* filter_data.llh_position */
-    {0x82, 0x02, ""},      /* filter_data.ned_velocity */
-    {0x82, 0x03, ""},      /* filter_data.attitude_quaternion */
-    {0x82, 0x04, ""},      /* filter_data.attitude_dcm */
-    {0x82, 0x05, ""},      /* filter_data.euler_angles */
-    {0x82, 0x06, ""},      /* filter_data.gyro_bias */
-    {0x82, 0x07, ""},      /* filter_data.accel_bias */
-    {0x82, 0x08, ""},      /* filter_data.llh_position_uncertainty */
-    {0x82, 0x09, ""},      /* filter_data.ned_velocity_uncertainty */
-    {0x82, 0x0A, ""},      /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, ""},      /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0C, ""},      /* filter_data.accel_bias_uncertainty */
-    {0x82, 0x0D, ""},      /* filter_data.linear_accel */
-    {0x82, 0x0E, ""},      /* filter_data.comp_angular_rate */
-    {0x82, 0x10, ""},      /* filter_data.status */
-    {0x82, 0x11, ""},      /* filter_data.timestamp */
-    {0x82, 0x12, ""},      /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, ""},      /* filter_data.gravity_vector */
-    {0x82, 0x15, ""},      /* filter_data.magnetic_model */
-    {0x82, 0x1C, ""},      /* filter_data.comp_accel */
-    {0x82, 0x21, ""},      /* filter_data.pressure_altitude */
-    {0x82, 0x34, ""},      /* filter_data.multi_antenna_offset_correction */
-    {0x82, 0x35, ""},      /* filter_data.multi_antenna_offset_correction_uncertainty */
-    {0x82, 0x36, ""},      /* filter_data.ecef_position_uncertainty */
-    {0x82, 0x37, ""},      /* filter_data.ecef_velocity_uncertainty */
-    {0x82, 0x40, ""},      /* filter_data.ecef_position */
-    {0x82, 0x41, ""},      /* filter_data.ecef_velocity */
-    {0x82, 0x42, ""},      /* filter_data.ned_relative_position */
-    {0x82, 0x43, ""},      /* filter_data.gnss_position_aiding_status */
-    {0x82, 0x46, ""},      /* filter_data.aiding_measurement_summary */
-    {0x82, 0x47, ""},      /* filter_data.odometer_scale_factor_error */
-    {0x82, 0x48, ""},      /* filter_data.odometer_scale_factor_error_uncertainty */
-    {0x82, 0x49, ""},      /* filter_data.gnss_dual_antenna_status */
-    {0x82, 0x50, ""},      /* filter_data.aiding_frame_config_error */
-    {0x82, 0x51, ""},      /* filter_data.aiding_frame_config_error_uncertainty */
-    {0x91, 0x03, ""},      /* gnss_1.llh_position */
-    {0x91, 0x04, ""},      /* gnss_1.ecef_position */
-    {0x91, 0x05, ""},      /* gnss_1.ned_velocity */
-    {0x91, 0x06, ""},      /* gnss_1.ecef_velocity */
-    {0x91, 0x07, ""},      /* gnss_1.dop */
-    {0x91, 0x08, ""},      /* gnss_1.utc_time */
-    {0x91, 0x09, ""},      /* gnss_1.gps_time */
-    {0x91, 0x0B, ""},      /* gnss_1.fix_info */
-    {0x91, 0x0D, ""},      /* gnss_1.hardware_status */
-    {0x91, 0x10, ""},      /* gnss_1.clock_info_2 */
-    {0x91, 0x11, ""},      /* gnss_1.gps_leap_seconds */
-    {0x91, 0x12, ""},      /* gnss_1.sbas_info */
-    {0x91, 0x20, ""},      /* gnss_1.satellite_status */
-    {0x91, 0x22, ""},      /* gnss_1.raw */
-    {0x91, 0x61, ""},      /* gnss_1.gps_ephemeris */
-    {0x91, 0x62, ""},      /* gnss_1.glonass_ephemeris */
-    {0x91, 0x63, ""},      /* gnss_1.galileo_ephemeris */
-    {0x91, 0x64, ""},      /* gnss_1.beidou_ephemeris */
-    {0x92, 0x03, ""},      /* gnss_2.llh_position */
-    {0x92, 0x04, ""},      /* gnss_2.ecef_position */
-    {0x92, 0x05, ""},      /* gnss_2.ned_velocity */
-    {0x92, 0x06, ""},      /* gnss_2.ecef_velocity */
-    {0x92, 0x07, ""},      /* gnss_2.dop */
-    {0x92, 0x08, ""},      /* gnss_2.utc_time */
-    {0x92, 0x09, ""},      /* gnss_2.gps_time */
-    {0x92, 0x0B, ""},      /* gnss_2.fix_info */
-    {0x92, 0x0D, ""},      /* gnss_2.hardware_status */
-    {0x92, 0x10, ""},      /* gnss_2.clock_info_2 */
-    {0x92, 0x11, ""},      /* gnss_2.gps_leap_seconds */
-    {0x92, 0x12, ""},      /* gnss_2.sbas_info */
-    {0x92, 0x20, ""},      /* gnss_2.satellite_status */
-    {0x92, 0x22, ""},      /* gnss_2.raw */
-    {0x92, 0x61, ""},      /* gnss_2.gps_ephemeris */
-    {0x92, 0x62, ""},      /* gnss_2.glonass_ephemeris */
-    {0x92, 0x63, ""},      /* gnss_2.galileo_ephemeris */
-    {0x92, 0x64, ""},      /* gnss_2.beidou_ephemeris */
-    {0x93, 0x30, ""},      /* gnss_corrections.base_station_info */
-    {0x93, 0x31, ""},      /* gnss_corrections.rtk_corrections_status */
-    {0x94, 0x03, ""},      /* gnss_external.llh_position */
-    {0x94, 0x05, ""},      /* gnss_external.ned_velocity */
-    {0x94, 0x08, ""},      /* gnss_external.utc_time */
-    {0x94, 0x0B, ""},      /* gnss_external.fix_info */
-    {0x94, 0x20, ""},      /* gnss_external.satellite_status */
-    {0xA0, 0x01, ""},      /* system_data.built_in_test */
-    {0xA0, 0x02, ""},      /* system_data.time_sync_status */
-    {0xA0, 0x03, ""},      /* system_data.gpio_state */
-    {0xFF, 0xD0, ""},      /* shared.event_source */
-    {0xFF, 0xD3, ""},      /* shared.gps_timestamp */
-    {0xFF, 0xD4, ""},      /* shared.delta_time */
-    {0xFF, 0xD5, ""},      /* shared.reference_timestamp */
-    {0xFF, 0xD6, ""},      /* shared.reference_time_delta */
-    {0xFF, 0xD7, ""},      /* shared.external_timestamp */
-    {0xFF, 0xD8, ""},      /* shared.external_time_delta */
+    {0x01, 0x01, "", NULL},      /* base.ping */
+    {0x01, 0x02, "", NULL},      /* base.set_idle */
+    {0x01, 0x03, "", NULL},      /* base.get_device_info */
+    {0x01, 0x04, "", NULL},      /* base.get_device_descriptors */
+    {0x01, 0x05, "", NULL},      /* base.built_in_test */
+    {0x01, 0x06, "", NULL},      /* base.resume */
+    {0x01, 0x07, "", NULL},      /* base.get_extended_descriptors */
+    {0x01, 0x08, "", NULL},      /* base.continuous_built_in_test */
+    {0x01, 0x09, "WRSLD", NULL}, /* base.comm_speed */
+    {0x01, 0x72, "W", NULL},     /* base.gps_time_update */
+    {0x01, 0x7E, "", NULL},      /* base.soft_reset */
+    {0x0C, 0x04, "", NULL},      /* 3dm.poll_nmea_data */
+    {0x0C, 0x0C, "WRSLD", NULL}, /* 3dm.nmea_message_format */
+    {0x0C, 0x0D, "", NULL},      /* 3dm.poll_data */
+    {0x0C, 0x0E, "", NULL},      /* 3dm.get_base_rate */
+    {0x0C, 0x0F, "WRSLD", NULL}, /* 3dm.message_format */
+    {0x0C, 0x10, "", NULL},      /* 3dm.factory_streaming */
+    {0x0C, 0x11, "WRSLD", NULL}, /* 3dm.data_stream_control */
+    {0x0C, 0x22, "WRSLD", NULL}, /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x28, "WRSLD", NULL}, /* 3dm.pps_source_control */
+    {0x0C, 0x2A, "", NULL},      /* 3dm.get_event_support */
+    {0x0C, 0x2B, "WRSLD", NULL}, /* 3dm.event_control */
+    {0x0C, 0x2C, "", NULL},      /* 3dm.get_event_trigger_status */
+    {0x0C, 0x2D, "", NULL},      /* 3dm.get_event_action_status */
+    {0x0C, 0x2E, "WRSLD", NULL}, /* 3dm.event_trigger_config */
+    {0x0C, 0x2F, "WRSLD", NULL}, /* 3dm.event_action_config */
+    {0x0C, 0x30, "SLD", NULL},   /* 3dm.device_settings */
+    {0x0C, 0x31, "WRSLD", NULL}, /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x32, "WRSLD", NULL}, /* 3dm.sensor_to_vehicle_transform_quaternion */
+    {0x0C, 0x33, "WRSLD", NULL}, /* 3dm.sensor_to_vehicle_transform_dcm */
+    {0x0C, 0x37, "WRSLD", NULL}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLD", NULL}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", NULL},      /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLD", NULL}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLD", NULL}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x40, "WRSLD", NULL}, /* 3dm.uart_baud_rate */
+    {0x0C, 0x41, "WRSLD", NULL}, /* 3dm.gpio_config */
+    {0x0C, 0x42, "WR", NULL},    /* 3dm.gpio_state */
+    {0x0C, 0x43, "WRSLD", NULL}, /* 3dm.odometer_config */
+    {0x0C, 0x50, "WRSLD", NULL}, /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", NULL}, /* 3dm.complementary_filter */
+    {0x0C, 0x52, "WRSLD", NULL}, /* 3dm.sensor_range */
+    {0x0C, 0x53, "", NULL},      /* 3dm.get_calibrated_sensor_ranges */
+    {0x0C, 0x54, "WRSLD", NULL}, /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", NULL},      /* filter.reset */
+    {0x0D, 0x03, "", NULL},      /* filter.set_initial_heading */
+    {0x0D, 0x05, "", NULL},      /* filter.run */
+    {0x0D, 0x13, "WRSLD", NULL}, /* filter.antenna_offset */
+    {0x0D, 0x15, "WRSLD", NULL}, /* filter.gnss_source */
+    {0x0D, 0x17, "", NULL},      /* filter.external_heading_update */
+    {0x0D, 0x1A, "WRSLD", NULL}, /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", NULL}, /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD", NULL}, /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD", NULL}, /* filter.gyro_bias_model */
+    {0x0D, 0x1F, "", NULL},      /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", NULL}, /* filter.auto_angular_zupt */
+    {0x0D, 0x28, "WRSLD", NULL}, /* filter.gravity_noise */
+    {0x0D, 0x43, "WRSLD", NULL}, /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD", NULL}, /* filter.aiding_measurement_enable */
+    {0x0D, 0x52, "WRSLD", NULL}, /* filter.initialization_config */
+    {0x0D, 0x53, "WRSLD", NULL}, /* filter.adaptive_filter_options */
+    {0x0D, 0x54, "WRSLD", NULL}, /* filter.multi_antenna_offset */
+    {0x0D, 0x55, "WRSLD", NULL}, /* filter.relative_position_config */
+    {0x0D, 0x56, "WRSLD", NULL}, /* filter.reference_point_lever_arm */
+    {0x0D, 0x61, "WRSLD", NULL}, /* filter.speed_lever_arm */
+    {0x0D, 0x63, "WRSLD", NULL}, /* filter.wheeled_vehicle_constraint_control */
+    {0x0D, 0x64, "WRSLD", NULL}, /* filter.gnss_antenna_calibration_control */
+    {0x0E, 0x01, "", NULL},      /* gnss.receiver_info */
+    {0x0E, 0x02, "WRSLD", NULL}, /* gnss.signal_config */
+    {0x0E, 0x20, "WRSLD", NULL}, /* gnss.spartn_config */
+    {0x13, 0x01, "WRSLD", NULL}, /* aiding.frame_config */
+    {0x13, 0x1F, "WRSLD", NULL}, /* aiding.echo_control */
+    {0x13, 0x21, "", NULL},      /* aiding.ecef_position */
+    {0x13, 0x22, "", NULL},      /* aiding.llh_position */
+    {0x13, 0x23, "", NULL},      /* aiding.height_above_ellipsoid */
+    {0x13, 0x28, "", NULL},      /* aiding.ecef_velocity */
+    {0x13, 0x29, "", NULL},      /* aiding.ned_velocity */
+    {0x13, 0x2A, "", NULL},      /* aiding.body_frame_velocity */
+    {0x13, 0x31, "", NULL},      /* aiding.true_heading */
+    {0x13, 0x32, "", NULL},      /* aiding.magnetic_field */
+    {0x13, 0x33, "", NULL},      /* aiding.pressure */
+    {0x80, 0x04, "", NULL},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", NULL},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", NULL},      /* sensor.scaled_mag */
+    {0x80, 0x07, "", NULL},      /* sensor.delta_theta */
+    {0x80, 0x08, "", NULL},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", NULL},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", NULL},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", NULL},      /* sensor.comp_euler_angles */
+    {0x80, 0x12, "", NULL},      /* sensor.gps_timestamp */
+    {0x80, 0x14, "", NULL},      /* sensor.temperature_statistics */
+    {0x80, 0x17, "", NULL},      /* sensor.scaled_pressure */
+    {0x80, 0x18, "", NULL},      /* sensor.overrange_status */
+    {0x80, 0x40, "", NULL},      /* sensor.odometer */
+    {0x82, 0x01, "", NULL},      /* filter_data.llh_position */
+    {0x82, 0x02, "", NULL},      /* filter_data.ned_velocity */
+    {0x82, 0x03, "", NULL},      /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", NULL},      /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", NULL},      /* filter_data.euler_angles */
+    {0x82, 0x06, "", NULL},      /* filter_data.gyro_bias */
+    {0x82, 0x07, "", NULL},      /* filter_data.accel_bias */
+    {0x82, 0x08, "", NULL},      /* filter_data.llh_position_uncertainty */
+    {0x82, 0x09, "", NULL},      /* filter_data.ned_velocity_uncertainty */
+    {0x82, 0x0A, "", NULL},      /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", NULL},      /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0C, "", NULL},      /* filter_data.accel_bias_uncertainty */
+    {0x82, 0x0D, "", NULL},      /* filter_data.linear_accel */
+    {0x82, 0x0E, "", NULL},      /* filter_data.comp_angular_rate */
+    {0x82, 0x10, "", NULL},      /* filter_data.status */
+    {0x82, 0x11, "", NULL},      /* filter_data.timestamp */
+    {0x82, 0x12, "", NULL},      /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", NULL},      /* filter_data.gravity_vector */
+    {0x82, 0x15, "", NULL},      /* filter_data.magnetic_model */
+    {0x82, 0x1C, "", NULL},      /* filter_data.comp_accel */
+    {0x82, 0x21, "", NULL},      /* filter_data.pressure_altitude */
+    {0x82, 0x34, "", NULL},      /* filter_data.multi_antenna_offset_correction */
+    {0x82, 0x35, "", NULL},      /* filter_data.multi_antenna_offset_correction_uncertainty */
+    {0x82, 0x36, "", NULL},      /* filter_data.ecef_position_uncertainty */
+    {0x82, 0x37, "", NULL},      /* filter_data.ecef_velocity_uncertainty */
+    {0x82, 0x40, "", NULL},      /* filter_data.ecef_position */
+    {0x82, 0x41, "", NULL},      /* filter_data.ecef_velocity */
+    {0x82, 0x42, "", NULL},      /* filter_data.ned_relative_position */
+    {0x82, 0x43, "", NULL},      /* filter_data.gnss_position_aiding_status */
+    {0x82, 0x46, "", NULL},      /* filter_data.aiding_measurement_summary */
+    {0x82, 0x47, "", NULL},      /* filter_data.odometer_scale_factor_error */
+    {0x82, 0x48, "", NULL},      /* filter_data.odometer_scale_factor_error_uncertainty */
+    {0x82, 0x49, "", NULL},      /* filter_data.gnss_dual_antenna_status */
+    {0x82, 0x50, "", NULL},      /* filter_data.aiding_frame_config_error */
+    {0x82, 0x51, "", NULL},      /* filter_data.aiding_frame_config_error_uncertainty */
+    {0x91, 0x03, "", NULL},      /* gnss_1.llh_position */
+    {0x91, 0x04, "", NULL},      /* gnss_1.ecef_position */
+    {0x91, 0x05, "", NULL},      /* gnss_1.ned_velocity */
+    {0x91, 0x06, "", NULL},      /* gnss_1.ecef_velocity */
+    {0x91, 0x07, "", NULL},      /* gnss_1.dop */
+    {0x91, 0x08, "", NULL},      /* gnss_1.utc_time */
+    {0x91, 0x09, "", NULL},      /* gnss_1.gps_time */
+    {0x91, 0x0B, "", NULL},      /* gnss_1.fix_info */
+    {0x91, 0x0D, "", NULL},      /* gnss_1.hardware_status */
+    {0x91, 0x10, "", NULL},      /* gnss_1.clock_info_2 */
+    {0x91, 0x11, "", NULL},      /* gnss_1.gps_leap_seconds */
+    {0x91, 0x12, "", NULL},      /* gnss_1.sbas_info */
+    {0x91, 0x20, "", NULL},      /* gnss_1.satellite_status */
+    {0x91, 0x22, "", NULL},      /* gnss_1.raw */
+    {0x91, 0x61, "", NULL},      /* gnss_1.gps_ephemeris */
+    {0x91, 0x62, "", NULL},      /* gnss_1.glonass_ephemeris */
+    {0x91, 0x63, "", NULL},      /* gnss_1.galileo_ephemeris */
+    {0x91, 0x64, "", NULL},      /* gnss_1.beidou_ephemeris */
+    {0x92, 0x03, "", NULL},      /* gnss_2.llh_position */
+    {0x92, 0x04, "", NULL},      /* gnss_2.ecef_position */
+    {0x92, 0x05, "", NULL},      /* gnss_2.ned_velocity */
+    {0x92, 0x06, "", NULL},      /* gnss_2.ecef_velocity */
+    {0x92, 0x07, "", NULL},      /* gnss_2.dop */
+    {0x92, 0x08, "", NULL},      /* gnss_2.utc_time */
+    {0x92, 0x09, "", NULL},      /* gnss_2.gps_time */
+    {0x92, 0x0B, "", NULL},      /* gnss_2.fix_info */
+    {0x92, 0x0D, "", NULL},      /* gnss_2.hardware_status */
+    {0x92, 0x10, "", NULL},      /* gnss_2.clock_info_2 */
+    {0x92, 0x11, "", NULL},      /* gnss_2.gps_leap_seconds */
+    {0x92, 0x12, "", NULL},      /* gnss_2.sbas_info */
+    {0x92, 0x20, "", NULL},      /* gnss_2.satellite_status */
+    {0x92, 0x22, "", NULL},      /* gnss_2.raw */
+    {0x92, 0x61, "", NULL},      /* gnss_2.gps_ephemeris */
+    {0x92, 0x62, "", NULL},      /* gnss_2.glonass_ephemeris */
+    {0x92, 0x63, "", NULL},      /* gnss_2.galileo_ephemeris */
+    {0x92, 0x64, "", NULL},      /* gnss_2.beidou_ephemeris */
+    {0x93, 0x30, "", NULL},      /* gnss_corrections.base_station_info */
+    {0x93, 0x31, "", NULL},      /* gnss_corrections.rtk_corrections_status */
+    {0x94, 0x03, "", NULL},      /* gnss_external.llh_position */
+    {0x94, 0x05, "", NULL},      /* gnss_external.ned_velocity */
+    {0x94, 0x08, "", NULL},      /* gnss_external.utc_time */
+    {0x94, 0x0B, "", NULL},      /* gnss_external.fix_info */
+    {0x94, 0x20, "", NULL},      /* gnss_external.satellite_status */
+    {0xA0, 0x01, "", NULL},      /* system_data.built_in_test */
+    {0xA0, 0x02, "", NULL},      /* system_data.time_sync_status */
+    {0xA0, 0x03, "", NULL},      /* system_data.gpio_state */
+    {0xFF, 0xD0, "", NULL},      /* shared.event_source */
+    {0xFF, 0xD3, "", NULL},      /* shared.gps_timestamp */
+    {0xFF, 0xD4, "", NULL},      /* shared.delta_time */
+    {0xFF, 0xD5, "", NULL},      /* shared.reference_timestamp */
+    {0xFF, 0xD6, "", NULL},      /* shared.reference_time_delta */
+    {0xFF, 0xD7, "", NULL},      /* shared.external_timestamp */
+    {0xFF, 0xD8, "", NULL},      /* shared.external_time_delta */
 };
 
 static const struct mip_device_rate cv7_gnss_ins_rates[] = {
@@ -493,6 +493,9 @@ const struct mip_device mip_device_cv7_gnss_ins = {
     "Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure "
     "sensor.",
     6292, /* model number */
+    0,    /* generation */
+    0,    /* other names */
+    0,    /* what is not known */
     182,  /* fields */
     7,    /* base rates */
     6,    /* ports */
@@ -500,6 +503,8 @@ const struct mip_device mip_device_cv7_gnss_ins = {
     10,   /* notes */
     6,    /* readings */
     7,    /* acknowledge codes */
+    NULL,
+    NULL,
     cv7_gnss_ins_fields,
     cv7_gnss_ins_rates,
     cv7_gnss_ins_ports,
@@ -512,79 +517,79 @@ const struct mip_device mip_device_cv7_gnss_ins = {
 /* 3DM-GX5-15. */
 
 static const struct mip_device_field gx5_15_fields[] = {
-    {0x01, 0x01, ""},       /* base.ping */
-    {0x01, 0x02, ""},       /* base.set_idle */
-    {0x01, 0x03, ""},       /* base.get_device_info */
-    {0x01, 0x04, ""},       /* base.get_device_descriptors */
-    {0x01, 0x05, ""},       /* base.built_in_test */
-    {0x01, 0x06, ""},       /* base.resume */
-    {0x01, 0x07, ""},       /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA"},    /* base.gps_time_update */
-    {0x01, 0x7E, ""},       /* base.soft_reset */
-    {0x0C, 0x01, ""},       /* 3dm.poll_imu_data */
-    {0x0C, 0x03, ""},       /* 3dm.poll_filter_data */
-    {0x0C, 0x06, ""},       /* 3dm.get_imu_base_rate */
-    {0x0C, 0x08, "WRSLD"},  /* 3dm.imu_message_format */
-    {0x0C, 0x0A, "WRSLD"},  /* 3dm.filter_message_format */
-    {0x0C, 0x0B, ""},       /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD"},  /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD"},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA"}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA"}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, ""},       /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3E, "WRSLD"},  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD"},  /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD"},  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD"},  /* 3dm.complementary_filter */
-    {0x0C, 0x64, ""},       /* 3dm.device_status */
-    {0x0D, 0x01, ""},       /* filter.reset */
-    {0x0D, 0x02, ""},       /* filter.set_initial_attitude */
-    {0x0D, 0x03, ""},       /* filter.set_initial_heading */
-    {0x0D, 0x11, "WRSLD"},  /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x14, "WRSLD"},  /* filter.estimation_control */
-    {0x0D, 0x17, ""},       /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD"},  /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD"},  /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD"},  /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD"},  /* filter.gyro_noise */
-    {0x0D, 0x1D, "WRSLD"},  /* filter.gyro_bias_model */
-    {0x0D, 0x1F, ""},       /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD"},  /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WSLD"},   /* filter.tare_orientation */
-    {0x0D, 0x23, ""},       /* filter.commanded_angular_zupt */
-    {0x0D, 0x26, "WRSLD"},  /* filter.reference_position */
-    {0x0D, 0x28, "WRSLD"},  /* filter.gravity_noise */
-    {0x0D, 0x41, "WRSLD"},  /* filter.enable_measurements */
-    {0x0D, 0x44, "WRSLD"},  /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x4B, "WRSLD"},  /* filter.pitch_roll_aiding */
-    {0x7F, 0x10, "WRSLD"},  /* system.comm_mode */
-    {0x80, 0x04, ""},       /* sensor.scaled_accel */
-    {0x80, 0x05, ""},       /* sensor.scaled_gyro */
-    {0x80, 0x07, ""},       /* sensor.delta_theta */
-    {0x80, 0x08, ""},       /* sensor.delta_velocity */
-    {0x80, 0x09, ""},       /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, ""},       /* sensor.comp_quaternion */
-    {0x80, 0x0C, ""},       /* sensor.comp_euler_angles */
-    {0x80, 0x10, ""},       /* sensor.north_vector */
-    {0x80, 0x11, ""},       /* sensor.up_vector */
-    {0x80, 0x12, ""},       /* sensor.gps_timestamp */
-    {0x80, 0x17, ""},       /* sensor.scaled_pressure */
-    {0x82, 0x03, ""},       /* filter_data.attitude_quaternion */
-    {0x82, 0x04, ""},       /* filter_data.attitude_dcm */
-    {0x82, 0x05, ""},       /* filter_data.euler_angles */
-    {0x82, 0x06, ""},       /* filter_data.gyro_bias */
-    {0x82, 0x0A, ""},       /* filter_data.euler_angles_uncertainty */
-    {0x82, 0x0B, ""},       /* filter_data.gyro_bias_uncertainty */
-    {0x82, 0x0D, ""},       /* filter_data.linear_accel */
-    {0x82, 0x0E, ""},       /* filter_data.comp_angular_rate */
-    {0x82, 0x0F, ""},       /* filter_data.wgs84_gravity_magnitude */
-    {0x82, 0x10, ""},       /* filter_data.status */
-    {0x82, 0x11, ""},       /* filter_data.timestamp */
-    {0x82, 0x12, ""},       /* filter_data.quaternion_attitude_uncertainty */
-    {0x82, 0x13, ""},       /* filter_data.gravity_vector */
-    {0x82, 0x14, ""},       /* filter_data.heading_update_state */
-    {0x82, 0x1C, ""},       /* filter_data.comp_accel */
-    {0x82, 0x21, ""},       /* filter_data.pressure_altitude */
+    {0x01, 0x01, "", NULL},       /* base.ping */
+    {0x01, 0x02, "", NULL},       /* base.set_idle */
+    {0x01, 0x03, "", NULL},       /* base.get_device_info */
+    {0x01, 0x04, "", NULL},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", NULL},       /* base.built_in_test */
+    {0x01, 0x06, "", NULL},       /* base.resume */
+    {0x01, 0x07, "", NULL},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", NULL},    /* base.gps_time_update */
+    {0x01, 0x7E, "", NULL},       /* base.soft_reset */
+    {0x0C, 0x01, "", NULL},       /* 3dm.poll_imu_data */
+    {0x0C, 0x03, "", NULL},       /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", NULL},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x08, "WRSLD", NULL},  /* 3dm.imu_message_format */
+    {0x0C, 0x0A, "WRSLD", NULL},  /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", NULL},       /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", NULL},  /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", NULL},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", NULL}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", NULL}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", NULL},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3E, "WRSLD", NULL},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", NULL},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", NULL},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", NULL},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", NULL},       /* 3dm.device_status */
+    {0x0D, 0x01, "", NULL},       /* filter.reset */
+    {0x0D, 0x02, "", NULL},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", NULL},       /* filter.set_initial_heading */
+    {0x0D, 0x11, "WRSLD", NULL},  /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x14, "WRSLD", NULL},  /* filter.estimation_control */
+    {0x0D, 0x17, "", NULL},       /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", NULL},  /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", NULL},  /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", NULL},  /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", NULL},  /* filter.gyro_noise */
+    {0x0D, 0x1D, "WRSLD", NULL},  /* filter.gyro_bias_model */
+    {0x0D, 0x1F, "", NULL},       /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", NULL},  /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WSLD", NULL},   /* filter.tare_orientation */
+    {0x0D, 0x23, "", NULL},       /* filter.commanded_angular_zupt */
+    {0x0D, 0x26, "WRSLD", NULL},  /* filter.reference_position */
+    {0x0D, 0x28, "WRSLD", NULL},  /* filter.gravity_noise */
+    {0x0D, 0x41, "WRSLD", NULL},  /* filter.enable_measurements */
+    {0x0D, 0x44, "WRSLD", NULL},  /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x4B, "WRSLD", NULL},  /* filter.pitch_roll_aiding */
+    {0x7F, 0x10, "WRSLD", NULL},  /* system.comm_mode */
+    {0x80, 0x04, "", NULL},       /* sensor.scaled_accel */
+    {0x80, 0x05, "", NULL},       /* sensor.scaled_gyro */
+    {0x80, 0x07, "", NULL},       /* sensor.delta_theta */
+    {0x80, 0x08, "", NULL},       /* sensor.delta_velocity */
+    {0x80, 0x09, "", NULL},       /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", NULL},       /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", NULL},       /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", NULL},       /* sensor.north_vector */
+    {0x80, 0x11, "", NULL},       /* sensor.up_vector */
+    {0x80, 0x12, "", NULL},       /* sensor.gps_timestamp */
+    {0x80, 0x17, "", NULL},       /* sensor.scaled_pressure */
+    {0x82, 0x03, "", NULL},       /* filter_data.attitude_quaternion */
+    {0x82, 0x04, "", NULL},       /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", NULL},       /* filter_data.euler_angles */
+    {0x82, 0x06, "", NULL},       /* filter_data.gyro_bias */
+    {0x82, 0x0A, "", NULL},       /* filter_data.euler_angles_uncertainty */
+    {0x82, 0x0B, "", NULL},       /* filter_data.gyro_bias_uncertainty */
+    {0x82, 0x0D, "", NULL},       /* filter_data.linear_accel */
+    {0x82, 0x0E, "", NULL},       /* filter_data.comp_angular_rate */
+    {0x82, 0x0F, "", NULL},       /* filter_data.wgs84_gravity_magnitude */
+    {0x82, 0x10, "", NULL},       /* filter_data.status */
+    {0x82, 0x11, "", NULL},       /* filter_data.timestamp */
+    {0x82, 0x12, "", NULL},       /* filter_data.quaternion_attitude_uncertainty */
+    {0x82, 0x13, "", NULL},       /* filter_data.gravity_vector */
+    {0x82, 0x14, "", NULL},       /* filter_data.heading_update_state */
+    {0x82, 0x1C, "", NULL},       /* filter_data.comp_accel */
+    {0x82, 0x21, "", NULL},       /* filter_data.pressure_altitude */
 };
 
 static const struct mip_device_rate gx5_15_rates[] = {
@@ -659,6 +664,9 @@ const struct mip_device mip_device_gx5_15 = {
     "3dm-gx5-15",
     "Vertical reference unit with an inertial sensor, a pressure sensor and an estimation filter.",
     6254, /* model number */
+    0,    /* generation */
+    0,    /* other names */
+    0,    /* what is not known */
     73,   /* fields */
     2,    /* base rates */
     2,    /* ports */
@@ -666,6 +674,8 @@ const struct mip_device mip_device_gx5_15 = {
     6,    /* notes */
     7,    /* readings */
     6,    /* acknowledge codes */
+    NULL,
+    NULL,
     gx5_15_fields,
     gx5_15_rates,
     gx5_15_ports,

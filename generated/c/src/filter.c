@@ -13,6 +13,7 @@ const struct mip_codec mip_filter_reset_codec = {
     mip_write_nothing,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_reset_decode(struct mip_filter_reset *value, const struct mip_field *field) {
@@ -47,6 +48,7 @@ const struct mip_codec mip_filter_set_initial_attitude_codec = {
     0, /* time-out */
     read_set_initial_attitude,
     write_set_initial_attitude,
+    NULL,
     NULL,
     NULL,
 };
@@ -93,6 +95,7 @@ const struct mip_codec mip_filter_set_initial_heading_codec = {
     write_set_initial_heading,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_set_initial_heading_decode(struct mip_filter_set_initial_heading *value,
@@ -121,6 +124,7 @@ const struct mip_codec mip_filter_run_codec = {
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
     NULL,
 };
@@ -178,6 +182,7 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
     write_vehicle_dynamics_mode,
     NULL,
     responses_vehicle_dynamics_mode,
+    NULL,
 };
 
 mip_error mip_filter_vehicle_dynamics_mode_decode(struct mip_filter_vehicle_dynamics_mode *value,
@@ -250,6 +255,7 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec = {
     write_vehicle_dynamics_mode_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_vehicle_dynamics_mode_response_decode(
@@ -319,6 +325,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec = {
     write_sensor_to_vehicle_rotation_euler,
     NULL,
     responses_sensor_to_vehicle_rotation_euler,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_euler_decode(
@@ -403,6 +410,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_code
     write_sensor_to_vehicle_rotation_euler_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_decode(
@@ -466,6 +474,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
     write_sensor_to_vehicle_offset,
     NULL,
     responses_sensor_to_vehicle_offset,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_offset_decode(
@@ -538,6 +547,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec = {
     write_sensor_to_vehicle_offset_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_offset_response_decode(
@@ -594,6 +604,7 @@ const struct mip_codec mip_filter_antenna_offset_codec = {
     write_antenna_offset,
     NULL,
     responses_antenna_offset,
+    NULL,
 };
 
 mip_error mip_filter_antenna_offset_decode(struct mip_filter_antenna_offset *value,
@@ -665,6 +676,7 @@ const struct mip_codec mip_filter_antenna_offset_response_codec = {
     write_antenna_offset_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_antenna_offset_response_decode(
@@ -723,6 +735,7 @@ const struct mip_codec mip_filter_estimation_control_codec = {
     write_estimation_control,
     NULL,
     responses_estimation_control,
+    NULL,
 };
 
 mip_error mip_filter_estimation_control_decode(struct mip_filter_estimation_control *value,
@@ -795,6 +808,7 @@ const struct mip_codec mip_filter_estimation_control_response_codec = {
     write_estimation_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_estimation_control_response_decode(
@@ -850,6 +864,7 @@ const struct mip_codec mip_filter_gnss_source_codec = {
     write_gnss_source,
     NULL,
     responses_gnss_source,
+    NULL,
 };
 
 mip_error mip_filter_gnss_source_decode(struct mip_filter_gnss_source *value,
@@ -920,6 +935,7 @@ const struct mip_codec mip_filter_gnss_source_response_codec = {
     write_gnss_source_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gnss_source_response_decode(struct mip_filter_gnss_source_response *value,
@@ -966,6 +982,7 @@ const struct mip_codec mip_filter_external_gnss_update_codec = {
     0, /* time-out */
     read_external_gnss_update,
     write_external_gnss_update,
+    NULL,
     NULL,
     NULL,
 };
@@ -1022,6 +1039,7 @@ const struct mip_codec mip_filter_external_heading_update_codec = {
     0, /* time-out */
     read_external_heading_update,
     write_external_heading_update,
+    NULL,
     NULL,
     NULL,
 };
@@ -1089,6 +1107,7 @@ const struct mip_codec mip_filter_heading_source_codec = {
     write_heading_source,
     NULL,
     responses_heading_source,
+    NULL,
 };
 
 mip_error mip_filter_heading_source_decode(struct mip_filter_heading_source *value,
@@ -1161,6 +1180,7 @@ const struct mip_codec mip_filter_heading_source_response_codec = {
     write_heading_source_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_heading_source_response_decode(
@@ -1220,6 +1240,7 @@ const struct mip_codec mip_filter_auto_initialization_control_codec = {
     write_auto_initialization_control,
     NULL,
     responses_auto_initialization_control,
+    NULL,
 };
 
 mip_error mip_filter_auto_initialization_control_decode(
@@ -1292,6 +1313,7 @@ const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
     write_auto_initialization_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_auto_initialization_control_response_decode(
@@ -1350,6 +1372,7 @@ const struct mip_codec mip_filter_accel_noise_codec = {
     write_accel_noise,
     NULL,
     responses_accel_noise,
+    NULL,
 };
 
 mip_error mip_filter_accel_noise_decode(struct mip_filter_accel_noise *value,
@@ -1420,6 +1443,7 @@ const struct mip_codec mip_filter_accel_noise_response_codec = {
     write_accel_noise_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_accel_noise_response_decode(struct mip_filter_accel_noise_response *value,
@@ -1475,6 +1499,7 @@ const struct mip_codec mip_filter_gyro_noise_codec = {
     write_gyro_noise,
     NULL,
     responses_gyro_noise,
+    NULL,
 };
 
 mip_error mip_filter_gyro_noise_decode(struct mip_filter_gyro_noise *value,
@@ -1545,6 +1570,7 @@ const struct mip_codec mip_filter_gyro_noise_response_codec = {
     write_gyro_noise_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gyro_noise_response_decode(struct mip_filter_gyro_noise_response *value,
@@ -1604,6 +1630,7 @@ const struct mip_codec mip_filter_accel_bias_model_codec = {
     write_accel_bias_model,
     NULL,
     responses_accel_bias_model,
+    NULL,
 };
 
 mip_error mip_filter_accel_bias_model_decode(struct mip_filter_accel_bias_model *value,
@@ -1679,6 +1706,7 @@ const struct mip_codec mip_filter_accel_bias_model_response_codec = {
     write_accel_bias_model_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_accel_bias_model_response_decode(
@@ -1738,6 +1766,7 @@ const struct mip_codec mip_filter_gyro_bias_model_codec = {
     write_gyro_bias_model,
     NULL,
     responses_gyro_bias_model,
+    NULL,
 };
 
 mip_error mip_filter_gyro_bias_model_decode(struct mip_filter_gyro_bias_model *value,
@@ -1813,6 +1842,7 @@ const struct mip_codec mip_filter_gyro_bias_model_response_codec = {
     write_gyro_bias_model_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gyro_bias_model_response_decode(
@@ -1871,6 +1901,7 @@ const struct mip_codec mip_filter_auto_zupt_codec = {
     write_auto_zupt,
     NULL,
     responses_auto_zupt,
+    NULL,
 };
 
 mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt *value,
@@ -1943,6 +1974,7 @@ const struct mip_codec mip_filter_auto_zupt_response_codec = {
     write_auto_zupt_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_auto_zupt_response_decode(struct mip_filter_auto_zupt_response *value,
@@ -1984,6 +2016,7 @@ const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
     0, /* time-out */
     read_external_heading_update_with_time,
     write_external_heading_update_with_time,
+    NULL,
     NULL,
     NULL,
 };
@@ -2063,6 +2096,7 @@ const struct mip_codec mip_filter_auto_angular_zupt_codec = {
     write_auto_angular_zupt,
     NULL,
     responses_auto_angular_zupt,
+    NULL,
 };
 
 mip_error mip_filter_auto_angular_zupt_decode(struct mip_filter_auto_angular_zupt *value,
@@ -2138,6 +2172,7 @@ const struct mip_codec mip_filter_auto_angular_zupt_response_codec = {
     write_auto_angular_zupt_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_auto_angular_zupt_response_decode(
@@ -2193,6 +2228,7 @@ const struct mip_codec mip_filter_tare_orientation_codec = {
     write_tare_orientation,
     NULL,
     responses_tare_orientation,
+    NULL,
 };
 
 mip_error mip_filter_tare_orientation_decode(struct mip_filter_tare_orientation *value,
@@ -2264,6 +2300,7 @@ const struct mip_codec mip_filter_tare_orientation_response_codec = {
     write_tare_orientation_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_tare_orientation_response_decode(
@@ -2287,6 +2324,7 @@ const struct mip_codec mip_filter_commanded_zupt_codec = {
     mip_write_nothing,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_commanded_zupt_decode(struct mip_filter_commanded_zupt *value,
@@ -2308,6 +2346,7 @@ const struct mip_codec mip_filter_commanded_angular_zupt_codec = {
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
     NULL,
 };
@@ -2380,6 +2419,7 @@ const struct mip_codec mip_filter_reference_position_codec = {
     write_reference_position,
     NULL,
     responses_reference_position,
+    NULL,
 };
 
 mip_error mip_filter_reference_position_decode(struct mip_filter_reference_position *value,
@@ -2463,6 +2503,7 @@ const struct mip_codec mip_filter_reference_position_response_codec = {
     write_reference_position_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_reference_position_response_decode(
@@ -2496,6 +2537,7 @@ const struct mip_codec mip_filter_mag_capture_auto_calibration_codec = {
     0, /* time-out */
     read_mag_capture_auto_calibration,
     write_mag_capture_auto_calibration,
+    NULL,
     NULL,
     NULL,
 };
@@ -2567,6 +2609,7 @@ const struct mip_codec mip_filter_gravity_noise_codec = {
     write_gravity_noise,
     NULL,
     responses_gravity_noise,
+    NULL,
 };
 
 mip_error mip_filter_gravity_noise_decode(struct mip_filter_gravity_noise *value,
@@ -2637,6 +2680,7 @@ const struct mip_codec mip_filter_gravity_noise_response_codec = {
     write_gravity_noise_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gravity_noise_response_decode(struct mip_filter_gravity_noise_response *value,
@@ -2696,6 +2740,7 @@ const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
     write_pressure_altitude_noise,
     NULL,
     responses_pressure_altitude_noise,
+    NULL,
 };
 
 mip_error mip_filter_pressure_altitude_noise_decode(
@@ -2767,6 +2812,7 @@ const struct mip_codec mip_filter_pressure_altitude_noise_response_codec = {
     write_pressure_altitude_noise_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_pressure_altitude_noise_response_decode(
@@ -2826,6 +2872,7 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
     write_hard_iron_offset_noise,
     NULL,
     responses_hard_iron_offset_noise,
+    NULL,
 };
 
 mip_error mip_filter_hard_iron_offset_noise_decode(struct mip_filter_hard_iron_offset_noise *value,
@@ -2898,6 +2945,7 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec = {
     write_hard_iron_offset_noise_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_hard_iron_offset_noise_response_decode(
@@ -2957,6 +3005,7 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
     write_soft_iron_matrix_noise,
     NULL,
     responses_soft_iron_matrix_noise,
+    NULL,
 };
 
 mip_error mip_filter_soft_iron_matrix_noise_decode(struct mip_filter_soft_iron_matrix_noise *value,
@@ -3029,6 +3078,7 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec = {
     write_soft_iron_matrix_noise_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_soft_iron_matrix_noise_response_decode(
@@ -3088,6 +3138,7 @@ const struct mip_codec mip_filter_enable_measurements_codec = {
     write_enable_measurements,
     NULL,
     responses_enable_measurements,
+    NULL,
 };
 
 mip_error mip_filter_enable_measurements_decode(struct mip_filter_enable_measurements *value,
@@ -3160,6 +3211,7 @@ const struct mip_codec mip_filter_enable_measurements_response_codec = {
     write_enable_measurements_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_enable_measurements_response_decode(
@@ -3214,6 +3266,7 @@ const struct mip_codec mip_filter_mag_noise_codec = {
     write_mag_noise,
     NULL,
     responses_mag_noise,
+    NULL,
 };
 
 mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise *value,
@@ -3283,6 +3336,7 @@ const struct mip_codec mip_filter_mag_noise_response_codec = {
     write_mag_noise_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_mag_noise_response_decode(struct mip_filter_mag_noise_response *value,
@@ -3346,6 +3400,7 @@ const struct mip_codec mip_filter_magnetic_declination_source_codec = {
     write_magnetic_declination_source,
     NULL,
     responses_magnetic_declination_source,
+    NULL,
 };
 
 mip_error mip_filter_magnetic_declination_source_decode(
@@ -3419,6 +3474,7 @@ const struct mip_codec mip_filter_magnetic_declination_source_response_codec = {
     0, /* time-out */
     read_magnetic_declination_source_response,
     write_magnetic_declination_source_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -3509,6 +3565,7 @@ const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_cod
     write_accel_magnitude_error_adaptive_measurement,
     NULL,
     responses_accel_magnitude_error_adaptive_measurement,
+    NULL,
 };
 
 mip_error mip_filter_accel_magnitude_error_adaptive_measurement_decode(
@@ -3604,6 +3661,7 @@ const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_res
     write_accel_magnitude_error_adaptive_measurement_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_decode(
@@ -3693,6 +3751,7 @@ const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec
     write_mag_magnitude_error_adaptive_measurement,
     NULL,
     responses_mag_magnitude_error_adaptive_measurement,
+    NULL,
 };
 
 mip_error mip_filter_mag_magnitude_error_adaptive_measurement_decode(
@@ -3796,6 +3855,7 @@ const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_respo
     write_mag_magnitude_error_adaptive_measurement_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_decode(
@@ -3877,6 +3937,7 @@ const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec
     write_mag_dip_angle_error_adaptive_measurement,
     NULL,
     responses_mag_dip_angle_error_adaptive_measurement,
+    NULL,
 };
 
 mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_decode(
@@ -3974,6 +4035,7 @@ const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_respo
     write_mag_dip_angle_error_adaptive_measurement_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_decode(
@@ -4033,6 +4095,7 @@ const struct mip_codec mip_filter_altitude_aiding_codec = {
     write_altitude_aiding,
     NULL,
     responses_altitude_aiding,
+    NULL,
 };
 
 mip_error mip_filter_altitude_aiding_decode(struct mip_filter_altitude_aiding *value,
@@ -4105,6 +4168,7 @@ const struct mip_codec mip_filter_altitude_aiding_response_codec = {
     write_altitude_aiding_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_altitude_aiding_response_decode(
@@ -4163,6 +4227,7 @@ const struct mip_codec mip_filter_pitch_roll_aiding_codec = {
     write_pitch_roll_aiding,
     NULL,
     responses_pitch_roll_aiding,
+    NULL,
 };
 
 mip_error mip_filter_pitch_roll_aiding_decode(struct mip_filter_pitch_roll_aiding *value,
@@ -4235,6 +4300,7 @@ const struct mip_codec mip_filter_pitch_roll_aiding_response_codec = {
     write_pitch_roll_aiding_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_pitch_roll_aiding_response_decode(
@@ -4298,6 +4364,7 @@ const struct mip_codec mip_filter_magnetic_inclination_source_codec = {
     write_magnetic_inclination_source,
     NULL,
     responses_magnetic_inclination_source,
+    NULL,
 };
 
 mip_error mip_filter_magnetic_inclination_source_decode(
@@ -4373,6 +4440,7 @@ const struct mip_codec mip_filter_magnetic_inclination_source_response_codec = {
     write_magnetic_inclination_source_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_magnetic_inclination_source_response_decode(
@@ -4439,6 +4507,7 @@ const struct mip_codec mip_filter_magnetic_magnitude_source_codec = {
     write_magnetic_magnitude_source,
     NULL,
     responses_magnetic_magnitude_source,
+    NULL,
 };
 
 mip_error mip_filter_magnetic_magnitude_source_decode(
@@ -4514,6 +4583,7 @@ const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec = {
     write_magnetic_magnitude_source_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_magnetic_magnitude_source_response_decode(
@@ -4576,6 +4646,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec = {
     write_sensor_to_vehicle_rotation_dcm,
     NULL,
     responses_sensor_to_vehicle_rotation_dcm,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
@@ -4653,6 +4724,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec 
     write_sensor_to_vehicle_rotation_dcm_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode(
@@ -4717,6 +4789,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec = 
     write_sensor_to_vehicle_rotation_quaternion,
     NULL,
     responses_sensor_to_vehicle_rotation_quaternion,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_decode(
@@ -4797,6 +4870,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_response
     write_sensor_to_vehicle_rotation_quaternion_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_decode(
@@ -4864,6 +4938,7 @@ const struct mip_codec mip_filter_aiding_measurement_enable_codec = {
     write_aiding_measurement_enable,
     NULL,
     responses_aiding_measurement_enable,
+    NULL,
 };
 
 mip_error mip_filter_aiding_measurement_enable_decode(
@@ -4947,6 +5022,7 @@ const struct mip_codec mip_filter_aiding_measurement_enable_response_codec = {
     write_aiding_measurement_enable_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_aiding_measurement_enable_response_decode(
@@ -5015,6 +5091,7 @@ const struct mip_codec mip_filter_kinematic_constraint_codec = {
     write_kinematic_constraint,
     NULL,
     responses_kinematic_constraint,
+    NULL,
 };
 
 mip_error mip_filter_kinematic_constraint_decode(struct mip_filter_kinematic_constraint *value,
@@ -5093,6 +5170,7 @@ const struct mip_codec mip_filter_kinematic_constraint_response_codec = {
     0, /* time-out */
     read_kinematic_constraint_response,
     write_kinematic_constraint_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -5185,6 +5263,7 @@ const struct mip_codec mip_filter_initialization_config_codec = {
     write_initialization_config,
     NULL,
     responses_initialization_config,
+    NULL,
 };
 
 mip_error mip_filter_initialization_config_decode(struct mip_filter_initialization_config *value,
@@ -5284,6 +5363,7 @@ const struct mip_codec mip_filter_initialization_config_response_codec = {
     write_initialization_config_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_initialization_config_response_decode(
@@ -5348,6 +5428,7 @@ const struct mip_codec mip_filter_adaptive_filter_options_codec = {
     write_adaptive_filter_options,
     NULL,
     responses_adaptive_filter_options,
+    NULL,
 };
 
 mip_error mip_filter_adaptive_filter_options_decode(
@@ -5423,6 +5504,7 @@ const struct mip_codec mip_filter_adaptive_filter_options_response_codec = {
     write_adaptive_filter_options_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_adaptive_filter_options_response_decode(
@@ -5486,6 +5568,7 @@ const struct mip_codec mip_filter_multi_antenna_offset_codec = {
     write_multi_antenna_offset,
     NULL,
     responses_multi_antenna_offset,
+    NULL,
 };
 
 mip_error mip_filter_multi_antenna_offset_decode(struct mip_filter_multi_antenna_offset *value,
@@ -5566,6 +5649,7 @@ const struct mip_codec mip_filter_multi_antenna_offset_response_codec = {
     write_multi_antenna_offset_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_multi_antenna_offset_response_decode(
@@ -5633,6 +5717,7 @@ const struct mip_codec mip_filter_relative_position_config_codec = {
     write_relative_position_config,
     NULL,
     responses_relative_position_config,
+    NULL,
 };
 
 mip_error mip_filter_relative_position_config_decode(
@@ -5712,6 +5797,7 @@ const struct mip_codec mip_filter_relative_position_config_response_codec = {
     write_relative_position_config_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_relative_position_config_response_decode(
@@ -5776,6 +5862,7 @@ const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
     write_reference_point_lever_arm,
     NULL,
     responses_reference_point_lever_arm,
+    NULL,
 };
 
 mip_error mip_filter_reference_point_lever_arm_decode(
@@ -5851,6 +5938,7 @@ const struct mip_codec mip_filter_reference_point_lever_arm_response_codec = {
     write_reference_point_lever_arm_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_reference_point_lever_arm_response_decode(
@@ -5891,6 +5979,7 @@ const struct mip_codec mip_filter_speed_measurement_codec = {
     0, /* time-out */
     read_speed_measurement,
     write_speed_measurement,
+    NULL,
     NULL,
     NULL,
 };
@@ -5963,6 +6052,7 @@ const struct mip_codec mip_filter_speed_lever_arm_codec = {
     write_speed_lever_arm,
     NULL,
     responses_speed_lever_arm,
+    NULL,
 };
 
 mip_error mip_filter_speed_lever_arm_decode(struct mip_filter_speed_lever_arm *value,
@@ -6042,6 +6132,7 @@ const struct mip_codec mip_filter_speed_lever_arm_response_codec = {
     write_speed_lever_arm_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_speed_lever_arm_response_decode(
@@ -6102,6 +6193,7 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec = {
     write_vertical_gyro_constraint_control,
     NULL,
     responses_vertical_gyro_constraint_control,
+    NULL,
 };
 
 mip_error mip_filter_vertical_gyro_constraint_control_decode(
@@ -6180,6 +6272,7 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_code
     write_vertical_gyro_constraint_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_vertical_gyro_constraint_control_response_decode(
@@ -6244,6 +6337,7 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
     write_wheeled_vehicle_constraint_control,
     NULL,
     responses_wheeled_vehicle_constraint_control,
+    NULL,
 };
 
 mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
@@ -6323,6 +6417,7 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_co
     write_wheeled_vehicle_constraint_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode(
@@ -6391,6 +6486,7 @@ const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec = {
     write_gnss_antenna_calibration_control,
     NULL,
     responses_gnss_antenna_calibration_control,
+    NULL,
 };
 
 mip_error mip_filter_gnss_antenna_calibration_control_decode(
@@ -6470,6 +6566,7 @@ const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_code
     0, /* time-out */
     read_gnss_antenna_calibration_control_response,
     write_gnss_antenna_calibration_control_response,
+    NULL,
     NULL,
     NULL,
 };

@@ -30,6 +30,7 @@ const struct mip_codec mip_filter_data_llh_position_codec = {
     write_llh_position,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_llh_position_decode(struct mip_filter_data_llh_position *value,
@@ -70,6 +71,7 @@ const struct mip_codec mip_filter_data_ned_velocity_codec = {
     write_ned_velocity,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_ned_velocity_decode(struct mip_filter_data_ned_velocity *value,
@@ -107,6 +109,7 @@ const struct mip_codec mip_filter_data_attitude_quaternion_codec = {
     write_attitude_quaternion,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_attitude_quaternion_decode(
@@ -141,6 +144,7 @@ const struct mip_codec mip_filter_data_attitude_dcm_codec = {
     0, /* time-out */
     read_attitude_dcm,
     write_attitude_dcm,
+    NULL,
     NULL,
     NULL,
 };
@@ -183,6 +187,7 @@ const struct mip_codec mip_filter_data_euler_angles_codec = {
     write_euler_angles,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_euler_angles_decode(struct mip_filter_data_euler_angles *value,
@@ -218,6 +223,7 @@ const struct mip_codec mip_filter_data_gyro_bias_codec = {
     write_gyro_bias,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gyro_bias_decode(struct mip_filter_data_gyro_bias *value,
@@ -251,6 +257,7 @@ const struct mip_codec mip_filter_data_accel_bias_codec = {
     0, /* time-out */
     read_accel_bias,
     write_accel_bias,
+    NULL,
     NULL,
     NULL,
 };
@@ -294,6 +301,7 @@ const struct mip_codec mip_filter_data_llh_position_uncertainty_codec = {
     write_llh_position_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_llh_position_uncertainty_decode(
@@ -333,6 +341,7 @@ const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec = {
     0, /* time-out */
     read_ned_velocity_uncertainty,
     write_ned_velocity_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -376,6 +385,7 @@ const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec = {
     write_euler_angles_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_euler_angles_uncertainty_decode(
@@ -411,6 +421,7 @@ const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec = {
     0, /* time-out */
     read_gyro_bias_uncertainty,
     write_gyro_bias_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -450,6 +461,7 @@ const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec = {
     write_accel_bias_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_accel_bias_uncertainty_decode(
@@ -486,6 +498,7 @@ const struct mip_codec mip_filter_data_linear_accel_codec = {
     write_linear_accel,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_linear_accel_decode(struct mip_filter_data_linear_accel *value,
@@ -520,6 +533,7 @@ const struct mip_codec mip_filter_data_comp_angular_rate_codec = {
     0, /* time-out */
     read_comp_angular_rate,
     write_comp_angular_rate,
+    NULL,
     NULL,
     NULL,
 };
@@ -559,6 +573,7 @@ const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_codec = {
     write_wgs84_gravity_magnitude,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_wgs84_gravity_magnitude_decode(
@@ -594,6 +609,7 @@ const struct mip_codec mip_filter_data_status_codec = {
     0, /* time-out */
     read_status,
     write_status,
+    NULL,
     NULL,
     NULL,
 };
@@ -632,6 +648,7 @@ const struct mip_codec mip_filter_data_timestamp_codec = {
     write_timestamp,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_timestamp_decode(struct mip_filter_data_timestamp *value,
@@ -667,6 +684,7 @@ const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec = {
     0, /* time-out */
     read_quaternion_attitude_uncertainty,
     write_quaternion_attitude_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -708,6 +726,7 @@ const struct mip_codec mip_filter_data_gravity_vector_codec = {
     write_gravity_vector,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gravity_vector_decode(struct mip_filter_data_gravity_vector *value,
@@ -747,6 +766,7 @@ const struct mip_codec mip_filter_data_heading_update_state_codec = {
     0, /* time-out */
     read_heading_update_state,
     write_heading_update_state,
+    NULL,
     NULL,
     NULL,
 };
@@ -793,6 +813,7 @@ const struct mip_codec mip_filter_data_magnetic_model_codec = {
     write_magnetic_model,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_magnetic_model_decode(struct mip_filter_data_magnetic_model *value,
@@ -827,6 +848,7 @@ const struct mip_codec mip_filter_data_gyro_scale_factor_codec = {
     0, /* time-out */
     read_gyro_scale_factor,
     write_gyro_scale_factor,
+    NULL,
     NULL,
     NULL,
 };
@@ -866,6 +888,7 @@ const struct mip_codec mip_filter_data_accel_scale_factor_codec = {
     write_accel_scale_factor,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_accel_scale_factor_decode(
@@ -901,6 +924,7 @@ const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec = {
     0, /* time-out */
     read_gyro_scale_factor_uncertainty,
     write_gyro_scale_factor_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -941,6 +965,7 @@ const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec = {
     write_accel_scale_factor_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_accel_scale_factor_uncertainty_decode(
@@ -977,6 +1002,7 @@ const struct mip_codec mip_filter_data_mag_bias_codec = {
     0, /* time-out */
     read_mag_bias,
     write_mag_bias,
+    NULL,
     NULL,
     NULL,
 };
@@ -1016,6 +1042,7 @@ const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec = {
     write_mag_bias_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_mag_bias_uncertainty_decode(
@@ -1049,6 +1076,7 @@ const struct mip_codec mip_filter_data_comp_accel_codec = {
     0, /* time-out */
     read_comp_accel,
     write_comp_accel,
+    NULL,
     NULL,
     NULL,
 };
@@ -1096,6 +1124,7 @@ const struct mip_codec mip_filter_data_standard_atmosphere_codec = {
     write_standard_atmosphere,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_standard_atmosphere_decode(
@@ -1130,6 +1159,7 @@ const struct mip_codec mip_filter_data_pressure_altitude_codec = {
     0, /* time-out */
     read_pressure_altitude,
     write_pressure_altitude,
+    NULL,
     NULL,
     NULL,
 };
@@ -1168,6 +1198,7 @@ const struct mip_codec mip_filter_data_density_altitude_codec = {
     write_density_altitude,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_density_altitude_decode(struct mip_filter_data_density_altitude *value,
@@ -1203,6 +1234,7 @@ const struct mip_codec mip_filter_data_mag_offset_codec = {
     write_mag_offset,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_mag_offset_decode(struct mip_filter_data_mag_offset *value,
@@ -1236,6 +1268,7 @@ const struct mip_codec mip_filter_data_mag_matrix_codec = {
     0, /* time-out */
     read_mag_matrix,
     write_mag_matrix,
+    NULL,
     NULL,
     NULL,
 };
@@ -1275,6 +1308,7 @@ const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec = {
     write_mag_offset_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_mag_offset_uncertainty_decode(
@@ -1310,6 +1344,7 @@ const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec = {
     0, /* time-out */
     read_mag_matrix_uncertainty,
     write_mag_matrix_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -1349,6 +1384,7 @@ const struct mip_codec mip_filter_data_mag_covariance_matrix_codec = {
     write_mag_covariance_matrix,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_mag_covariance_matrix_decode(
@@ -1384,6 +1420,7 @@ const struct mip_codec mip_filter_data_mag_residual_vector_codec = {
     0, /* time-out */
     read_mag_residual_vector,
     write_mag_residual_vector,
+    NULL,
     NULL,
     NULL,
 };
@@ -1423,6 +1460,7 @@ const struct mip_codec mip_filter_data_antenna_offset_correction_codec = {
     write_antenna_offset_correction,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_antenna_offset_correction_decode(
@@ -1458,6 +1496,7 @@ const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_cod
     0, /* time-out */
     read_antenna_offset_correction_uncertainty,
     write_antenna_offset_correction_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -1504,6 +1543,7 @@ const struct mip_codec mip_filter_data_clock_correction_codec = {
     write_clock_correction,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_clock_correction_decode(struct mip_filter_data_clock_correction *value,
@@ -1545,6 +1585,7 @@ const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec = {
     write_clock_correction_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_clock_correction_uncertainty_decode(
@@ -1582,6 +1623,7 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec = {
     0, /* time-out */
     read_multi_antenna_offset_correction,
     write_multi_antenna_offset_correction,
+    NULL,
     NULL,
     NULL,
 };
@@ -1627,6 +1669,7 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_correction_uncertain
     write_multi_antenna_offset_correction_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_decode(
@@ -1668,6 +1711,7 @@ const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec = {
     write_ecef_position_uncertainty,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_ecef_position_uncertainty_decode(
@@ -1703,6 +1747,7 @@ const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec = {
     0, /* time-out */
     read_ecef_velocity_uncertainty,
     write_ecef_velocity_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -1741,6 +1786,7 @@ const struct mip_codec mip_filter_data_ecef_position_codec = {
     write_ecef_position,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_ecef_position_decode(struct mip_filter_data_ecef_position *value,
@@ -1775,6 +1821,7 @@ const struct mip_codec mip_filter_data_ecef_velocity_codec = {
     0, /* time-out */
     read_ecef_velocity,
     write_ecef_velocity,
+    NULL,
     NULL,
     NULL,
 };
@@ -1812,6 +1859,7 @@ const struct mip_codec mip_filter_data_ned_relative_position_codec = {
     0, /* time-out */
     read_ned_relative_position,
     write_ned_relative_position,
+    NULL,
     NULL,
     NULL,
 };
@@ -1855,6 +1903,7 @@ const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec = {
     write_gnss_position_aiding_status,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gnss_position_aiding_status_decode(
@@ -1894,6 +1943,7 @@ const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec = {
     write_gnss_attitude_aiding_status,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gnss_attitude_aiding_status_decode(
@@ -1931,6 +1981,7 @@ const struct mip_codec mip_filter_data_heading_aiding_status_codec = {
     0, /* time-out */
     read_heading_aiding_status,
     write_heading_aiding_status,
+    NULL,
     NULL,
     NULL,
 };
@@ -1974,6 +2025,7 @@ const struct mip_codec mip_filter_data_aiding_measurement_summary_codec = {
     write_aiding_measurement_summary,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_aiding_measurement_summary_decode(
@@ -2011,6 +2063,7 @@ const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec = {
     write_odometer_scale_factor_error,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_odometer_scale_factor_error_decode(
@@ -2046,6 +2099,7 @@ const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_c
     0, /* time-out */
     read_odometer_scale_factor_error_uncertainty,
     write_odometer_scale_factor_error_uncertainty,
+    NULL,
     NULL,
     NULL,
 };
@@ -2097,6 +2151,7 @@ const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec = {
     write_gnss_dual_antenna_status,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gnss_dual_antenna_status_decode(
@@ -2136,6 +2191,7 @@ const struct mip_codec mip_filter_data_aiding_frame_config_error_codec = {
     write_aiding_frame_config_error,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_aiding_frame_config_error_decode(
@@ -2173,6 +2229,7 @@ const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_cod
     0, /* time-out */
     read_aiding_frame_config_error_uncertainty,
     write_aiding_frame_config_error_uncertainty,
+    NULL,
     NULL,
     NULL,
 };

@@ -32,6 +32,7 @@ const struct mip_codec mip_gnss_receiver_info_codec = {
     mip_write_nothing,
     NULL,
     responses_receiver_info,
+    NULL,
 };
 
 mip_error mip_gnss_receiver_info_decode(struct mip_gnss_receiver_info *value,
@@ -70,6 +71,7 @@ const struct mip_codec mip_gnss_receiver_info_response_codec = {
     0, /* time-out */
     read_receiver_info_response,
     write_receiver_info_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -143,6 +145,7 @@ const struct mip_codec mip_gnss_signal_config_codec = {
     write_signal_config,
     NULL,
     responses_signal_config,
+    NULL,
 };
 
 mip_error mip_gnss_signal_config_decode(struct mip_gnss_signal_config *value,
@@ -227,6 +230,7 @@ const struct mip_codec mip_gnss_signal_config_response_codec = {
     write_signal_config_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_signal_config_response_decode(struct mip_gnss_signal_config_response *value,
@@ -287,6 +291,7 @@ const struct mip_codec mip_gnss_rtk_dongle_config_codec = {
     write_rtk_dongle_config,
     NULL,
     responses_rtk_dongle_config,
+    NULL,
 };
 
 mip_error mip_gnss_rtk_dongle_config_decode(struct mip_gnss_rtk_dongle_config *value,
@@ -358,6 +363,7 @@ const struct mip_codec mip_gnss_rtk_dongle_config_response_codec = {
     0, /* time-out */
     read_rtk_dongle_config_response,
     write_rtk_dongle_config_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -443,6 +449,7 @@ const struct mip_codec mip_gnss_spartn_config_codec = {
     write_spartn_config,
     NULL,
     responses_spartn_config,
+    NULL,
 };
 
 mip_error mip_gnss_spartn_config_decode(struct mip_gnss_spartn_config *value,
@@ -535,6 +542,7 @@ const struct mip_codec mip_gnss_spartn_config_response_codec = {
     0, /* time-out */
     read_spartn_config_response,
     write_spartn_config_response,
+    NULL,
     NULL,
     NULL,
 };

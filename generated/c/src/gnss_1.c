@@ -35,6 +35,7 @@ const struct mip_codec mip_gnss_1_llh_position_codec = {
     write_llh_position,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_llh_position_decode(struct mip_gnss_1_llh_position *value,
@@ -70,6 +71,7 @@ const struct mip_codec mip_gnss_1_ecef_position_codec = {
     0, /* time-out */
     read_ecef_position,
     write_ecef_position,
+    NULL,
     NULL,
     NULL,
 };
@@ -117,6 +119,7 @@ const struct mip_codec mip_gnss_1_ned_velocity_codec = {
     write_ned_velocity,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_ned_velocity_decode(struct mip_gnss_1_ned_velocity *value,
@@ -152,6 +155,7 @@ const struct mip_codec mip_gnss_1_ecef_velocity_codec = {
     0, /* time-out */
     read_ecef_velocity,
     write_ecef_velocity,
+    NULL,
     NULL,
     NULL,
 };
@@ -201,6 +205,7 @@ const struct mip_codec mip_gnss_1_dop_codec = {
     write_dop,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_dop_decode(struct mip_gnss_1_dop *value, const struct mip_field *field) {
@@ -245,6 +250,7 @@ const struct mip_codec mip_gnss_1_utc_time_codec = {
     write_utc_time,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_utc_time_decode(struct mip_gnss_1_utc_time *value,
@@ -279,6 +285,7 @@ const struct mip_codec mip_gnss_1_gps_time_codec = {
     0, /* time-out */
     read_gps_time,
     write_gps_time,
+    NULL,
     NULL,
     NULL,
 };
@@ -319,6 +326,7 @@ const struct mip_codec mip_gnss_1_clock_info_codec = {
     write_clock_info,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_clock_info_decode(struct mip_gnss_1_clock_info *value,
@@ -356,6 +364,7 @@ const struct mip_codec mip_gnss_1_fix_info_codec = {
     0, /* time-out */
     read_fix_info,
     write_fix_info,
+    NULL,
     NULL,
     NULL,
 };
@@ -402,6 +411,7 @@ const struct mip_codec mip_gnss_1_sv_info_codec = {
     write_sv_info,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_sv_info_decode(struct mip_gnss_1_sv_info *value,
@@ -438,6 +448,7 @@ const struct mip_codec mip_gnss_1_hardware_status_codec = {
     0, /* time-out */
     read_hardware_status,
     write_hardware_status,
+    NULL,
     NULL,
     NULL,
 };
@@ -481,6 +492,7 @@ const struct mip_codec mip_gnss_1_dgps_info_codec = {
     write_dgps_info,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_dgps_info_decode(struct mip_gnss_1_dgps_info *value,
@@ -519,6 +531,7 @@ const struct mip_codec mip_gnss_1_dgps_channel_codec = {
     0, /* time-out */
     read_dgps_channel,
     write_dgps_channel,
+    NULL,
     NULL,
     NULL,
 };
@@ -562,6 +575,7 @@ const struct mip_codec mip_gnss_1_clock_info_2_codec = {
     write_clock_info_2,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_clock_info_2_decode(struct mip_gnss_1_clock_info_2 *value,
@@ -595,6 +609,7 @@ const struct mip_codec mip_gnss_1_gps_leap_seconds_codec = {
     0, /* time-out */
     read_gps_leap_seconds,
     write_gps_leap_seconds,
+    NULL,
     NULL,
     NULL,
 };
@@ -640,6 +655,7 @@ const struct mip_codec mip_gnss_1_sbas_info_codec = {
     0, /* time-out */
     read_sbas_info,
     write_sbas_info,
+    NULL,
     NULL,
     NULL,
 };
@@ -692,6 +708,7 @@ const struct mip_codec mip_gnss_1_sbas_correction_codec = {
     write_sbas_correction,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_sbas_correction_decode(struct mip_gnss_1_sbas_correction *value,
@@ -732,6 +749,7 @@ const struct mip_codec mip_gnss_1_rf_error_detection_codec = {
     0, /* time-out */
     read_rf_error_detection,
     write_rf_error_detection,
+    NULL,
     NULL,
     NULL,
 };
@@ -783,6 +801,7 @@ const struct mip_codec mip_gnss_1_satellite_status_codec = {
     0, /* time-out */
     read_satellite_status,
     write_satellite_status,
+    NULL,
     NULL,
     NULL,
 };
@@ -854,6 +873,7 @@ const struct mip_codec mip_gnss_1_raw_codec = {
     write_raw,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_raw_decode(struct mip_gnss_1_raw *value, const struct mip_field *field) {
@@ -895,6 +915,7 @@ const struct mip_codec mip_gnss_1_base_station_info_codec = {
     0, /* time-out */
     read_base_station_info,
     write_base_station_info,
+    NULL,
     NULL,
     NULL,
 };
@@ -947,6 +968,7 @@ const struct mip_codec mip_gnss_1_rtk_corrections_status_codec = {
     0, /* time-out */
     read_rtk_corrections_status,
     write_rtk_corrections_status,
+    NULL,
     NULL,
     NULL,
 };
@@ -1048,6 +1070,7 @@ const struct mip_codec mip_gnss_1_gps_ephemeris_codec = {
     write_gps_ephemeris,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_gps_ephemeris_decode(struct mip_gnss_1_gps_ephemeris *value,
@@ -1128,6 +1151,7 @@ const struct mip_codec mip_gnss_1_glonass_ephemeris_codec = {
     0, /* time-out */
     read_glonass_ephemeris,
     write_glonass_ephemeris,
+    NULL,
     NULL,
     NULL,
 };
@@ -1230,6 +1254,7 @@ const struct mip_codec mip_gnss_1_galileo_ephemeris_codec = {
     write_galileo_ephemeris,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_galileo_ephemeris_decode(struct mip_gnss_1_galileo_ephemeris *value,
@@ -1329,6 +1354,7 @@ const struct mip_codec mip_gnss_1_beidou_ephemeris_codec = {
     write_beidou_ephemeris,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_beidou_ephemeris_decode(struct mip_gnss_1_beidou_ephemeris *value,
@@ -1369,6 +1395,7 @@ const struct mip_codec mip_gnss_1_gps_iono_correction_codec = {
     0, /* time-out */
     read_gps_iono_correction,
     write_gps_iono_correction,
+    NULL,
     NULL,
     NULL,
 };
@@ -1414,6 +1441,7 @@ const struct mip_codec mip_gnss_1_galileo_iono_correction_codec = {
     write_galileo_iono_correction,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_galileo_iono_correction_decode(
@@ -1456,6 +1484,7 @@ const struct mip_codec mip_gnss_1_beidou_iono_correction_codec = {
     0, /* time-out */
     read_beidou_iono_correction,
     write_beidou_iono_correction,
+    NULL,
     NULL,
     NULL,
 };

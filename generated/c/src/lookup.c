@@ -41,30 +41,12 @@ const struct mip_entry *mip_registry_candidates(uint8_t descriptor_set, uint8_t 
     return common != NULL ? common : search(descriptor_set, descriptor, count);
 }
 
-static bool matches(const struct mip_entry *entry, const struct mip_field *field) {
-    for (size_t i = 0; i < entry->constant_count; i++) {
-        const struct mip_constant *c = &entry->constants[i];
-        if ((size_t)c->offset + c->size > field->size) {
-            return false;
-        }
-        for (unsigned k = 0; k < c->size; k++) {
-            if (field->data[c->offset + k] != (uint8_t)(c->value >> 8 * (c->size - 1U - k))) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
 const struct mip_entry *mip_registry_find(const struct mip_field *field) {
     size_t count;
     const struct mip_entry *entry =
         mip_registry_candidates(field->descriptor_set, field->descriptor, &count);
-    if (count <= 1) {
-        return entry;
-    }
     for (size_t i = 0; i < count; i++) {
-        if (matches(&entry[i], field)) {
+        if (mip_codec_matches(entry[i].codec, field)) {
             return &entry[i];
         }
     }

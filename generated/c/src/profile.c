@@ -4,17 +4,59 @@
 #include <stdbool.h>
 #include <string.h>
 
-const struct mip_device *mip_device_find(const char *id) {
+static bool is_called(const struct mip_device *device, const char *name) {
+    for (size_t i = 0; i < device->also_count; i++) {
+        if (strcmp(device->also[i], name) == 0) {
+            return true;
+        }
+    }
+    return strcmp(device->id, name) == 0 || strcmp(device->title, name) == 0;
+}
+
+const struct mip_device *mip_device_find(const char *name) {
     for (size_t i = 0; i < mip_device_count; i++) {
-        if (strcmp(mip_devices[i]->id, id) == 0) {
+        if (is_called(mip_devices[i], name)) {
             return mip_devices[i];
         }
     }
     return NULL;
 }
 
+const struct mip_device *mip_device_by_model(uint16_t model_number) {
+    for (size_t i = 0; i < mip_device_count; i++) {
+        if (model_number != 0 && mip_devices[i]->model_number == model_number) {
+            return mip_devices[i];
+        }
+    }
+    return NULL;
+}
+
+uint16_t mip_model_number(const char *text, size_t size) {
+    uint32_t number = 0;
+    size_t at = 0;
+    while (at < size && text[at] == ' ') {
+        at++;
+    }
+    const size_t first = at;
+    for (; at < size && text[at] >= '0' && text[at] <= '9'; at++) {
+        number = 10 * number + (uint32_t)(text[at] - '0');
+        if (number > UINT16_MAX) {
+            return 0;
+        }
+    }
+    const bool ends =
+        at == size || text[at] == '.' || text[at] == '-' || text[at] == ' ' || text[at] == '\0';
+    return (uint16_t)(ends && at - first >= 4 ? number : 0);
+}
+
 const struct mip_device_field *mip_device_supports(const struct mip_device *device,
                                                    uint8_t descriptor_set, uint8_t descriptor) {
+    const struct mip_device_field *f = mip_device_may_support(device, descriptor_set, descriptor);
+    return f != NULL && f->evidence == NULL ? f : NULL;
+}
+
+const struct mip_device_field *mip_device_may_support(const struct mip_device *device,
+                                                      uint8_t descriptor_set, uint8_t descriptor) {
     for (size_t i = 0; i < device->field_count; i++) {
         const struct mip_device_field *f = &device->fields[i];
         const bool shared = f->descriptor_set == 0xFF && descriptor_set >= 0x80;

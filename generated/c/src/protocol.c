@@ -23,6 +23,7 @@ const struct mip_codec mip_protocol_acknowledge_codec = {
     write_acknowledge,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_protocol_acknowledge_decode(struct mip_protocol_acknowledge *value,

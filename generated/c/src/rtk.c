@@ -18,6 +18,7 @@ const struct mip_codec mip_rtk_get_status_flags_codec = {
     mip_write_nothing,
     NULL,
     responses_get_status_flags,
+    NULL,
 };
 
 mip_error mip_rtk_get_status_flags_decode(struct mip_rtk_get_status_flags *value,
@@ -52,6 +53,7 @@ const struct mip_codec mip_rtk_get_status_flags_response_codec = {
     write_get_status_flags_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_get_status_flags_response_decode(struct mip_rtk_get_status_flags_response *value,
@@ -80,6 +82,7 @@ const struct mip_codec mip_rtk_get_imei_codec = {
     mip_write_nothing,
     NULL,
     responses_get_imei,
+    NULL,
 };
 
 mip_error mip_rtk_get_imei_decode(struct mip_rtk_get_imei *value, const struct mip_field *field) {
@@ -111,6 +114,7 @@ const struct mip_codec mip_rtk_get_imei_response_codec = {
     write_get_imei_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_get_imei_response_decode(struct mip_rtk_get_imei_response *value,
@@ -139,6 +143,7 @@ const struct mip_codec mip_rtk_get_imsi_codec = {
     mip_write_nothing,
     NULL,
     responses_get_imsi,
+    NULL,
 };
 
 mip_error mip_rtk_get_imsi_decode(struct mip_rtk_get_imsi *value, const struct mip_field *field) {
@@ -170,6 +175,7 @@ const struct mip_codec mip_rtk_get_imsi_response_codec = {
     write_get_imsi_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_get_imsi_response_decode(struct mip_rtk_get_imsi_response *value,
@@ -198,6 +204,7 @@ const struct mip_codec mip_rtk_get_iccid_codec = {
     mip_write_nothing,
     NULL,
     responses_get_iccid,
+    NULL,
 };
 
 mip_error mip_rtk_get_iccid_decode(struct mip_rtk_get_iccid *value, const struct mip_field *field) {
@@ -229,6 +236,7 @@ const struct mip_codec mip_rtk_get_iccid_response_codec = {
     write_get_iccid_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_get_iccid_response_decode(struct mip_rtk_get_iccid_response *value,
@@ -257,6 +265,7 @@ const struct mip_codec mip_rtk_get_rssi_codec = {
     mip_write_nothing,
     NULL,
     responses_get_rssi,
+    NULL,
 };
 
 mip_error mip_rtk_get_rssi_decode(struct mip_rtk_get_rssi *value, const struct mip_field *field) {
@@ -290,6 +299,7 @@ const struct mip_codec mip_rtk_get_rssi_response_codec = {
     0, /* time-out */
     read_get_rssi_response,
     write_get_rssi_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -350,6 +360,7 @@ const struct mip_codec mip_rtk_connected_device_type_codec = {
     write_connected_device_type,
     NULL,
     responses_connected_device_type,
+    NULL,
 };
 
 mip_error mip_rtk_connected_device_type_decode(struct mip_rtk_connected_device_type *value,
@@ -422,6 +433,7 @@ const struct mip_codec mip_rtk_connected_device_type_response_codec = {
     write_connected_device_type_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_connected_device_type_response_decode(
@@ -451,6 +463,7 @@ const struct mip_codec mip_rtk_get_activation_code_codec = {
     mip_write_nothing,
     NULL,
     responses_get_activation_code,
+    NULL,
 };
 
 mip_error mip_rtk_get_activation_code_decode(struct mip_rtk_get_activation_code *value,
@@ -486,6 +499,7 @@ const struct mip_codec mip_rtk_get_activation_code_response_codec = {
     write_get_activation_code_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_get_activation_code_response_decode(
@@ -514,6 +528,7 @@ const struct mip_codec mip_rtk_get_modem_firmware_version_codec = {
     mip_write_nothing,
     NULL,
     responses_get_modem_firmware_version,
+    NULL,
 };
 
 mip_error mip_rtk_get_modem_firmware_version_decode(
@@ -547,6 +562,7 @@ const struct mip_codec mip_rtk_get_modem_firmware_version_response_codec = {
     0, /* time-out */
     read_get_modem_firmware_version_response,
     write_get_modem_firmware_version_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -590,6 +606,7 @@ const struct mip_codec mip_rtk_service_status_codec = {
     write_service_status,
     NULL,
     responses_service_status,
+    NULL,
 };
 
 mip_error mip_rtk_service_status_decode(struct mip_rtk_service_status *value,
@@ -630,6 +647,7 @@ const struct mip_codec mip_rtk_service_status_response_codec = {
     write_service_status_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_service_status_response_decode(struct mip_rtk_service_status_response *value,
@@ -661,6 +679,7 @@ const struct mip_codec mip_rtk_erase_storage_codec = {
     0, /* time-out */
     read_erase_storage,
     write_erase_storage,
+    NULL,
     NULL,
     NULL,
 };
@@ -709,6 +728,7 @@ const struct mip_codec mip_rtk_led_control_codec = {
     write_led_control,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_led_control_decode(struct mip_rtk_led_control *value,
@@ -742,6 +762,7 @@ const struct mip_codec mip_rtk_modem_hard_reset_codec = {
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
     NULL,
 };

@@ -23,6 +23,7 @@ const struct mip_codec mip_sensor_raw_accel_codec = {
     write_raw_accel,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_raw_accel_decode(struct mip_sensor_raw_accel *value,
@@ -53,6 +54,7 @@ const struct mip_codec mip_sensor_raw_gyro_codec = {
     0, /* time-out */
     read_raw_gyro,
     write_raw_gyro,
+    NULL,
     NULL,
     NULL,
 };
@@ -87,6 +89,7 @@ const struct mip_codec mip_sensor_raw_mag_codec = {
     write_raw_mag,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_raw_mag_decode(struct mip_sensor_raw_mag *value,
@@ -117,6 +120,7 @@ const struct mip_codec mip_sensor_scaled_accel_codec = {
     0, /* time-out */
     read_scaled_accel,
     write_scaled_accel,
+    NULL,
     NULL,
     NULL,
 };
@@ -152,6 +156,7 @@ const struct mip_codec mip_sensor_scaled_gyro_codec = {
     write_scaled_gyro,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_scaled_gyro_decode(struct mip_sensor_scaled_gyro *value,
@@ -183,6 +188,7 @@ const struct mip_codec mip_sensor_scaled_mag_codec = {
     0, /* time-out */
     read_scaled_mag,
     write_scaled_mag,
+    NULL,
     NULL,
     NULL,
 };
@@ -218,6 +224,7 @@ const struct mip_codec mip_sensor_delta_theta_codec = {
     write_delta_theta,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_delta_theta_decode(struct mip_sensor_delta_theta *value,
@@ -249,6 +256,7 @@ const struct mip_codec mip_sensor_delta_velocity_codec = {
     0, /* time-out */
     read_delta_velocity,
     write_delta_velocity,
+    NULL,
     NULL,
     NULL,
 };
@@ -286,6 +294,7 @@ const struct mip_codec mip_sensor_comp_orientation_matrix_codec = {
     write_comp_orientation_matrix,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_comp_orientation_matrix_decode(
@@ -317,6 +326,7 @@ const struct mip_codec mip_sensor_comp_quaternion_codec = {
     0, /* time-out */
     read_comp_quaternion,
     write_comp_quaternion,
+    NULL,
     NULL,
     NULL,
 };
@@ -352,6 +362,7 @@ const struct mip_codec mip_sensor_comp_orientation_update_matrix_codec = {
     0, /* time-out */
     read_comp_orientation_update_matrix,
     write_comp_orientation_update_matrix,
+    NULL,
     NULL,
     NULL,
 };
@@ -393,6 +404,7 @@ const struct mip_codec mip_sensor_comp_euler_angles_codec = {
     write_comp_euler_angles,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_comp_euler_angles_decode(struct mip_sensor_comp_euler_angles *value,
@@ -428,6 +440,7 @@ const struct mip_codec mip_sensor_orientation_raw_temperature_codec = {
     write_orientation_raw_temperature,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_orientation_raw_temperature_decode(
@@ -460,6 +473,7 @@ const struct mip_codec mip_sensor_internal_timestamp_codec = {
     0, /* time-out */
     read_internal_timestamp,
     write_internal_timestamp,
+    NULL,
     NULL,
     NULL,
 };
@@ -497,6 +511,7 @@ const struct mip_codec mip_sensor_pps_timestamp_codec = {
     write_pps_timestamp,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_pps_timestamp_decode(struct mip_sensor_pps_timestamp *value,
@@ -530,6 +545,7 @@ const struct mip_codec mip_sensor_north_vector_codec = {
     write_north_vector,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_north_vector_decode(struct mip_sensor_north_vector *value,
@@ -561,6 +577,7 @@ const struct mip_codec mip_sensor_up_vector_codec = {
     0, /* time-out */
     read_up_vector,
     write_up_vector,
+    NULL,
     NULL,
     NULL,
 };
@@ -597,6 +614,7 @@ const struct mip_codec mip_sensor_gps_timestamp_codec = {
     0, /* time-out */
     read_gps_timestamp,
     write_gps_timestamp,
+    NULL,
     NULL,
     NULL,
 };
@@ -637,6 +655,7 @@ const struct mip_codec mip_sensor_temperature_statistics_codec = {
     write_temperature_statistics,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_temperature_statistics_decode(struct mip_sensor_temperature_statistics *value,
@@ -668,6 +687,7 @@ const struct mip_codec mip_sensor_raw_pressure_codec = {
     0, /* time-out */
     read_raw_pressure,
     write_raw_pressure,
+    NULL,
     NULL,
     NULL,
 };
@@ -703,6 +723,7 @@ const struct mip_codec mip_sensor_scaled_pressure_codec = {
     write_scaled_pressure,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_scaled_pressure_decode(struct mip_sensor_scaled_pressure *value,
@@ -734,6 +755,7 @@ const struct mip_codec mip_sensor_overrange_status_codec = {
     0, /* time-out */
     read_overrange_status,
     write_overrange_status,
+    NULL,
     NULL,
     NULL,
 };
@@ -771,6 +793,7 @@ const struct mip_codec mip_sensor_odometer_codec = {
     0, /* time-out */
     read_odometer,
     write_odometer,
+    NULL,
     NULL,
     NULL,
 };

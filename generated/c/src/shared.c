@@ -23,6 +23,7 @@ const struct mip_codec mip_shared_event_source_codec = {
     write_event_source,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_event_source_decode(struct mip_shared_event_source *value,
@@ -56,6 +57,7 @@ const struct mip_codec mip_shared_ticks_codec = {
     write_ticks,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_ticks_decode(struct mip_shared_ticks *value, const struct mip_field *field) {
@@ -85,6 +87,7 @@ const struct mip_codec mip_shared_delta_ticks_codec = {
     0, /* time-out */
     read_delta_ticks,
     write_delta_ticks,
+    NULL,
     NULL,
     NULL,
 };
@@ -124,6 +127,7 @@ const struct mip_codec mip_shared_gps_timestamp_codec = {
     write_gps_timestamp,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_gps_timestamp_decode(struct mip_shared_gps_timestamp *value,
@@ -155,6 +159,7 @@ const struct mip_codec mip_shared_delta_time_codec = {
     0, /* time-out */
     read_delta_time,
     write_delta_time,
+    NULL,
     NULL,
     NULL,
 };
@@ -191,6 +196,7 @@ const struct mip_codec mip_shared_reference_timestamp_codec = {
     write_reference_timestamp,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_reference_timestamp_decode(struct mip_shared_reference_timestamp *value,
@@ -223,6 +229,7 @@ const struct mip_codec mip_shared_reference_time_delta_codec = {
     0, /* time-out */
     read_reference_time_delta,
     write_reference_time_delta,
+    NULL,
     NULL,
     NULL,
 };
@@ -261,6 +268,7 @@ const struct mip_codec mip_shared_external_timestamp_codec = {
     write_external_timestamp,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_external_timestamp_decode(struct mip_shared_external_timestamp *value,
@@ -295,6 +303,7 @@ const struct mip_codec mip_shared_external_time_delta_codec = {
     0, /* time-out */
     read_external_time_delta,
     write_external_time_delta,
+    NULL,
     NULL,
     NULL,
 };

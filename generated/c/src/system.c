@@ -56,6 +56,7 @@ const struct mip_codec mip_system_interface_control_codec = {
     write_interface_control,
     NULL,
     responses_interface_control,
+    NULL,
 };
 
 mip_error mip_system_interface_control_decode(struct mip_system_interface_control *value,
@@ -143,6 +144,7 @@ const struct mip_codec mip_system_interface_control_response_codec = {
     write_interface_control_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_system_interface_control_response_decode(
@@ -197,6 +199,7 @@ const struct mip_codec mip_system_comm_mode_codec = {
     write_comm_mode,
     NULL,
     responses_comm_mode,
+    NULL,
 };
 
 mip_error mip_system_comm_mode_decode(struct mip_system_comm_mode *value,
@@ -264,6 +267,7 @@ const struct mip_codec mip_system_comm_mode_response_codec = {
     0, /* time-out */
     read_comm_mode_response,
     write_comm_mode_response,
+    NULL,
     NULL,
     NULL,
 };

@@ -24,6 +24,7 @@ const struct mip_codec mip_system_data_built_in_test_codec = {
     write_built_in_test,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_system_data_built_in_test_decode(struct mip_system_data_built_in_test *value,
@@ -60,6 +61,7 @@ const struct mip_codec mip_system_data_time_sync_status_codec = {
     write_time_sync_status,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_system_data_time_sync_status_decode(struct mip_system_data_time_sync_status *value,
@@ -91,6 +93,7 @@ const struct mip_codec mip_system_data_gpio_state_codec = {
     0, /* time-out */
     read_gpio_state,
     write_gpio_state,
+    NULL,
     NULL,
     NULL,
 };
@@ -127,6 +130,7 @@ const struct mip_codec mip_system_data_gpio_analog_value_codec = {
     0, /* time-out */
     read_gpio_analog_value,
     write_gpio_analog_value,
+    NULL,
     NULL,
     NULL,
 };

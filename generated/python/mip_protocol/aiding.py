@@ -13,7 +13,7 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClass, Structure
+from .field import Command, Field, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 
@@ -318,10 +318,10 @@ class FrameConfig(Command):
         return cls(FunctionSelector.DEFAULT, frame_id=frame_id)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return FrameConfigResponse
-        return None
+            return (FrameConfigResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[FrameConfig, int]:
@@ -461,10 +461,10 @@ class EchoControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return EchoControlResponse
-        return None
+            return (EchoControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EchoControl, int]:
@@ -1062,7 +1062,7 @@ class Pressure(Command):
 FrameConfigResponse.COMMANDS = (FrameConfig,)
 EchoControlResponse.COMMANDS = (EchoControl,)
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (FrameConfig,),
     0x1F: (EchoControl,),

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClass, Structure
+from .field import Command, Field, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 _BASE_DEVICE_INFO_0 = codec.Block("H", "firmware_version")
@@ -656,10 +656,10 @@ class CommSpeed(Command):
         return cls(FunctionSelector.DEFAULT, port=port)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return CommSpeedResponse
-        return None
+            return (CommSpeedResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CommSpeed, int]:
@@ -764,12 +764,12 @@ class GpsTimeUpdate(Command):
         return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ and self.field_id == 1:
-            return GpsTimeUpdateWeekNumberResponse
+            return (GpsTimeUpdateWeekNumberResponse,)
         if self.function == FunctionSelector.READ and self.field_id == 2:
-            return GpsTimeUpdateTowResponse
-        return None
+            return (GpsTimeUpdateTowResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdate, int]:
@@ -844,7 +844,7 @@ GetExtendedDescriptorsResponse.COMMANDS = (GetExtendedDescriptors,)
 ContinuousBuiltInTestResponse.COMMANDS = (ContinuousBuiltInTest,)
 CommSpeedResponse.COMMANDS = (CommSpeed,)
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Ping,),
     0x02: (SetIdle,),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from . import filter_data, mip_3dm, types
-from .profile import Device, Limit, Note, Port
+from .profile import Device, DeviceInfo, Limit, Note, Port, model_number
 
 CV7_GNSS_INS = Device(
     id="3dm-cv7-gnss-ins",
@@ -398,7 +398,15 @@ CV7_GNSS_INS = Device(
         "system_data.built_in_test.result": types.Cv7ContinuousBuiltInTest,
     },
     ack_codes=frozenset([0, 1, 2, 3, 4, 5, 6]),
+    perhaps={},
+    incomplete=(),
+    also=(),
+    generation=None,
+    manual="3dm-cv7-gnss-ins",
 )
+"""Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure sensor.
+Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
+"""
 
 GX5_15 = Device(
     id="3dm-gx5-15",
@@ -547,9 +555,47 @@ GX5_15 = Device(
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
     ack_codes=frozenset([0, 1, 2, 3, 4, 5]),
+    perhaps={},
+    incomplete=(),
+    also=(),
+    generation=None,
+    manual="3dm-gx5-15",
 )
+"""Vertical reference unit with an inertial sensor, a pressure sensor and an estimation filter.
+Model number 6254. Manual: LORD Sensing 3DM-GX5-15 Data Communications Protocol, 8500-0067 rev. E.
+"""
 
 #: All devices by id.
 DEVICES: dict[str, Device] = {"3dm-cv7-gnss-ins": CV7_GNSS_INS, "3dm-gx5-15": GX5_15}
 
-__all__ = ["DEVICES", "Device", "Limit", "Note", "Port", "CV7_GNSS_INS", "GX5_15"]
+
+def find(name: str) -> Device | None:
+    """A device by its id, its title or another name."""
+    return next((d for d in DEVICES.values() if name in (d.id, d.title, *d.also)), None)
+
+
+def by_model(number: int) -> Device | None:
+    """A device by its model number; None if it is unknown, as newer ones are."""
+    return next((d for d in DEVICES.values() if d.model_number == number), None)
+
+
+def identify(info: DeviceInfo) -> Device | None:
+    """The device that the device information is of; None if it is unknown."""
+    number = model_number(info.model_number) or model_number(info.serial_number)
+    return by_model(number) if number else None
+
+
+__all__ = [
+    "DEVICES",
+    "Device",
+    "DeviceInfo",
+    "Limit",
+    "Note",
+    "Port",
+    "by_model",
+    "find",
+    "identify",
+    "model_number",
+    "CV7_GNSS_INS",
+    "GX5_15",
+]

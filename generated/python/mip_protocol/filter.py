@@ -13,7 +13,7 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClass
+from .field import Command, Field, Response, ResponseClasses
 from .protocol import FunctionSelector
 
 
@@ -2158,10 +2158,10 @@ class VehicleDynamicsMode(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return VehicleDynamicsModeResponse
-        return None
+            return (VehicleDynamicsModeResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsMode, int]:
@@ -2263,10 +2263,10 @@ class SensorToVehicleRotationEuler(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SensorToVehicleRotationEulerResponse
-        return None
+            return (SensorToVehicleRotationEulerResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationEuler, int]:
@@ -2378,10 +2378,10 @@ class SensorToVehicleOffset(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SensorToVehicleOffsetResponse
-        return None
+            return (SensorToVehicleOffsetResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffset, int]:
@@ -2474,10 +2474,10 @@ class AntennaOffset(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AntennaOffsetResponse
-        return None
+            return (AntennaOffsetResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffset, int]:
@@ -2564,10 +2564,10 @@ class EstimationControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return EstimationControlResponse
-        return None
+            return (EstimationControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EstimationControl, int]:
@@ -2657,10 +2657,10 @@ class GnssSource(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return GnssSourceResponse
-        return None
+            return (GnssSourceResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssSource, int]:
@@ -2882,10 +2882,10 @@ class HeadingSource(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return HeadingSourceResponse
-        return None
+            return (HeadingSourceResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HeadingSource, int]:
@@ -2974,10 +2974,10 @@ class AutoInitializationControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AutoInitializationControlResponse
-        return None
+            return (AutoInitializationControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoInitializationControl, int]:
@@ -3069,10 +3069,10 @@ class AccelNoise(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AccelNoiseResponse
-        return None
+            return (AccelNoiseResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelNoise, int]:
@@ -3164,10 +3164,10 @@ class GyroNoise(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return GyroNoiseResponse
-        return None
+            return (GyroNoiseResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroNoise, int]:
@@ -3261,10 +3261,10 @@ class AccelBiasModel(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AccelBiasModelResponse
-        return None
+            return (AccelBiasModelResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasModel, int]:
@@ -3368,10 +3368,10 @@ class GyroBiasModel(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return GyroBiasModelResponse
-        return None
+            return (GyroBiasModelResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasModel, int]:
@@ -3472,10 +3472,10 @@ class AutoZupt(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AutoZuptResponse
-        return None
+            return (AutoZuptResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoZupt, int]:
@@ -3640,10 +3640,10 @@ class AutoAngularZupt(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AutoAngularZuptResponse
-        return None
+            return (AutoAngularZuptResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoAngularZupt, int]:
@@ -3742,10 +3742,10 @@ class TareOrientation(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return TareOrientationResponse
-        return None
+            return (TareOrientationResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TareOrientation, int]:
@@ -3906,10 +3906,10 @@ class ReferencePosition(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return ReferencePositionResponse
-        return None
+            return (ReferencePositionResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePosition, int]:
@@ -4078,10 +4078,10 @@ class GravityNoise(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return GravityNoiseResponse
-        return None
+            return (GravityNoiseResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityNoise, int]:
@@ -4171,10 +4171,10 @@ class PressureAltitudeNoise(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return PressureAltitudeNoiseResponse
-        return None
+            return (PressureAltitudeNoiseResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoise, int]:
@@ -4264,10 +4264,10 @@ class HardIronOffsetNoise(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return HardIronOffsetNoiseResponse
-        return None
+            return (HardIronOffsetNoiseResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoise, int]:
@@ -4357,10 +4357,10 @@ class SoftIronMatrixNoise(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SoftIronMatrixNoiseResponse
-        return None
+            return (SoftIronMatrixNoiseResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoise, int]:
@@ -4447,10 +4447,10 @@ class EnableMeasurements(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return EnableMeasurementsResponse
-        return None
+            return (EnableMeasurementsResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EnableMeasurements, int]:
@@ -4540,10 +4540,10 @@ class MagNoise(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return MagNoiseResponse
-        return None
+            return (MagNoiseResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagNoise, int]:
@@ -4635,10 +4635,10 @@ class MagneticDeclinationSource(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return MagneticDeclinationSourceResponse
-        return None
+            return (MagneticDeclinationSourceResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticDeclinationSource, int]:
@@ -4783,10 +4783,10 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AccelMagnitudeErrorAdaptiveMeasurementResponse
-        return None
+            return (AccelMagnitudeErrorAdaptiveMeasurementResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelMagnitudeErrorAdaptiveMeasurement, int]:
@@ -4998,10 +4998,10 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return MagMagnitudeErrorAdaptiveMeasurementResponse
-        return None
+            return (MagMagnitudeErrorAdaptiveMeasurementResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurement, int]:
@@ -5194,10 +5194,10 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return MagDipAngleErrorAdaptiveMeasurementResponse
-        return None
+            return (MagDipAngleErrorAdaptiveMeasurementResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurement, int]:
@@ -5325,10 +5325,10 @@ class AltitudeAiding(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AltitudeAidingResponse
-        return None
+            return (AltitudeAidingResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAiding, int]:
@@ -5415,10 +5415,10 @@ class PitchRollAiding(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return PitchRollAidingResponse
-        return None
+            return (PitchRollAidingResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAiding, int]:
@@ -5513,10 +5513,10 @@ class MagneticInclinationSource(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return MagneticInclinationSourceResponse
-        return None
+            return (MagneticInclinationSourceResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticInclinationSource, int]:
@@ -5621,10 +5621,10 @@ class MagneticMagnitudeSource(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return MagneticMagnitudeSourceResponse
-        return None
+            return (MagneticMagnitudeSourceResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticMagnitudeSource, int]:
@@ -5729,10 +5729,10 @@ class SensorToVehicleRotationDcm(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SensorToVehicleRotationDcmResponse
-        return None
+            return (SensorToVehicleRotationDcmResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcm, int]:
@@ -5827,10 +5827,10 @@ class SensorToVehicleRotationQuaternion(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SensorToVehicleRotationQuaternionResponse
-        return None
+            return (SensorToVehicleRotationQuaternionResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternion, int]:
@@ -5920,10 +5920,10 @@ class AidingMeasurementEnable(Command):
         return cls(FunctionSelector.DEFAULT, aiding_source=aiding_source)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AidingMeasurementEnableResponse
-        return None
+            return (AidingMeasurementEnableResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementEnable, int]:
@@ -6042,10 +6042,10 @@ class KinematicConstraint(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return KinematicConstraintResponse
-        return None
+            return (KinematicConstraintResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraint, int]:
@@ -6220,10 +6220,10 @@ class InitializationConfig(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return InitializationConfigResponse
-        return None
+            return (InitializationConfigResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InitializationConfig, int]:
@@ -6402,10 +6402,10 @@ class AdaptiveFilterOptions(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return AdaptiveFilterOptionsResponse
-        return None
+            return (AdaptiveFilterOptionsResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterOptions, int]:
@@ -6506,10 +6506,10 @@ class MultiAntennaOffset(Command):
         return cls(FunctionSelector.DEFAULT, receiver_id=receiver_id)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return MultiAntennaOffsetResponse
-        return None
+            return (MultiAntennaOffsetResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffset, int]:
@@ -6631,10 +6631,10 @@ class RelativePositionConfig(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return RelativePositionConfigResponse
-        return None
+            return (RelativePositionConfigResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfig, int]:
@@ -6759,10 +6759,10 @@ class ReferencePointLeverArm(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return ReferencePointLeverArmResponse
-        return None
+            return (ReferencePointLeverArmResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArm, int]:
@@ -6914,10 +6914,10 @@ class SpeedLeverArm(Command):
         return cls(FunctionSelector.DEFAULT, source=1)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SpeedLeverArmResponse
-        return None
+            return (SpeedLeverArmResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpeedLeverArm, int]:
@@ -7018,10 +7018,10 @@ class VerticalGyroConstraintControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return VerticalGyroConstraintControlResponse
-        return None
+            return (VerticalGyroConstraintControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControl, int]:
@@ -7111,10 +7111,10 @@ class WheeledVehicleConstraintControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return WheeledVehicleConstraintControlResponse
-        return None
+            return (WheeledVehicleConstraintControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[WheeledVehicleConstraintControl, int]:
@@ -7207,10 +7207,10 @@ class GnssAntennaCalibrationControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return GnssAntennaCalibrationControlResponse
-        return None
+            return (GnssAntennaCalibrationControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaCalibrationControl, int]:
@@ -7295,7 +7295,7 @@ VerticalGyroConstraintControlResponse.COMMANDS = (VerticalGyroConstraintControl,
 WheeledVehicleConstraintControlResponse.COMMANDS = (WheeledVehicleConstraintControl,)
 GnssAntennaCalibrationControlResponse.COMMANDS = (GnssAntennaCalibrationControl,)
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Reset,),
     0x02: (SetInitialAttitude,),

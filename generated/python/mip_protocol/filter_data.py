@@ -2897,7 +2897,7 @@ class AidingFrameConfigErrorUncertainty(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (LlhPosition,),
     0x02: (NedVelocity,),

@@ -12,7 +12,7 @@ from enum import IntFlag
 
 from . import codec
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClass, Structure
+from .field import Command, Field, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 _RECEIVER_INFO_ENTRY_0 = codec.Block("BB", "receiver_id", "mip_data_descriptor_set")
@@ -439,10 +439,10 @@ class SignalConfig(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SignalConfigResponse
-        return None
+            return (SignalConfigResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SignalConfig, int]:
@@ -571,10 +571,10 @@ class RtkDongleConfig(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return RtkDongleConfigResponse
-        return None
+            return (RtkDongleConfigResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfig, int]:
@@ -728,10 +728,10 @@ class SpartnConfig(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SpartnConfigResponse
-        return None
+            return (SpartnConfigResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfig, int]:
@@ -841,7 +841,7 @@ SignalConfigResponse.COMMANDS = (SignalConfig,)
 RtkDongleConfigResponse.COMMANDS = (RtkDongleConfig,)
 SpartnConfigResponse.COMMANDS = (SpartnConfig,)
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (ReceiverInfo,),
     0x02: (SignalConfig,),

@@ -3497,7 +3497,7 @@ class BeidouIonoCorrection(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x03: (LlhPosition,),
     0x04: (EcefPosition,),

@@ -538,7 +538,7 @@ class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
     NAME = "gnss_data.beidou_iono_correction"
 
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x03: (LlhPosition,),
     0x04: (EcefPosition,),

@@ -524,7 +524,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
     ),
     mip_3dm.DeviceStatus: (
-        Parameter("model_number", "model_number", "constant", scalar="u16", constant=6254),
+        Parameter("model_number", "model_number", "scalar", scalar="u16"),
         Parameter(
             "status_selector",
             "status_selector",
@@ -616,14 +616,20 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     mip_3dm.DeviceStatusBasicResponse: (
-        Parameter("model_number", "model_number", "constant", scalar="u16", constant=6254),
+        Parameter("model_number", "model_number", "scalar", scalar="u16"),
         Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=1),
         Parameter("status_flags", "status_flags", "scalar", scalar="u32"),
         Parameter("system_state", "system_state", "scalar", scalar="u16"),
         Parameter("system_timer", "system_timer", "scalar", scalar="u32", units=("ms",)),
     ),
+    mip_3dm.DeviceStatusBasicWithoutStateResponse: (
+        Parameter("model_number", "model_number", "scalar", scalar="u16"),
+        Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=1),
+        Parameter("status_flags", "status_flags", "scalar", scalar="u32"),
+        Parameter("system_timer", "system_timer", "scalar", scalar="u32", units=("ms",)),
+    ),
     mip_3dm.DeviceStatusDiagnosticResponse: (
-        Parameter("model_number", "model_number", "constant", scalar="u16", constant=6254),
+        Parameter("model_number", "model_number", "scalar", scalar="u16"),
         Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
         Parameter("status_flags", "status_flags", "scalar", scalar="u32"),
         Parameter("system_state", "system_state", "scalar", scalar="u16"),
@@ -664,6 +670,292 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("imu_message_count", "imu_message_count", "scalar", scalar="u32", units=("1",)),
         Parameter(
             "imu_last_message_time", "imu_last_message_time", "scalar", scalar="u32", units=("ms",)
+        ),
+    ),
+    mip_3dm.DeviceStatusDiagnosticGnssResponse: (
+        Parameter("model_number", "model_number", "scalar", scalar="u16"),
+        Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
+        Parameter("status_flags", "status_flags", "scalar", scalar="u32"),
+        Parameter("system_state", "system_state", "scalar", scalar="u16"),
+        Parameter("system_timer", "system_timer", "scalar", scalar="u32", units=("ms",)),
+        Parameter("gnss_power_state", "gnss_power_state", "scalar", scalar="u8"),
+        Parameter("pps_count", "pps_count", "scalar", scalar="u32", units=("1",)),
+        Parameter("pps_last_time", "pps_last_time", "scalar", scalar="u32", units=("ms",)),
+        Parameter("imu_stream_enabled", "imu_stream_enabled", "scalar", scalar="bool"),
+        Parameter("gnss_stream_enabled", "gnss_stream_enabled", "scalar", scalar="bool"),
+        Parameter("filter_stream_enabled", "filter_stream_enabled", "scalar", scalar="bool"),
+        Parameter(
+            "imu_dropped_packets", "imu_dropped_packets", "scalar", scalar="u32", units=("1",)
+        ),
+        Parameter(
+            "gnss_dropped_packets", "gnss_dropped_packets", "scalar", scalar="u32", units=("1",)
+        ),
+        Parameter(
+            "filter_dropped_packets", "filter_dropped_packets", "scalar", scalar="u32", units=("1",)
+        ),
+        Parameter(
+            "comm_port_bytes_written",
+            "comm_port_bytes_written",
+            "scalar",
+            scalar="u32",
+            units=("byte",),
+        ),
+        Parameter(
+            "comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)
+        ),
+        Parameter(
+            "comm_port_write_overruns",
+            "comm_port_write_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
+        ),
+        Parameter(
+            "comm_port_read_overruns",
+            "comm_port_read_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
+        ),
+        Parameter("imu_parser_errors", "imu_parser_errors", "scalar", scalar="u32", units=("1",)),
+        Parameter("imu_message_count", "imu_message_count", "scalar", scalar="u32", units=("1",)),
+        Parameter(
+            "imu_last_message_time", "imu_last_message_time", "scalar", scalar="u32", units=("ms",)
+        ),
+        Parameter("gnss_parser_errors", "gnss_parser_errors", "scalar", scalar="u32", units=("1",)),
+        Parameter("gnss_message_count", "gnss_message_count", "scalar", scalar="u32", units=("1",)),
+        Parameter(
+            "gnss_last_message_time",
+            "gnss_last_message_time",
+            "scalar",
+            scalar="u32",
+            units=("ms",),
+        ),
+    ),
+    mip_3dm.DeviceStatusDiagnosticGq4_45Response: (
+        Parameter("model_number", "model_number", "scalar", scalar="u16"),
+        Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
+        Parameter("status_flags", "status_flags", "scalar", scalar="u32"),
+        Parameter("system_state", "system_state", "scalar", scalar="u16"),
+        Parameter("system_timer", "system_timer", "scalar", scalar="u32", units=("ms",)),
+        Parameter("gnss_power_state", "gnss_power_state", "scalar", scalar="u8"),
+        Parameter("pps_count", "pps_count", "scalar", scalar="u32", units=("1",)),
+        Parameter("pps_last_time", "pps_last_time", "scalar", scalar="u32", units=("ms",)),
+        Parameter("imu_stream_enabled", "imu_stream_enabled", "scalar", scalar="bool"),
+        Parameter("gnss_stream_enabled", "gnss_stream_enabled", "scalar", scalar="bool"),
+        Parameter("filter_stream_enabled", "filter_stream_enabled", "scalar", scalar="bool"),
+        Parameter(
+            "imu_dropped_packets", "imu_dropped_packets", "scalar", scalar="u32", units=("1",)
+        ),
+        Parameter(
+            "gnss_dropped_packets", "gnss_dropped_packets", "scalar", scalar="u32", units=("1",)
+        ),
+        Parameter(
+            "filter_dropped_packets", "filter_dropped_packets", "scalar", scalar="u32", units=("1",)
+        ),
+        Parameter(
+            "comm_port_bytes_written",
+            "comm_port_bytes_written",
+            "scalar",
+            scalar="u32",
+            units=("byte",),
+        ),
+        Parameter(
+            "comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)
+        ),
+        Parameter(
+            "comm_port_write_overruns",
+            "comm_port_write_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
+        ),
+        Parameter(
+            "comm_port_read_overruns",
+            "comm_port_read_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
+        ),
+        Parameter("imu_parser_errors", "imu_parser_errors", "scalar", scalar="u32", units=("1",)),
+        Parameter("imu_message_count", "imu_message_count", "scalar", scalar="u32", units=("1",)),
+        Parameter(
+            "imu_last_message_time", "imu_last_message_time", "scalar", scalar="u32", units=("ms",)
+        ),
+        Parameter("gnss_parser_errors", "gnss_parser_errors", "scalar", scalar="u32", units=("1",)),
+        Parameter("gnss_message_count", "gnss_message_count", "scalar", scalar="u32", units=("1",)),
+        Parameter(
+            "gnss_last_message_time",
+            "gnss_last_message_time",
+            "scalar",
+            scalar="u32",
+            units=("ms",),
+        ),
+        Parameter("mag_init_failed", "mag_init_failed", "scalar", scalar="bool"),
+        Parameter("pressure_init_failed", "pressure_init_failed", "scalar", scalar="bool"),
+        Parameter("receiver_init_failed", "receiver_init_failed", "scalar", scalar="bool"),
+    ),
+    mip_3dm.DeviceStatusDiagnosticRq1_45Response: (
+        Parameter("model_number", "model_number", "scalar", scalar="u16"),
+        Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
+        Parameter("status_flags", "status_flags", "scalar", scalar="u32"),
+        Parameter("system_state", "system_state", "scalar", scalar="u16"),
+        Parameter("system_timer", "system_timer", "scalar", scalar="u32", units=("ms",)),
+        Parameter("gnss_power_state", "gnss_power_state", "scalar", scalar="u8"),
+        Parameter("cold_start_on_power_on", "cold_start_on_power_on", "scalar", scalar="u8"),
+        Parameter("temperature", "temperature", "scalar", scalar="float", units=("degC",)),
+        Parameter(
+            "temperature_last_time", "temperature_last_time", "scalar", scalar="u32", units=("ms",)
+        ),
+        Parameter("pps_count", "pps_count", "scalar", scalar="u32", units=("1",)),
+        Parameter("pps_last_time", "pps_last_time", "scalar", scalar="u32", units=("ms",)),
+        Parameter("imu_stream_enabled", "imu_stream_enabled", "scalar", scalar="bool"),
+        Parameter("gnss_stream_enabled", "gnss_stream_enabled", "scalar", scalar="bool"),
+        Parameter("filter_stream_enabled", "filter_stream_enabled", "scalar", scalar="bool"),
+        Parameter(
+            "imu_dropped_packets", "imu_dropped_packets", "scalar", scalar="u32", units=("1",)
+        ),
+        Parameter(
+            "gnss_dropped_packets", "gnss_dropped_packets", "scalar", scalar="u32", units=("1",)
+        ),
+        Parameter(
+            "filter_dropped_packets", "filter_dropped_packets", "scalar", scalar="u32", units=("1",)
+        ),
+        Parameter(
+            "comm_port_bytes_written",
+            "comm_port_bytes_written",
+            "scalar",
+            scalar="u32",
+            units=("byte",),
+        ),
+        Parameter(
+            "comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)
+        ),
+        Parameter(
+            "comm_port_write_overruns",
+            "comm_port_write_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
+        ),
+        Parameter(
+            "comm_port_read_overruns",
+            "comm_port_read_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
+        ),
+        Parameter("imu_parser_errors", "imu_parser_errors", "scalar", scalar="u32", units=("1",)),
+        Parameter("imu_message_count", "imu_message_count", "scalar", scalar="u32", units=("1",)),
+        Parameter(
+            "imu_last_message_time", "imu_last_message_time", "scalar", scalar="u32", units=("ms",)
+        ),
+        Parameter("gnss_parser_errors", "gnss_parser_errors", "scalar", scalar="u32", units=("1",)),
+        Parameter("gnss_message_count", "gnss_message_count", "scalar", scalar="u32", units=("1",)),
+        Parameter(
+            "gnss_last_message_time",
+            "gnss_last_message_time",
+            "scalar",
+            scalar="u32",
+            units=("ms",),
+        ),
+    ),
+    mip_3dm.DeviceStatusDiagnosticGx4Response: (
+        Parameter("model_number", "model_number", "scalar", scalar="u16"),
+        Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
+        Parameter("status_flags", "status_flags", "scalar", scalar="u32"),
+        Parameter("system_timer", "system_timer", "scalar", scalar="u32", units=("ms",)),
+        Parameter("pps_count", "pps_count", "scalar", scalar="u32", units=("1",)),
+        Parameter("pps_last_time", "pps_last_time", "scalar", scalar="u32", units=("ms",)),
+        Parameter("imu_stream_enabled", "imu_stream_enabled", "scalar", scalar="bool"),
+        Parameter("filter_stream_enabled", "filter_stream_enabled", "scalar", scalar="bool"),
+        Parameter(
+            "imu_dropped_packets", "imu_dropped_packets", "scalar", scalar="u32", units=("1",)
+        ),
+        Parameter(
+            "filter_dropped_packets", "filter_dropped_packets", "scalar", scalar="u32", units=("1",)
+        ),
+        Parameter(
+            "comm_port_bytes_written",
+            "comm_port_bytes_written",
+            "scalar",
+            scalar="u32",
+            units=("byte",),
+        ),
+        Parameter(
+            "comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)
+        ),
+        Parameter(
+            "comm_port_write_overruns",
+            "comm_port_write_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
+        ),
+        Parameter(
+            "comm_port_read_overruns",
+            "comm_port_read_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
+        ),
+        Parameter(
+            "usb_bytes_written", "usb_bytes_written", "scalar", scalar="u32", units=("byte",)
+        ),
+        Parameter("usb_bytes_read", "usb_bytes_read", "scalar", scalar="u32", units=("byte",)),
+        Parameter("usb_write_overruns", "usb_write_overruns", "scalar", scalar="u32", units=("1",)),
+        Parameter("usb_read_overruns", "usb_read_overruns", "scalar", scalar="u32", units=("1",)),
+        Parameter("imu_parser_errors", "imu_parser_errors", "scalar", scalar="u32", units=("1",)),
+        Parameter("imu_message_count", "imu_message_count", "scalar", scalar="u32", units=("1",)),
+        Parameter(
+            "imu_last_message_time", "imu_last_message_time", "scalar", scalar="u32", units=("ms",)
+        ),
+    ),
+    mip_3dm.DeviceStatusDiagnosticImuResponse: (
+        Parameter("model_number", "model_number", "scalar", scalar="u16"),
+        Parameter("status_selector", "status_selector", "constant", scalar="u8", constant=2),
+        Parameter("status_flags", "status_flags", "scalar", scalar="u32"),
+        Parameter("system_timer", "system_timer", "scalar", scalar="u32", units=("ms",)),
+        Parameter("has_mag", "has_mag", "scalar", scalar="bool"),
+        Parameter("has_pressure", "has_pressure", "scalar", scalar="bool"),
+        Parameter("power_state", "power_state", "scalar", scalar="u8"),
+        Parameter("gyro_range", "gyro_range", "scalar", scalar="u16"),
+        Parameter("accel_range", "accel_range", "scalar", scalar="u16"),
+        Parameter("reserved", "reserved", "scalar", scalar="u32"),
+        Parameter("temperature", "temperature", "scalar", scalar="float", units=("degC",)),
+        Parameter(
+            "temperature_last_time", "temperature_last_time", "scalar", scalar="u32", units=("ms",)
+        ),
+        Parameter("temperature_error", "temperature_error", "scalar", scalar="u8"),
+        Parameter("pps_count", "pps_count", "scalar", scalar="u32", units=("1",)),
+        Parameter("pps_last_time", "pps_last_time", "scalar", scalar="u32", units=("ms",)),
+        Parameter("imu_stream_enabled", "imu_stream_enabled", "scalar", scalar="bool"),
+        Parameter(
+            "imu_dropped_packets", "imu_dropped_packets", "scalar", scalar="u32", units=("1",)
+        ),
+        Parameter(
+            "comm_port_bytes_written",
+            "comm_port_bytes_written",
+            "scalar",
+            scalar="u32",
+            units=("byte",),
+        ),
+        Parameter(
+            "comm_port_bytes_read", "comm_port_bytes_read", "scalar", scalar="u32", units=("byte",)
+        ),
+        Parameter(
+            "comm_port_write_overruns",
+            "comm_port_write_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
+        ),
+        Parameter(
+            "comm_port_read_overruns",
+            "comm_port_read_overruns",
+            "scalar",
+            scalar="u32",
+            units=("1",),
         ),
     ),
     mip_3dm.ComplementaryFilterResponse: (

@@ -15,7 +15,7 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClass
+from .field import Command, Field, Response, ResponseClasses
 from .protocol import FunctionSelector
 
 
@@ -555,10 +555,10 @@ class ConnectedDeviceType(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return ConnectedDeviceTypeResponse
-        return None
+            return (ConnectedDeviceTypeResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConnectedDeviceType, int]:
@@ -808,7 +808,7 @@ GetActivationCodeResponse.COMMANDS = (GetActivationCode,)
 GetModemFirmwareVersionResponse.COMMANDS = (GetModemFirmwareVersion,)
 ServiceStatusResponse.COMMANDS = (ServiceStatus,)
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (GetStatusFlags,),
     0x02: (GetImei,),

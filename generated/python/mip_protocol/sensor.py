@@ -707,10 +707,16 @@ class GpsTimestamp(Data):
     tow: float
     """GPS time of week. Unit: s. Valid if `types.SensorGpsTimestampFlags.TOW_VALID` of
     `valid_flags` is set.
+
+    - On the 3DM-GX5-15: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of
+      `valid_flags` is set.
     """
     week_number: int
     """GPS week number. Unit: week. Valid if `types.SensorGpsTimestampFlags.WEEK_NUMBER_VALID` of
     `valid_flags` is set.
+
+    - On the 3DM-GX5-15: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of
+      `valid_flags` is set.
     """
     valid_flags: types.SensorGpsTimestampFlags
     """State of the time.
@@ -925,7 +931,7 @@ class Odometer(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (RawAccel,),
     0x02: (RawGyro,),

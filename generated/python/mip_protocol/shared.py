@@ -399,7 +399,7 @@ class ExternalTimeDelta(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0xD0: (EventSource,),
     0xD1: (Ticks,),

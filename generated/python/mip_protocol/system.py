@@ -12,7 +12,7 @@ from enum import IntFlag
 
 from . import codec
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClass
+from .field import Command, Field, Response, ResponseClasses
 from .protocol import FunctionSelector
 
 
@@ -223,10 +223,10 @@ class InterfaceControl(Command):
         return cls(FunctionSelector.DEFAULT, port=port)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return InterfaceControlResponse
-        return None
+            return (InterfaceControlResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControl, int]:
@@ -334,10 +334,10 @@ class CommMode(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return CommModeResponse
-        return None
+            return (CommModeResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CommMode, int]:
@@ -372,7 +372,7 @@ class CommMode(Command):
 InterfaceControlResponse.COMMANDS = (InterfaceControl,)
 CommModeResponse.COMMANDS = (CommMode,)
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x02: (InterfaceControl,),
     0x10: (CommMode,),

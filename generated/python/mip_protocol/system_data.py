@@ -187,7 +187,7 @@ class GpioAnalogValue(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (BuiltInTest,),
     0x02: (TimeSyncStatus,),

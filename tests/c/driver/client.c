@@ -64,7 +64,9 @@ static const char *add(struct session *s, struct mip_builder *builder, const str
         return mip_error_name(error);
     }
     *end = c;
-    if (c->request.codec != NULL) {
+    const struct mip_response *asked = c->request.asked;
+    /* What has several layouts is decoded when it has come. */
+    if (asked != NULL && (asked[1].codec == NULL || asked[1].asked != asked->asked)) {
         void *place = arena_take(s->arena, c->request.codec->size);
         if (!mip_client_expect(&c->request, c->request.codec, place)) {
             abort();
@@ -135,6 +137,17 @@ static const char *name_of(const struct mip_codec *codec) {
     return "";
 }
 
+/* Decodes a response that nobody has named a place for. */
+static void take_response(struct session *s, struct command *c, const struct mip_field *field) {
+    struct mip_request *r = &c->request;
+    if (r->state == MIP_REQUEST_ACKNOWLEDGED && r->codec != NULL && r->response == NULL) {
+        r->response = arena_take(s->arena, r->codec->size);
+        r->error = (uint8_t)mip_decode(r->codec, r->response, field, NULL);
+        r->responded = r->error == MIP_OK;
+        r->state = r->responded ? MIP_REQUEST_ACKNOWLEDGED : MIP_REQUEST_UNDECODABLE;
+    }
+}
+
 /* The response in its place; how many bytes were left over, only another decoding tells. */
 static void put_response(struct session *s, const struct command *c, const struct mip_field *field) {
     const struct mip_codec *codec = c->request.codec;
@@ -185,6 +198,7 @@ static void take(struct session *s, const struct mip_packet *packet) {
     while (mip_client_next(&s->client, &walk, &answered, &field)) {
         if (answered != NULL) {
             any = true;
+            take_response(s, (struct command *)(void *)answered, &field);
             put_answer(s, (struct command *)(void *)answered, &field);
         } else {
             put(&others, others.size == 0 ? "" : ",");

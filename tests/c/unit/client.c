@@ -258,6 +258,36 @@ static void responses(void) {
     CHECK(RECEIVE(0x01, "\x04\xF1\x04\0\x09\x90\x12\x67\x01\0\0\0\x05") && r.responded && brief.flags == 5);
 }
 
+/* A response that devices send in layouts of different sizes. */
+static void sizes(void) {
+    static const char old[] = "\x04\xF1\x04\0\x09\x90\x12\x67\x02\0\0\0\x05";
+    static const char current[] = "\x04\xF1\x04\0\x11\x90\x12\x67\x02\0\0\0\x07\0\0\0\0\0\0\0\x06";
+    struct mip_request r;
+    struct mip_tools_status_old value = {9};
+    struct mip_tools_status_short brief;
+    struct mip_tools_status ask = mip_tools_status_make(2);
+
+    /* The one that is expected. */
+    fresh();
+    add(&r, &mip_tools_status_codec, &ask, 0);
+    CHECK(r.codec == &mip_tools_status_long_codec);
+    CHECK(!mip_client_expect(&r, &mip_tools_status_short_codec, &brief));
+    expect(&r, &mip_tools_status_old_codec, &value);
+    CHECK(RECEIVE(0x01, old) && r.state == MIP_REQUEST_ACKNOWLEDGED && r.responded && value.uptime == 5);
+
+    /* Another one: it says so, and leaves zeros. */
+    fresh();
+    add(&r, &mip_tools_status_codec, &ask, 0);
+    expect(&r, &mip_tools_status_old_codec, &value);
+    CHECK(RECEIVE(0x01, current) && r.state == MIP_REQUEST_UNDECODABLE && r.error == MIP_ERROR_LAYOUT);
+    CHECK(!r.responded && value.uptime == 0 && r.codec == &mip_tools_status_long_codec);
+
+    /* One that nobody expects: the request says which it is. */
+    fresh();
+    add(&r, &mip_tools_status_codec, &ask, 0);
+    CHECK(RECEIVE(0x01, old) && r.state == MIP_REQUEST_ACKNOWLEDGED && r.codec == &mip_tools_status_old_codec);
+}
+
 static void step_by_step(void) {
     /* Each answer, and each field that is none, in order. */
     static uint8_t bytes[MIP_MAX_PACKET];
@@ -346,6 +376,7 @@ int main(void) {
     several();
     silent();
     responses();
+    sizes();
     step_by_step();
     noise();
     lost();

@@ -115,6 +115,7 @@ static void names(void) {
     CHECK(strcmp(mip_error_name(MIP_ERROR_FIELD_LENGTH), "field_length") == 0);
     CHECK(strcmp(mip_error_name(MIP_ERROR_MISSING), "missing") == 0);
     CHECK(strcmp(mip_error_name(MIP_ERROR_SET), "set") == 0);
+    CHECK(strcmp(mip_error_name(MIP_ERROR_LAYOUT), "layout") == 0);
 }
 
 int main(void) {

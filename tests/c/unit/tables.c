@@ -14,11 +14,20 @@ static bool is(const char *a, const char *b) {
 
 static void registry(void) {
     size_t count;
-    struct mip_field field = field_of(1, 0x90, "126702");
-    CHECK(is(mip_registry_find(&field)->name, "tools.status_long"));
-    field = field_of(1, 0x90, "1267");
+    /* Layouts are told apart by constants, as far as the data reach, then by size. */
+    struct mip_field field = field_of(1, 0x90, "1267");
+    CHECK(is(mip_registry_find(&field)->name, "tools.status_short"));
+    field = field_of(1, 0x90, "126703");
     CHECK(mip_registry_find(&field) == NULL);
-    CHECK(mip_registry_candidates(1, 0x90, &count) != NULL && count == 2);
+    static const uint8_t data[253] = {0x12, 0x67, 0x02};
+    for (uint8_t size = 3; size <= 253; size++) {
+        field.data = data;
+        field.size = size;
+        CHECK(is(mip_registry_find(&field)->name, size < 15    ? "tools.status_old"
+                                                  : size == 15 ? "tools.status_long"
+                                                               : "tools.status_full"));
+    }
+    CHECK(mip_registry_candidates(1, 0x90, &count) != NULL && count == 4);
     CHECK(mip_registry_candidates(1, 0x7F, &count) == NULL && count == 0);
     field = field_of(0x55, 0xF1, "");
     CHECK(mip_registry_find(&field)->codec == &mip_protocol_acknowledge_codec);
@@ -85,15 +94,15 @@ static void reflection(void) {
     CHECK(mip_names_find("tools.shape")->count == 5 && mip_names_find("nothing") == NULL);
     r = mip_reflect(&mip_tools_status_short_codec);
     CHECK(is(r->record->parameters[2].readings[1].device, "model-b"));
-    static const struct mip_codec other = {0, 0, 0, 0, 0, NULL, NULL, NULL, NULL};
+    static const struct mip_codec other = {0, 0, 0, 0, 0, NULL, NULL, NULL, NULL, NULL};
     CHECK(mip_reflect(&other) == NULL);
 }
 
 static void devices(void) {
     const struct mip_device *a = mip_device_find("model-a");
     const struct mip_device *b = mip_device_find("model-b");
-    CHECK(mip_device_count == 2 && a == &mip_device_model_a && b == &mip_device_model_b);
-    CHECK(mip_device_find("model-c") == NULL);
+    CHECK(mip_device_count == 5 && a == &mip_device_model_a && b == &mip_device_model_b);
+    CHECK(mip_device_find("model-d") == NULL && mip_device_find("") == NULL);
     CHECK(a->model_number == 4711 && b->model_number == 0);
     CHECK(is(mip_device_supports(a, MIP_TOOLS_SET, MIP_TOOLS_SETTINGS_DESCRIPTOR)->functions, "WRSLDA"));
     CHECK(is(mip_device_supports(b, MIP_TOOLS_SET, MIP_TOOLS_SETTINGS_DESCRIPTOR)->functions, "WR"));
@@ -111,10 +120,41 @@ static void devices(void) {
     CHECK(is(a->notes[0].cells[3], "pulse") && is(a->limits[1].unit, "g") && a->ack_codes[2] == 3);
 }
 
+static void uncertain(void) {
+    const struct mip_device *old = mip_device_by_model(4001);
+    CHECK(old == mip_device_find("First") && old == mip_device_find("Old 1") && old == mip_device_find("old-1"));
+    CHECK(mip_device_by_model(0) == NULL && mip_device_by_model(4003) == NULL);
+    CHECK(old->generation == 1 && is(old->manual, "") && is(mip_devices[0]->manual, "guide"));
+    CHECK(old->incomplete_count == 1 && is(old->incomplete[0], "No manual is known; see `tools.ping`."));
+    CHECK(mip_device_supports(old, 0x01, 0x01)->evidence == NULL);
+    CHECK(mip_device_supports(old, 0x80, 0x02) == NULL);
+    CHECK(is(mip_device_may_support(old, 0x80, 0x02)->evidence, "All old devices have it."));
+    CHECK(mip_device_may_support(old, 0x80, 0x03) == NULL);
+}
+
+static uint16_t number_of(const char *text) {
+    return mip_model_number(text, strlen(text));
+}
+
+/* What begins the model and serial numbers of the device information. */
+static void model_numbers(void) {
+    static const struct {
+        const char *text;
+        uint16_t number;
+    } known[] = {{"6254", 6254}, {"  6254-4220      ", 6254}, {"6251.12345", 6251}, {"6254 x", 6254}, {"06254", 6254}, {"65535", 65535}, {"", 0}, {" ", 0}, {"625", 0}, {"625-1234", 0}, {"GX5-15", 0}, {"6254x", 0}, {"-6254", 0}, {"65536", 0}, {"99999999999", 0}, {"0000", 0}, {"+6254", 0}, {"6254\xB2", 0}};
+    for (size_t i = 0; i < sizeof(known) / sizeof(known[0]); i++) {
+        CHECK(number_of(known[i].text) == known[i].number);
+    }
+    CHECK(mip_model_number("6254\0\0", 6) == 6254 && mip_model_number("62549", 4) == 6254);
+    CHECK(mip_model_number(NULL, 0) == 0);
+}
+
 int main(void) {
     registry();
     sets();
     reflection();
     devices();
+    uncertain();
+    model_numbers();
     return 0;
 }

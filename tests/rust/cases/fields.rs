@@ -403,7 +403,34 @@ fn devices_tell_what_they_support() {
     assert_eq!(accel.read_as, None);
     assert!(accel.difference.starts_with("unit m, m, s; frame ned"));
     assert_eq!(Mode::from(protocol::AckCode(1)), Mode::FAST);
-    assert_eq!(devices::ALL.len(), 2);
+    assert_eq!(devices::ALL.len(), 5);
+}
+
+#[test]
+fn devices_tell_what_is_not_certain() {
+    let old = devices::Device::by_model(4001).unwrap();
+    assert_eq!(Some(old), devices::Device::find("First"));
+    assert_eq!((old.generation, old.manual, old.also), (Some(1), None, &["First"][..]));
+    assert_eq!(old.incomplete, ["No manual is known; see `tools.ping`."]);
+    assert!(old.has::<tools::Ping>() && !old.has::<measurements::Numbers>());
+    assert!(old.supports(0x80, 0x02).is_none());
+    assert_eq!(old.may_support(0x80, 0x02).unwrap().evidence, Some("All old devices have it."));
+    assert_eq!(devices::Device::find("Model See"), Some(&devices::MODEL_C));
+    assert_eq!(devices::Device::find("model-a").and_then(|d| d.manual), Some("guide"));
+    assert!(devices::Device::find("Model").is_none() && devices::Device::by_model(0).is_none());
+}
+
+#[test]
+fn model_numbers_begin_model_and_serial_numbers() {
+    let found = ["6254", "  6254-4220      ", "6251.12345", "6254 x", "6253\0\0", "06254", "65535"];
+    let numbers = [6254, 6254, 6251, 6254, 6253, 6254, 65535];
+    for (text, number) in found.into_iter().zip(numbers) {
+        assert_eq!(devices::model_number(text), Some(number), "{text:?}");
+    }
+    let not = ["", " ", "625", "625-1234", "GX5-15", "6254x", "-6254", "65536", "99999999999", "0000", "+6254", "6254\u{b2}"];
+    for text in not {
+        assert_eq!(devices::model_number(text), None, "{text:?}");
+    }
 }
 
 #[test]

@@ -3288,20 +3288,27 @@ mip_error mip_3dm_low_pass_filter_response_encode(
 /**
  * Device Status: command (0x0C,0x64).
  *
- * Asks for the state of the device, in one of two layouts.
+ * Asks for the state of the device, in short or with counters.
  *
- * For advanced use. Answered by mip_3dm_device_status_basic_response or
- * mip_3dm_device_status_diagnostic_response. Supported by 3DM-GX5-15.
+ * For advanced use. Answered by mip_3dm_device_status_basic_response,
+ * mip_3dm_device_status_basic_without_state_response, mip_3dm_device_status_diagnostic_response,
+ * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
+ * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
+ * or mip_3dm_device_status_diagnostic_imu_response. Supported by 3DM-GX5-15.
  *
- * The layouts hold for this model number only; other models answer with layouts of their own.
+ * The device expects its own model number, which mip_base_get_device_info tells.
  *
- * On the wire only, without a member:
- * - model_number: Model number of the 3DM-GX5-15. Always 6254.
+ * Families of devices answer in layouts of their own. The selector and the length tell them apart.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+ * - mscl: Device Status (0x0C,0x64)
  */
 struct mip_3dm_device_status {
-    /** Layout of the answer. */
+    /** Model number of the device that is asked. */
+    uint16_t model_number;
+    /** How much the answer tells. */
     mip_3dm_device_status_selector status_selector;
 };
 
@@ -3315,23 +3322,28 @@ mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value
                                        struct mip_builder *builder);
 /** Device Status. */
 struct mip_3dm_device_status
-mip_3dm_device_status_make(mip_3dm_device_status_selector status_selector);
+mip_3dm_device_status_make(uint16_t model_number, mip_3dm_device_status_selector status_selector);
 
 /**
  * Basic Device Status: response (0x0C,0x90).
  *
  * State and timer.
  *
- * Answers mip_3dm_device_status. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC.
- * Supported by 3DM-GX5-15.
+ * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_without_state_response by
+ * the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported
+ * by 3DM-GX5-15.
  *
  * On the wire only, without a member:
- * - model_number: Model number of the 3DM-GX5-15. Always 6254.
  * - status_selector: Basic status. Always 1.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+ * - mscl: Device Status (0x0C,0x64)
  */
 struct mip_3dm_device_status_basic_response {
+    /** Model number of the device. */
+    uint16_t model_number;
     /** Reserved. */
     uint32_t status_flags;
     /** State of the system; its values are not documented. */
@@ -3350,20 +3362,67 @@ mip_error mip_3dm_device_status_basic_response_encode(
     const struct mip_3dm_device_status_basic_response *value, struct mip_builder *builder);
 
 /**
+ * Basic Device Status without a state: response (0x0C,0x90).
+ *
+ * Timer alone.
+ *
+ * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_response by the size of its
+ * data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by 3DM-GX5-15.
+ * Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10.
+ * Uncertain: The manual of the 3DM-GX5-45 prints it too, but for the model number of another
+ * device; MSCL has the layout with a state for that device.
+ *
+ * On the wire only, without a member:
+ * - status_selector: Basic status. Always 1.
+ *
+ * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+ * - mscl: Device Status (0x0C,0x64)
+ */
+struct mip_3dm_device_status_basic_without_state_response {
+    /** Model number of the device. */
+    uint16_t model_number;
+    /** Reserved. */
+    uint32_t status_flags;
+    /** Time since start-up. Unit: ms. */
+    uint32_t system_timer;
+};
+
+#define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_DESCRIPTOR 0x90
+#define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_NAME \
+    "3dm.device_status_basic_without_state_response"
+
+extern const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec;
+mip_error mip_3dm_device_status_basic_without_state_response_decode(
+    struct mip_3dm_device_status_basic_without_state_response *value,
+    const struct mip_field *field);
+mip_error mip_3dm_device_status_basic_without_state_response_encode(
+    const struct mip_3dm_device_status_basic_without_state_response *value,
+    struct mip_builder *builder);
+
+/**
  * Diagnostic Device Status: response (0x0C,0x90).
  *
  * State and timer with the counters of streams and port.
  *
- * Answers mip_3dm_device_status. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-15.
+ * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_gnss_response,
+ * mip_3dm_device_status_diagnostic_gq4_45_response,
+ * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
+ * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
+ * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-15.
  *
  * On the wire only, without a member:
- * - model_number: Model number of the 3DM-GX5-15. Always 6254.
  * - status_selector: Diagnostic status. Always 2.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+ * - mscl: Device Status (0x0C,0x64)
  */
 struct mip_3dm_device_status_diagnostic_response {
+    /** Model number of the device. */
+    uint16_t model_number;
     /** Reserved. */
     uint32_t status_flags;
     /** State of the system; its values are not documented. */
@@ -3402,6 +3461,410 @@ mip_error mip_3dm_device_status_diagnostic_response_decode(
     struct mip_3dm_device_status_diagnostic_response *value, const struct mip_field *field);
 mip_error mip_3dm_device_status_diagnostic_response_encode(
     const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder);
+
+/**
+ * Diagnostic Device Status with GNSS: response (0x0C,0x90).
+ *
+ * State and timer with the counters of pulses, streams, port and receiver.
+ *
+ * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_response,
+ * mip_3dm_device_status_diagnostic_gq4_45_response,
+ * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
+ * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
+ * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-15. Uncertain:
+ * MSCL has it for the 3DM-GX4-45 and the -35 and -45 of the GX5 and CX5; its length is that of a
+ * manual. Uncertain: MSCL names the values only; the descriptions follow from the names, and times
+ * in ms from the system timer.
+ *
+ * On the wire only, without a member:
+ * - status_selector: Diagnostic status. Always 2.
+ *
+ * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+ * - mscl: Device Status (0x0C,0x64)
+ */
+struct mip_3dm_device_status_diagnostic_gnss_response {
+    /** Model number of the device. */
+    uint16_t model_number;
+    /** Reserved. */
+    uint32_t status_flags;
+    /** State of the system; its values are not documented. */
+    uint16_t system_state;
+    /** Time since start-up. Unit: ms. */
+    uint32_t system_timer;
+    /** Power state of the GNSS receiver. */
+    uint8_t gnss_power_state;
+    /** Pulses per second that were counted. Unit: 1. */
+    uint32_t pps_count;
+    /** System timer at the last pulse. Unit: ms. */
+    uint32_t pps_last_time;
+    /** Whether sensor data is streamed. */
+    mip_bool imu_stream_enabled;
+    /** Whether GNSS data is streamed. */
+    mip_bool gnss_stream_enabled;
+    /** Whether filter data is streamed. */
+    mip_bool filter_stream_enabled;
+    /** Sensor data packets that were not sent. Unit: 1. */
+    uint32_t imu_dropped_packets;
+    /** GNSS data packets that were not sent. Unit: 1. */
+    uint32_t gnss_dropped_packets;
+    /** Filter data packets that were not sent. Unit: 1. */
+    uint32_t filter_dropped_packets;
+    /** Bytes written to the port. Unit: byte. */
+    uint32_t comm_port_bytes_written;
+    /** Bytes read from the port. Unit: byte. */
+    uint32_t comm_port_bytes_read;
+    /** Overruns while writing to the port. Unit: 1. */
+    uint32_t comm_port_write_overruns;
+    /** Overruns while reading from the port. Unit: 1. */
+    uint32_t comm_port_read_overruns;
+    /** Messages of the IMU that could not be parsed. Unit: 1. */
+    uint32_t imu_parser_errors;
+    /** Messages of the IMU that were read. Unit: 1. */
+    uint32_t imu_message_count;
+    /** System timer at the last message of the IMU. Unit: ms. */
+    uint32_t imu_last_message_time;
+    /** Messages of the receiver that could not be parsed. Unit: 1. */
+    uint32_t gnss_parser_errors;
+    /** Messages of the receiver that were read. Unit: 1. */
+    uint32_t gnss_message_count;
+    /** System timer at the last message of the receiver. Unit: ms. */
+    uint32_t gnss_last_message_time;
+};
+
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_DESCRIPTOR 0x90
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_NAME \
+    "3dm.device_status_diagnostic_gnss_response"
+
+extern const struct mip_codec mip_3dm_device_status_diagnostic_gnss_response_codec;
+mip_error mip_3dm_device_status_diagnostic_gnss_response_decode(
+    struct mip_3dm_device_status_diagnostic_gnss_response *value, const struct mip_field *field);
+mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
+    const struct mip_3dm_device_status_diagnostic_gnss_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Diagnostic Device Status of the 3DM-GQ4-45: response (0x0C,0x90).
+ *
+ * The layout with GNSS, and what could not be started.
+ *
+ * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_response,
+ * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_rq1_45_response,
+ * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
+ * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
+ * Supported by 3DM-GX5-15. Uncertain: No manual is known that prints it. Uncertain: MSCL names the
+ * values only; the descriptions follow from the names, and times in ms from the system timer.
+ *
+ * On the wire only, without a member:
+ * - status_selector: Diagnostic status. Always 2.
+ *
+ * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+ * - mscl: Device Status (0x0C,0x64)
+ */
+struct mip_3dm_device_status_diagnostic_gq4_45_response {
+    /** Model number of the device. */
+    uint16_t model_number;
+    /** Reserved. */
+    uint32_t status_flags;
+    /** State of the system; its values are not documented. */
+    uint16_t system_state;
+    /** Time since start-up. Unit: ms. */
+    uint32_t system_timer;
+    /** Power state of the GNSS receiver. */
+    uint8_t gnss_power_state;
+    /** Pulses per second that were counted. Unit: 1. */
+    uint32_t pps_count;
+    /** System timer at the last pulse. Unit: ms. */
+    uint32_t pps_last_time;
+    /** Whether sensor data is streamed. */
+    mip_bool imu_stream_enabled;
+    /** Whether GNSS data is streamed. */
+    mip_bool gnss_stream_enabled;
+    /** Whether filter data is streamed. */
+    mip_bool filter_stream_enabled;
+    /** Sensor data packets that were not sent. Unit: 1. */
+    uint32_t imu_dropped_packets;
+    /** GNSS data packets that were not sent. Unit: 1. */
+    uint32_t gnss_dropped_packets;
+    /** Filter data packets that were not sent. Unit: 1. */
+    uint32_t filter_dropped_packets;
+    /** Bytes written to the port. Unit: byte. */
+    uint32_t comm_port_bytes_written;
+    /** Bytes read from the port. Unit: byte. */
+    uint32_t comm_port_bytes_read;
+    /** Overruns while writing to the port. Unit: 1. */
+    uint32_t comm_port_write_overruns;
+    /** Overruns while reading from the port. Unit: 1. */
+    uint32_t comm_port_read_overruns;
+    /** Messages of the IMU that could not be parsed. Unit: 1. */
+    uint32_t imu_parser_errors;
+    /** Messages of the IMU that were read. Unit: 1. */
+    uint32_t imu_message_count;
+    /** System timer at the last message of the IMU. Unit: ms. */
+    uint32_t imu_last_message_time;
+    /** Messages of the receiver that could not be parsed. Unit: 1. */
+    uint32_t gnss_parser_errors;
+    /** Messages of the receiver that were read. Unit: 1. */
+    uint32_t gnss_message_count;
+    /** System timer at the last message of the receiver. Unit: ms. */
+    uint32_t gnss_last_message_time;
+    /** Whether the magnetometer could not be started. */
+    mip_bool mag_init_failed;
+    /** Whether the pressure sensor could not be started. */
+    mip_bool pressure_init_failed;
+    /** Whether the GNSS receiver could not be started. */
+    mip_bool receiver_init_failed;
+};
+
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_DESCRIPTOR 0x90
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_NAME \
+    "3dm.device_status_diagnostic_gq4_45_response"
+
+extern const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_response_codec;
+mip_error mip_3dm_device_status_diagnostic_gq4_45_response_decode(
+    struct mip_3dm_device_status_diagnostic_gq4_45_response *value, const struct mip_field *field);
+mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
+    const struct mip_3dm_device_status_diagnostic_gq4_45_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Diagnostic Device Status of the 3DM-RQ1-45: response (0x0C,0x90).
+ *
+ * The layout with GNSS, and the temperature.
+ *
+ * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_response,
+ * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
+ * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
+ * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
+ * Supported by 3DM-GX5-15. Uncertain: No manual is known that prints it. Uncertain: MSCL names the
+ * values only; the descriptions follow from the names, and times in ms from the system timer.
+ *
+ * On the wire only, without a member:
+ * - status_selector: Diagnostic status. Always 2.
+ *
+ * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+ * - mscl: Device Status (0x0C,0x64)
+ */
+struct mip_3dm_device_status_diagnostic_rq1_45_response {
+    /** Model number of the device. */
+    uint16_t model_number;
+    /** Reserved. */
+    uint32_t status_flags;
+    /** State of the system; its values are not documented. */
+    uint16_t system_state;
+    /** Time since start-up. Unit: ms. */
+    uint32_t system_timer;
+    /** Power state of the GNSS receiver. */
+    uint8_t gnss_power_state;
+    /** Whether the receiver starts cold at power-on. */
+    uint8_t cold_start_on_power_on;
+    /** Of the board. Unit: degC. Uncertain: The unit is inferred. */
+    float temperature;
+    /** System timer at the last temperature. Unit: ms. */
+    uint32_t temperature_last_time;
+    /** Pulses per second that were counted. Unit: 1. */
+    uint32_t pps_count;
+    /** System timer at the last pulse. Unit: ms. */
+    uint32_t pps_last_time;
+    /** Whether sensor data is streamed. */
+    mip_bool imu_stream_enabled;
+    /** Whether GNSS data is streamed. */
+    mip_bool gnss_stream_enabled;
+    /** Whether filter data is streamed. */
+    mip_bool filter_stream_enabled;
+    /** Sensor data packets that were not sent. Unit: 1. */
+    uint32_t imu_dropped_packets;
+    /** GNSS data packets that were not sent. Unit: 1. */
+    uint32_t gnss_dropped_packets;
+    /** Filter data packets that were not sent. Unit: 1. */
+    uint32_t filter_dropped_packets;
+    /** Bytes written to the port. Unit: byte. */
+    uint32_t comm_port_bytes_written;
+    /** Bytes read from the port. Unit: byte. */
+    uint32_t comm_port_bytes_read;
+    /** Overruns while writing to the port. Unit: 1. */
+    uint32_t comm_port_write_overruns;
+    /** Overruns while reading from the port. Unit: 1. */
+    uint32_t comm_port_read_overruns;
+    /** Messages of the IMU that could not be parsed. Unit: 1. */
+    uint32_t imu_parser_errors;
+    /** Messages of the IMU that were read. Unit: 1. */
+    uint32_t imu_message_count;
+    /** System timer at the last message of the IMU. Unit: ms. */
+    uint32_t imu_last_message_time;
+    /** Messages of the receiver that could not be parsed. Unit: 1. */
+    uint32_t gnss_parser_errors;
+    /** Messages of the receiver that were read. Unit: 1. */
+    uint32_t gnss_message_count;
+    /** System timer at the last message of the receiver. Unit: ms. */
+    uint32_t gnss_last_message_time;
+};
+
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_DESCRIPTOR 0x90
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_NAME \
+    "3dm.device_status_diagnostic_rq1_45_response"
+
+extern const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_response_codec;
+mip_error mip_3dm_device_status_diagnostic_rq1_45_response_decode(
+    struct mip_3dm_device_status_diagnostic_rq1_45_response *value, const struct mip_field *field);
+mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
+    const struct mip_3dm_device_status_diagnostic_rq1_45_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25: response (0x0C,0x90).
+ *
+ * Timer with the counters of pulses, streams, port and USB.
+ *
+ * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_response,
+ * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
+ * mip_3dm_device_status_diagnostic_rq1_45_response and
+ * mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-15. Uncertain: No manual is known
+ * that prints it for these devices; the offsets 49 to 69 of that of the 3DM-GX5-45 agree.
+ * Uncertain: MSCL names the values only; the descriptions follow from the names, and times in ms
+ * from the system timer.
+ *
+ * On the wire only, without a member:
+ * - status_selector: Diagnostic status. Always 2.
+ *
+ * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+ * - mscl: Device Status (0x0C,0x64)
+ */
+struct mip_3dm_device_status_diagnostic_gx4_response {
+    /** Model number of the device. */
+    uint16_t model_number;
+    /** Reserved. */
+    uint32_t status_flags;
+    /** Time since start-up. Unit: ms. */
+    uint32_t system_timer;
+    /** Pulses per second that were counted. Unit: 1. */
+    uint32_t pps_count;
+    /** System timer at the last pulse. Unit: ms. */
+    uint32_t pps_last_time;
+    /** Whether sensor data is streamed. */
+    mip_bool imu_stream_enabled;
+    /** Whether filter data is streamed. */
+    mip_bool filter_stream_enabled;
+    /** Sensor data packets that were not sent. Unit: 1. */
+    uint32_t imu_dropped_packets;
+    /** Filter data packets that were not sent. Unit: 1. */
+    uint32_t filter_dropped_packets;
+    /** Bytes written to the port. Unit: byte. */
+    uint32_t comm_port_bytes_written;
+    /** Bytes read from the port. Unit: byte. */
+    uint32_t comm_port_bytes_read;
+    /** Overruns while writing to the port. Unit: 1. */
+    uint32_t comm_port_write_overruns;
+    /** Overruns while reading from the port. Unit: 1. */
+    uint32_t comm_port_read_overruns;
+    /** Bytes written to USB. Unit: byte. */
+    uint32_t usb_bytes_written;
+    /** Bytes read from USB. Unit: byte. */
+    uint32_t usb_bytes_read;
+    /** Overruns while writing to USB. Unit: 1. */
+    uint32_t usb_write_overruns;
+    /** Overruns while reading from USB. Unit: 1. */
+    uint32_t usb_read_overruns;
+    /** Messages of the IMU that could not be parsed. Unit: 1. */
+    uint32_t imu_parser_errors;
+    /** Messages of the IMU that were read. Unit: 1. */
+    uint32_t imu_message_count;
+    /** System timer at the last message of the IMU. Unit: ms. */
+    uint32_t imu_last_message_time;
+};
+
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_DESCRIPTOR 0x90
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_NAME \
+    "3dm.device_status_diagnostic_gx4_response"
+
+extern const struct mip_codec mip_3dm_device_status_diagnostic_gx4_response_codec;
+mip_error mip_3dm_device_status_diagnostic_gx4_response_decode(
+    struct mip_3dm_device_status_diagnostic_gx4_response *value, const struct mip_field *field);
+mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
+    const struct mip_3dm_device_status_diagnostic_gx4_response *value, struct mip_builder *builder);
+
+/**
+ * Diagnostic Device Status of an IMU: response (0x0C,0x90).
+ *
+ * Timer with the sensors that there are, temperature, and the counters of pulses, stream and port.
+ *
+ * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_response,
+ * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
+ * mip_3dm_device_status_diagnostic_rq1_45_response and
+ * mip_3dm_device_status_diagnostic_gx4_response by the size of its data. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-15. Uncertain: MSCL has it for
+ * the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no manual is known that prints it. Uncertain: MSCL
+ * names the values only; the descriptions follow from the names, and times in ms from the system
+ * timer. Uncertain: The units of the ranges are open.
+ *
+ * On the wire only, without a member:
+ * - status_selector: Diagnostic status. Always 2.
+ *
+ * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
+ * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
+ * - mscl: Device Status (0x0C,0x64)
+ */
+struct mip_3dm_device_status_diagnostic_imu_response {
+    /** Model number of the device. */
+    uint16_t model_number;
+    /** Reserved. */
+    uint32_t status_flags;
+    /** Time since start-up. Unit: ms. */
+    uint32_t system_timer;
+    /** Whether it has a magnetometer. */
+    mip_bool has_mag;
+    /** Whether it has a pressure sensor. */
+    mip_bool has_pressure;
+    /** Power state of the sensors. */
+    uint8_t power_state;
+    /** Range of the gyroscope. */
+    uint16_t gyro_range;
+    /** Range of the accelerometer. */
+    uint16_t accel_range;
+    /** Reserved. */
+    uint32_t reserved;
+    /** Of the board. Unit: degC. Uncertain: The unit is inferred. */
+    float temperature;
+    /** System timer at the last temperature. Unit: ms. */
+    uint32_t temperature_last_time;
+    /** State of the temperature measurement. */
+    uint8_t temperature_error;
+    /** Pulses per second that were counted. Unit: 1. */
+    uint32_t pps_count;
+    /** System timer at the last pulse. Unit: ms. */
+    uint32_t pps_last_time;
+    /** Whether sensor data is streamed. */
+    mip_bool imu_stream_enabled;
+    /** Sensor data packets that were not sent. Unit: 1. */
+    uint32_t imu_dropped_packets;
+    /** Bytes written to the port. Unit: byte. */
+    uint32_t comm_port_bytes_written;
+    /** Bytes read from the port. Unit: byte. */
+    uint32_t comm_port_bytes_read;
+    /** Overruns while writing to the port. Unit: 1. */
+    uint32_t comm_port_write_overruns;
+    /** Overruns while reading from the port. Unit: 1. */
+    uint32_t comm_port_read_overruns;
+};
+
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_DESCRIPTOR 0x90
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_NAME \
+    "3dm.device_status_diagnostic_imu_response"
+
+extern const struct mip_codec mip_3dm_device_status_diagnostic_imu_response_codec;
+mip_error mip_3dm_device_status_diagnostic_imu_response_decode(
+    struct mip_3dm_device_status_diagnostic_imu_response *value, const struct mip_field *field);
+mip_error mip_3dm_device_status_diagnostic_imu_response_encode(
+    const struct mip_3dm_device_status_diagnostic_imu_response *value, struct mip_builder *builder);
 
 #ifdef __cplusplus
 }

@@ -45,8 +45,10 @@ typedef enum mip_error {
     MIP_ERROR_CONSTANT,
     /** The number of present parameters ends between a counter and its array, or exceeds them. */
     MIP_ERROR_MISSING,
-    /** The field does not belong in packets of this descriptor set. */
-    MIP_ERROR_SET
+    /** The field does not stand in packets of this descriptor set. */
+    MIP_ERROR_SET,
+    /** The data have another layout of the descriptor than the caller expects. */
+    MIP_ERROR_LAYOUT
 } mip_error;
 
 /** The error as one word in lower case: "truncated"; "ok" if there is none. */
@@ -178,7 +180,23 @@ struct mip_response {
     bool (*asked)(const void *command);
 };
 
-/** What generic code needs to handle a type of field; the client and the registry use it. */
+/** A value at a fixed place. */
+struct mip_constant {
+    uint8_t offset;
+    uint8_t size;
+    uint64_t value;
+};
+
+/** What tells one of several layouts of a descriptor from the others. */
+struct mip_layout {
+    /** Bytes of data that it may have. */
+    uint8_t shortest;
+    uint8_t longest;
+    uint8_t constant_count;
+    const struct mip_constant *constants;
+};
+
+/** All that generic code needs to handle a type of field; the client and the registry use it. */
 struct mip_codec {
     uint8_t descriptor_set;
     uint8_t descriptor;
@@ -194,7 +212,12 @@ struct mip_codec {
     bool (*silent)(const void *value);
     /** The responses of this command, up to an entry without a codec; NULL if there are none. */
     const struct mip_response *responses;
+    /** NULL if it is the only layout of its descriptor. */
+    const struct mip_layout *layout;
 };
+
+/** Do the data of a field have this layout of their descriptor, as far as they reach? */
+bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *field);
 
 /**
  * Decodes a field of any type. On an error `value` is zeroed. `trailing` may be NULL; it receives

@@ -19,12 +19,17 @@ extern "C" {
 /**
  * 3DM-CV7-GNSS/INS: Inertial navigation system with two RTK-capable GNSS receivers, magnetometer
  * and pressure sensor.
+ *
+ * Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
  */
 extern const struct mip_device mip_device_cv7_gnss_ins;
 
 /**
  * 3DM-GX5-15: Vertical reference unit with an inertial sensor, a pressure sensor and an estimation
  * filter.
+ *
+ * Model number 6254. Manual: LORD Sensing 3DM-GX5-15 Data Communications Protocol, 8500-0067 rev.
+ * E.
  */
 extern const struct mip_device mip_device_gx5_15;
 

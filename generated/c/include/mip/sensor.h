@@ -510,12 +510,14 @@ mip_error mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value,
 struct mip_sensor_gps_timestamp {
     /**
      * GPS time of week. Unit: s. Valid if MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TOW_VALID in valid_flags
-     * is set.
+     * is set. On the 3DM-GX5-15: valid if MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in
+     * valid_flags is set.
      */
     double tow;
     /**
      * GPS week number. Unit: week. Valid if MIP_SENSOR_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER_VALID in
-     * valid_flags is set.
+     * valid_flags is set. On the 3DM-GX5-15: valid if
+     * MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is set.
      */
     uint16_t week_number;
     /** State of the time. On the 3DM-GX5-15: values of mip_gx5_sensor_gps_timestamp_flags. */

@@ -15,6 +15,8 @@ pub static ALL: &[&Device] = &[
 /// Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure
 /// sensor.
 ///
+/// Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
+///
 /// # Ports
 ///
 /// The main port is USB 1 while a host has it open (DTR set), else UART 1. MIP is always enabled on
@@ -151,190 +153,195 @@ pub static CV7_GNSS_INS: Device = Device {
     id: "3dm-cv7-gnss-ins",
     title: "3DM-CV7-GNSS/INS",
     description: "Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure sensor.",
+    also: &[],
     model_number: Some(6292),
+    generation: None,
+    manual: Some("3dm-cv7-gnss-ins"),
+    incomplete: &[
+    ],
     fields: supported! {
-        0x01 0x01 "base.ping" [];
-        0x01 0x02 "base.set_idle" [];
-        0x01 0x03 "base.get_device_info" [];
-        0x01 0x04 "base.get_device_descriptors" [];
-        0x01 0x05 "base.built_in_test" [];
-        0x01 0x06 "base.resume" [];
-        0x01 0x07 "base.get_extended_descriptors" [];
-        0x01 0x08 "base.continuous_built_in_test" [];
-        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT];
-        0x01 0x72 "base.gps_time_update" [WRITE];
-        0x01 0x7E "base.soft_reset" [];
-        0x0C 0x04 "3dm.poll_nmea_data" [];
-        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x0D "3dm.poll_data" [];
-        0x0C 0x0E "3dm.get_base_rate" [];
-        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x10 "3dm.factory_streaming" [];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x2A "3dm.get_event_support" [];
-        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x2C "3dm.get_event_trigger_status" [];
-        0x0C 0x2D "3dm.get_event_action_status" [];
-        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT];
-        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x39 "3dm.capture_gyro_bias" [];
-        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x42 "3dm.gpio_state" [WRITE READ];
-        0x0C 0x43 "3dm.odometer_config" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [];
-        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x01 "filter.reset" [];
-        0x0D 0x03 "filter.set_initial_heading" [];
-        0x0D 0x05 "filter.run" [];
-        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x17 "filter.external_heading_update" [];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x1F "filter.external_heading_update_with_time" [];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x54 "filter.multi_antenna_offset" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x61 "filter.speed_lever_arm" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x63 "filter.wheeled_vehicle_constraint_control" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x64 "filter.gnss_antenna_calibration_control" [WRITE READ SAVE LOAD DEFAULT];
-        0x0E 0x01 "gnss.receiver_info" [];
-        0x0E 0x02 "gnss.signal_config" [WRITE READ SAVE LOAD DEFAULT];
-        0x0E 0x20 "gnss.spartn_config" [WRITE READ SAVE LOAD DEFAULT];
-        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT];
-        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT];
-        0x13 0x21 "aiding.ecef_position" [];
-        0x13 0x22 "aiding.llh_position" [];
-        0x13 0x23 "aiding.height_above_ellipsoid" [];
-        0x13 0x28 "aiding.ecef_velocity" [];
-        0x13 0x29 "aiding.ned_velocity" [];
-        0x13 0x2A "aiding.body_frame_velocity" [];
-        0x13 0x31 "aiding.true_heading" [];
-        0x13 0x32 "aiding.magnetic_field" [];
-        0x13 0x33 "aiding.pressure" [];
-        0x80 0x04 "sensor.scaled_accel" [];
-        0x80 0x05 "sensor.scaled_gyro" [];
-        0x80 0x06 "sensor.scaled_mag" [];
-        0x80 0x07 "sensor.delta_theta" [];
-        0x80 0x08 "sensor.delta_velocity" [];
-        0x80 0x09 "sensor.comp_orientation_matrix" [];
-        0x80 0x0A "sensor.comp_quaternion" [];
-        0x80 0x0C "sensor.comp_euler_angles" [];
-        0x80 0x12 "sensor.gps_timestamp" [];
-        0x80 0x14 "sensor.temperature_statistics" [];
-        0x80 0x17 "sensor.scaled_pressure" [];
-        0x80 0x18 "sensor.overrange_status" [];
-        0x80 0x40 "sensor.odometer" [];
-        0x82 0x01 "filter_data.llh_position" [];
-        0x82 0x02 "filter_data.ned_velocity" [];
-        0x82 0x03 "filter_data.attitude_quaternion" [];
-        0x82 0x04 "filter_data.attitude_dcm" [];
-        0x82 0x05 "filter_data.euler_angles" [];
-        0x82 0x06 "filter_data.gyro_bias" [];
-        0x82 0x07 "filter_data.accel_bias" [];
-        0x82 0x08 "filter_data.llh_position_uncertainty" [];
-        0x82 0x09 "filter_data.ned_velocity_uncertainty" [];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [];
-        0x82 0x0C "filter_data.accel_bias_uncertainty" [];
-        0x82 0x0D "filter_data.linear_accel" [];
-        0x82 0x0E "filter_data.comp_angular_rate" [];
-        0x82 0x10 "filter_data.status" [];
-        0x82 0x11 "filter_data.timestamp" [];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [];
-        0x82 0x13 "filter_data.gravity_vector" [];
-        0x82 0x15 "filter_data.magnetic_model" [];
-        0x82 0x1C "filter_data.comp_accel" [];
-        0x82 0x21 "filter_data.pressure_altitude" [];
-        0x82 0x34 "filter_data.multi_antenna_offset_correction" [];
-        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [];
-        0x82 0x36 "filter_data.ecef_position_uncertainty" [];
-        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [];
-        0x82 0x40 "filter_data.ecef_position" [];
-        0x82 0x41 "filter_data.ecef_velocity" [];
-        0x82 0x42 "filter_data.ned_relative_position" [];
-        0x82 0x43 "filter_data.gnss_position_aiding_status" [];
-        0x82 0x46 "filter_data.aiding_measurement_summary" [];
-        0x82 0x47 "filter_data.odometer_scale_factor_error" [];
-        0x82 0x48 "filter_data.odometer_scale_factor_error_uncertainty" [];
-        0x82 0x49 "filter_data.gnss_dual_antenna_status" [];
-        0x82 0x50 "filter_data.aiding_frame_config_error" [];
-        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [];
-        0x91 0x03 "gnss_1.llh_position" [];
-        0x91 0x04 "gnss_1.ecef_position" [];
-        0x91 0x05 "gnss_1.ned_velocity" [];
-        0x91 0x06 "gnss_1.ecef_velocity" [];
-        0x91 0x07 "gnss_1.dop" [];
-        0x91 0x08 "gnss_1.utc_time" [];
-        0x91 0x09 "gnss_1.gps_time" [];
-        0x91 0x0B "gnss_1.fix_info" [];
-        0x91 0x0D "gnss_1.hardware_status" [];
-        0x91 0x10 "gnss_1.clock_info_2" [];
-        0x91 0x11 "gnss_1.gps_leap_seconds" [];
-        0x91 0x12 "gnss_1.sbas_info" [];
-        0x91 0x20 "gnss_1.satellite_status" [];
-        0x91 0x22 "gnss_1.raw" [];
-        0x91 0x61 "gnss_1.gps_ephemeris" [];
-        0x91 0x62 "gnss_1.glonass_ephemeris" [];
-        0x91 0x63 "gnss_1.galileo_ephemeris" [];
-        0x91 0x64 "gnss_1.beidou_ephemeris" [];
-        0x92 0x03 "gnss_2.llh_position" [];
-        0x92 0x04 "gnss_2.ecef_position" [];
-        0x92 0x05 "gnss_2.ned_velocity" [];
-        0x92 0x06 "gnss_2.ecef_velocity" [];
-        0x92 0x07 "gnss_2.dop" [];
-        0x92 0x08 "gnss_2.utc_time" [];
-        0x92 0x09 "gnss_2.gps_time" [];
-        0x92 0x0B "gnss_2.fix_info" [];
-        0x92 0x0D "gnss_2.hardware_status" [];
-        0x92 0x10 "gnss_2.clock_info_2" [];
-        0x92 0x11 "gnss_2.gps_leap_seconds" [];
-        0x92 0x12 "gnss_2.sbas_info" [];
-        0x92 0x20 "gnss_2.satellite_status" [];
-        0x92 0x22 "gnss_2.raw" [];
-        0x92 0x61 "gnss_2.gps_ephemeris" [];
-        0x92 0x62 "gnss_2.glonass_ephemeris" [];
-        0x92 0x63 "gnss_2.galileo_ephemeris" [];
-        0x92 0x64 "gnss_2.beidou_ephemeris" [];
-        0x93 0x30 "gnss_corrections.base_station_info" [];
-        0x93 0x31 "gnss_corrections.rtk_corrections_status" [];
-        0x94 0x03 "gnss_external.llh_position" [];
-        0x94 0x05 "gnss_external.ned_velocity" [];
-        0x94 0x08 "gnss_external.utc_time" [];
-        0x94 0x0B "gnss_external.fix_info" [];
-        0x94 0x20 "gnss_external.satellite_status" [];
-        0xA0 0x01 "system_data.built_in_test" [];
-        0xA0 0x02 "system_data.time_sync_status" [];
-        0xA0 0x03 "system_data.gpio_state" [];
-        0xFF 0xD0 "shared.event_source" [];
-        0xFF 0xD3 "shared.gps_timestamp" [];
-        0xFF 0xD4 "shared.delta_time" [];
-        0xFF 0xD5 "shared.reference_timestamp" [];
-        0xFF 0xD6 "shared.reference_time_delta" [];
-        0xFF 0xD7 "shared.external_timestamp" [];
-        0xFF 0xD8 "shared.external_time_delta" [];
+        0x01 0x01 "base.ping" [] None;
+        0x01 0x02 "base.set_idle" [] None;
+        0x01 0x03 "base.get_device_info" [] None;
+        0x01 0x04 "base.get_device_descriptors" [] None;
+        0x01 0x05 "base.built_in_test" [] None;
+        0x01 0x06 "base.resume" [] None;
+        0x01 0x07 "base.get_extended_descriptors" [] None;
+        0x01 0x08 "base.continuous_built_in_test" [] None;
+        0x01 0x09 "base.comm_speed" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x01 0x72 "base.gps_time_update" [WRITE] None;
+        0x01 0x7E "base.soft_reset" [] None;
+        0x0C 0x04 "3dm.poll_nmea_data" [] None;
+        0x0C 0x0C "3dm.nmea_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x0D "3dm.poll_data" [] None;
+        0x0C 0x0E "3dm.get_base_rate" [] None;
+        0x0C 0x0F "3dm.message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x10 "3dm.factory_streaming" [] None;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x2A "3dm.get_event_support" [] None;
+        0x0C 0x2B "3dm.event_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x2C "3dm.get_event_trigger_status" [] None;
+        0x0C 0x2D "3dm.get_event_action_status" [] None;
+        0x0C 0x2E "3dm.event_trigger_config" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x2F "3dm.event_action_config" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] None;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x32 "3dm.sensor_to_vehicle_transform_quaternion" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x33 "3dm.sensor_to_vehicle_transform_dcm" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] None;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x42 "3dm.gpio_state" [WRITE READ] None;
+        0x0C 0x43 "3dm.odometer_config" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x52 "3dm.sensor_range" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x53 "3dm.get_calibrated_sensor_ranges" [] None;
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x01 "filter.reset" [] None;
+        0x0D 0x03 "filter.set_initial_heading" [] None;
+        0x0D 0x05 "filter.run" [] None;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x17 "filter.external_heading_update" [] None;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] None;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x54 "filter.multi_antenna_offset" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x55 "filter.relative_position_config" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x56 "filter.reference_point_lever_arm" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x61 "filter.speed_lever_arm" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x63 "filter.wheeled_vehicle_constraint_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0E 0x01 "gnss.receiver_info" [] None;
+        0x0E 0x02 "gnss.signal_config" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0E 0x20 "gnss.spartn_config" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x13 0x21 "aiding.ecef_position" [] None;
+        0x13 0x22 "aiding.llh_position" [] None;
+        0x13 0x23 "aiding.height_above_ellipsoid" [] None;
+        0x13 0x28 "aiding.ecef_velocity" [] None;
+        0x13 0x29 "aiding.ned_velocity" [] None;
+        0x13 0x2A "aiding.body_frame_velocity" [] None;
+        0x13 0x31 "aiding.true_heading" [] None;
+        0x13 0x32 "aiding.magnetic_field" [] None;
+        0x13 0x33 "aiding.pressure" [] None;
+        0x80 0x04 "sensor.scaled_accel" [] None;
+        0x80 0x05 "sensor.scaled_gyro" [] None;
+        0x80 0x06 "sensor.scaled_mag" [] None;
+        0x80 0x07 "sensor.delta_theta" [] None;
+        0x80 0x08 "sensor.delta_velocity" [] None;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] None;
+        0x80 0x0A "sensor.comp_quaternion" [] None;
+        0x80 0x0C "sensor.comp_euler_angles" [] None;
+        0x80 0x12 "sensor.gps_timestamp" [] None;
+        0x80 0x14 "sensor.temperature_statistics" [] None;
+        0x80 0x17 "sensor.scaled_pressure" [] None;
+        0x80 0x18 "sensor.overrange_status" [] None;
+        0x80 0x40 "sensor.odometer" [] None;
+        0x82 0x01 "filter_data.llh_position" [] None;
+        0x82 0x02 "filter_data.ned_velocity" [] None;
+        0x82 0x03 "filter_data.attitude_quaternion" [] None;
+        0x82 0x04 "filter_data.attitude_dcm" [] None;
+        0x82 0x05 "filter_data.euler_angles" [] None;
+        0x82 0x06 "filter_data.gyro_bias" [] None;
+        0x82 0x07 "filter_data.accel_bias" [] None;
+        0x82 0x08 "filter_data.llh_position_uncertainty" [] None;
+        0x82 0x09 "filter_data.ned_velocity_uncertainty" [] None;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] None;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] None;
+        0x82 0x0C "filter_data.accel_bias_uncertainty" [] None;
+        0x82 0x0D "filter_data.linear_accel" [] None;
+        0x82 0x0E "filter_data.comp_angular_rate" [] None;
+        0x82 0x10 "filter_data.status" [] None;
+        0x82 0x11 "filter_data.timestamp" [] None;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] None;
+        0x82 0x13 "filter_data.gravity_vector" [] None;
+        0x82 0x15 "filter_data.magnetic_model" [] None;
+        0x82 0x1C "filter_data.comp_accel" [] None;
+        0x82 0x21 "filter_data.pressure_altitude" [] None;
+        0x82 0x34 "filter_data.multi_antenna_offset_correction" [] None;
+        0x82 0x35 "filter_data.multi_antenna_offset_correction_uncertainty" [] None;
+        0x82 0x36 "filter_data.ecef_position_uncertainty" [] None;
+        0x82 0x37 "filter_data.ecef_velocity_uncertainty" [] None;
+        0x82 0x40 "filter_data.ecef_position" [] None;
+        0x82 0x41 "filter_data.ecef_velocity" [] None;
+        0x82 0x42 "filter_data.ned_relative_position" [] None;
+        0x82 0x43 "filter_data.gnss_position_aiding_status" [] None;
+        0x82 0x46 "filter_data.aiding_measurement_summary" [] None;
+        0x82 0x47 "filter_data.odometer_scale_factor_error" [] None;
+        0x82 0x48 "filter_data.odometer_scale_factor_error_uncertainty" [] None;
+        0x82 0x49 "filter_data.gnss_dual_antenna_status" [] None;
+        0x82 0x50 "filter_data.aiding_frame_config_error" [] None;
+        0x82 0x51 "filter_data.aiding_frame_config_error_uncertainty" [] None;
+        0x91 0x03 "gnss_1.llh_position" [] None;
+        0x91 0x04 "gnss_1.ecef_position" [] None;
+        0x91 0x05 "gnss_1.ned_velocity" [] None;
+        0x91 0x06 "gnss_1.ecef_velocity" [] None;
+        0x91 0x07 "gnss_1.dop" [] None;
+        0x91 0x08 "gnss_1.utc_time" [] None;
+        0x91 0x09 "gnss_1.gps_time" [] None;
+        0x91 0x0B "gnss_1.fix_info" [] None;
+        0x91 0x0D "gnss_1.hardware_status" [] None;
+        0x91 0x10 "gnss_1.clock_info_2" [] None;
+        0x91 0x11 "gnss_1.gps_leap_seconds" [] None;
+        0x91 0x12 "gnss_1.sbas_info" [] None;
+        0x91 0x20 "gnss_1.satellite_status" [] None;
+        0x91 0x22 "gnss_1.raw" [] None;
+        0x91 0x61 "gnss_1.gps_ephemeris" [] None;
+        0x91 0x62 "gnss_1.glonass_ephemeris" [] None;
+        0x91 0x63 "gnss_1.galileo_ephemeris" [] None;
+        0x91 0x64 "gnss_1.beidou_ephemeris" [] None;
+        0x92 0x03 "gnss_2.llh_position" [] None;
+        0x92 0x04 "gnss_2.ecef_position" [] None;
+        0x92 0x05 "gnss_2.ned_velocity" [] None;
+        0x92 0x06 "gnss_2.ecef_velocity" [] None;
+        0x92 0x07 "gnss_2.dop" [] None;
+        0x92 0x08 "gnss_2.utc_time" [] None;
+        0x92 0x09 "gnss_2.gps_time" [] None;
+        0x92 0x0B "gnss_2.fix_info" [] None;
+        0x92 0x0D "gnss_2.hardware_status" [] None;
+        0x92 0x10 "gnss_2.clock_info_2" [] None;
+        0x92 0x11 "gnss_2.gps_leap_seconds" [] None;
+        0x92 0x12 "gnss_2.sbas_info" [] None;
+        0x92 0x20 "gnss_2.satellite_status" [] None;
+        0x92 0x22 "gnss_2.raw" [] None;
+        0x92 0x61 "gnss_2.gps_ephemeris" [] None;
+        0x92 0x62 "gnss_2.glonass_ephemeris" [] None;
+        0x92 0x63 "gnss_2.galileo_ephemeris" [] None;
+        0x92 0x64 "gnss_2.beidou_ephemeris" [] None;
+        0x93 0x30 "gnss_corrections.base_station_info" [] None;
+        0x93 0x31 "gnss_corrections.rtk_corrections_status" [] None;
+        0x94 0x03 "gnss_external.llh_position" [] None;
+        0x94 0x05 "gnss_external.ned_velocity" [] None;
+        0x94 0x08 "gnss_external.utc_time" [] None;
+        0x94 0x0B "gnss_external.fix_info" [] None;
+        0x94 0x20 "gnss_external.satellite_status" [] None;
+        0xA0 0x01 "system_data.built_in_test" [] None;
+        0xA0 0x02 "system_data.time_sync_status" [] None;
+        0xA0 0x03 "system_data.gpio_state" [] None;
+        0xFF 0xD0 "shared.event_source" [] None;
+        0xFF 0xD3 "shared.gps_timestamp" [] None;
+        0xFF 0xD4 "shared.delta_time" [] None;
+        0xFF 0xD5 "shared.reference_timestamp" [] None;
+        0xFF 0xD6 "shared.reference_time_delta" [] None;
+        0xFF 0xD7 "shared.external_timestamp" [] None;
+        0xFF 0xD8 "shared.external_time_delta" [] None;
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
@@ -581,6 +588,9 @@ pub static CV7_GNSS_INS: Device = Device {
 ///
 /// Vertical reference unit with an inertial sensor, a pressure sensor and an estimation filter.
 ///
+/// Model number 6254. Manual: LORD Sensing 3DM-GX5-15 Data Communications Protocol, 8500-0067 rev.
+/// E.
+///
 /// # Base rates
 ///
 /// The manual gives both 1000 and 500 for each stream. Read the base rates from the device before
@@ -623,81 +633,86 @@ pub static GX5_15: Device = Device {
     id: "3dm-gx5-15",
     title: "3DM-GX5-15",
     description: "Vertical reference unit with an inertial sensor, a pressure sensor and an estimation filter.",
+    also: &[],
     model_number: Some(6254),
+    generation: None,
+    manual: Some("3dm-gx5-15"),
+    incomplete: &[
+    ],
     fields: supported! {
-        0x01 0x01 "base.ping" [];
-        0x01 0x02 "base.set_idle" [];
-        0x01 0x03 "base.get_device_info" [];
-        0x01 0x04 "base.get_device_descriptors" [];
-        0x01 0x05 "base.built_in_test" [];
-        0x01 0x06 "base.resume" [];
-        0x01 0x07 "base.get_extended_descriptors" [];
-        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY];
-        0x01 0x7E "base.soft_reset" [];
-        0x0C 0x01 "3dm.poll_imu_data" [];
-        0x0C 0x03 "3dm.poll_filter_data" [];
-        0x0C 0x06 "3dm.get_imu_base_rate" [];
-        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x0B "3dm.get_filter_base_rate" [];
-        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT];
-        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY];
-        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY];
-        0x0C 0x39 "3dm.capture_gyro_bias" [];
-        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT];
-        0x0C 0x64 "3dm.device_status" [];
-        0x0D 0x01 "filter.reset" [];
-        0x0D 0x02 "filter.set_initial_attitude" [];
-        0x0D 0x03 "filter.set_initial_heading" [];
-        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x17 "filter.external_heading_update" [];
-        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x1F "filter.external_heading_update_with_time" [];
-        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x21 "filter.tare_orientation" [WRITE SAVE LOAD DEFAULT];
-        0x0D 0x23 "filter.commanded_angular_zupt" [];
-        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT];
-        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT];
-        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT];
-        0x80 0x04 "sensor.scaled_accel" [];
-        0x80 0x05 "sensor.scaled_gyro" [];
-        0x80 0x07 "sensor.delta_theta" [];
-        0x80 0x08 "sensor.delta_velocity" [];
-        0x80 0x09 "sensor.comp_orientation_matrix" [];
-        0x80 0x0A "sensor.comp_quaternion" [];
-        0x80 0x0C "sensor.comp_euler_angles" [];
-        0x80 0x10 "sensor.north_vector" [];
-        0x80 0x11 "sensor.up_vector" [];
-        0x80 0x12 "sensor.gps_timestamp" [];
-        0x80 0x17 "sensor.scaled_pressure" [];
-        0x82 0x03 "filter_data.attitude_quaternion" [];
-        0x82 0x04 "filter_data.attitude_dcm" [];
-        0x82 0x05 "filter_data.euler_angles" [];
-        0x82 0x06 "filter_data.gyro_bias" [];
-        0x82 0x0A "filter_data.euler_angles_uncertainty" [];
-        0x82 0x0B "filter_data.gyro_bias_uncertainty" [];
-        0x82 0x0D "filter_data.linear_accel" [];
-        0x82 0x0E "filter_data.comp_angular_rate" [];
-        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [];
-        0x82 0x10 "filter_data.status" [];
-        0x82 0x11 "filter_data.timestamp" [];
-        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [];
-        0x82 0x13 "filter_data.gravity_vector" [];
-        0x82 0x14 "filter_data.heading_update_state" [];
-        0x82 0x1C "filter_data.comp_accel" [];
-        0x82 0x21 "filter_data.pressure_altitude" [];
+        0x01 0x01 "base.ping" [] None;
+        0x01 0x02 "base.set_idle" [] None;
+        0x01 0x03 "base.get_device_info" [] None;
+        0x01 0x04 "base.get_device_descriptors" [] None;
+        0x01 0x05 "base.built_in_test" [] None;
+        0x01 0x06 "base.resume" [] None;
+        0x01 0x07 "base.get_extended_descriptors" [] None;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] None;
+        0x01 0x7E "base.soft_reset" [] None;
+        0x0C 0x01 "3dm.poll_imu_data" [] None;
+        0x0C 0x03 "3dm.poll_filter_data" [] None;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] None;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] None;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] None;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] None;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x64 "3dm.device_status" [] None;
+        0x0D 0x01 "filter.reset" [] None;
+        0x0D 0x02 "filter.set_initial_attitude" [] None;
+        0x0D 0x03 "filter.set_initial_heading" [] None;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x17 "filter.external_heading_update" [] None;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] None;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x21 "filter.tare_orientation" [WRITE SAVE LOAD DEFAULT] None;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] None;
+        0x0D 0x26 "filter.reference_position" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x41 "filter.enable_measurements" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x80 0x04 "sensor.scaled_accel" [] None;
+        0x80 0x05 "sensor.scaled_gyro" [] None;
+        0x80 0x07 "sensor.delta_theta" [] None;
+        0x80 0x08 "sensor.delta_velocity" [] None;
+        0x80 0x09 "sensor.comp_orientation_matrix" [] None;
+        0x80 0x0A "sensor.comp_quaternion" [] None;
+        0x80 0x0C "sensor.comp_euler_angles" [] None;
+        0x80 0x10 "sensor.north_vector" [] None;
+        0x80 0x11 "sensor.up_vector" [] None;
+        0x80 0x12 "sensor.gps_timestamp" [] None;
+        0x80 0x17 "sensor.scaled_pressure" [] None;
+        0x82 0x03 "filter_data.attitude_quaternion" [] None;
+        0x82 0x04 "filter_data.attitude_dcm" [] None;
+        0x82 0x05 "filter_data.euler_angles" [] None;
+        0x82 0x06 "filter_data.gyro_bias" [] None;
+        0x82 0x0A "filter_data.euler_angles_uncertainty" [] None;
+        0x82 0x0B "filter_data.gyro_bias_uncertainty" [] None;
+        0x82 0x0D "filter_data.linear_accel" [] None;
+        0x82 0x0E "filter_data.comp_angular_rate" [] None;
+        0x82 0x0F "filter_data.wgs84_gravity_magnitude" [] None;
+        0x82 0x10 "filter_data.status" [] None;
+        0x82 0x11 "filter_data.timestamp" [] None;
+        0x82 0x12 "filter_data.quaternion_attitude_uncertainty" [] None;
+        0x82 0x13 "filter_data.gravity_vector" [] None;
+        0x82 0x14 "filter_data.heading_update_state" [] None;
+        0x82 0x1C "filter_data.comp_accel" [] None;
+        0x82 0x21 "filter_data.pressure_altitude" [] None;
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
@@ -788,6 +803,16 @@ pub static GX5_15: Device = Device {
             parameter: "sensor.comp_quaternion.q",
             read_as: None,
             difference: "Between NED and the sensor frame",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set",
         },
         Variant {
             parameter: "sensor.gps_timestamp.valid_flags",

@@ -92,7 +92,7 @@ macro_rules! registry {
         pub(super) fn index(field: &RawField<'_>) -> Option<Index> {
             Some(match (field.set, field.descriptor) {
                 $(($first..=$last, $descriptor)
-                    if $layouts == 1 || field.has_constants_of::<$type>() => Index::$variant,)*
+                    if $layouts == 1 || field.has_layout_of::<$type>() => Index::$variant,)*
                 _ => return None,
             })
         }
@@ -112,12 +112,13 @@ macro_rules! add_to {
 
 /// The fields that a device supports, with the functions that it takes.
 macro_rules! supported {
-    ($($set:literal $descriptor:literal $name:literal [$($function:ident)*];)*) => {
+    ($($set:literal $descriptor:literal $name:literal [$($function:ident)*] $evidence:expr;)*) => {
         &[$($crate::devices::Supported {
             set: $set,
             descriptor: $descriptor,
             name: $name,
             functions: &[$($crate::protocol::FunctionSelector::$function),*],
+            evidence: $evidence,
         }),*]
     };
 }

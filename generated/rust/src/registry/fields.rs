@@ -332,7 +332,7 @@ registry! {
     Mip3dmDeviceStatus(crate::mip_3dm::DeviceStatus):
         Command 0x0C, 0x64, in 0x0C..=0x0C, of 1,
         "3dm.device_status", "Device Status",
-        ["3dm.device_status_basic_response", "3dm.device_status_diagnostic_response"];
+        ["3dm.device_status_basic_response", "3dm.device_status_basic_without_state_response", "3dm.device_status_diagnostic_response", "3dm.device_status_diagnostic_gnss_response", "3dm.device_status_diagnostic_gq4_45_response", "3dm.device_status_diagnostic_rq1_45_response", "3dm.device_status_diagnostic_gx4_response", "3dm.device_status_diagnostic_imu_response"];
     /// IMU Message Format response (0x0C,0x80).
     Mip3dmImuMessageFormatResponse(crate::mip_3dm::ImuMessageFormatResponse):
         Response 0x0C, 0x80, in 0x0C..=0x0C, of 1,
@@ -395,13 +395,43 @@ registry! {
         ["3dm.message_format"];
     /// Basic Device Status (0x0C,0x90).
     Mip3dmDeviceStatusBasicResponse(crate::mip_3dm::DeviceStatusBasicResponse):
-        Response 0x0C, 0x90, in 0x0C..=0x0C, of 2,
+        Response 0x0C, 0x90, in 0x0C..=0x0C, of 8,
         "3dm.device_status_basic_response", "Basic Device Status",
+        ["3dm.device_status"];
+    /// Basic Device Status without a state (0x0C,0x90).
+    Mip3dmDeviceStatusBasicWithoutStateResponse(crate::mip_3dm::DeviceStatusBasicWithoutStateResponse):
+        Response 0x0C, 0x90, in 0x0C..=0x0C, of 8,
+        "3dm.device_status_basic_without_state_response", "Basic Device Status without a state",
         ["3dm.device_status"];
     /// Diagnostic Device Status (0x0C,0x90).
     Mip3dmDeviceStatusDiagnosticResponse(crate::mip_3dm::DeviceStatusDiagnosticResponse):
-        Response 0x0C, 0x90, in 0x0C..=0x0C, of 2,
+        Response 0x0C, 0x90, in 0x0C..=0x0C, of 8,
         "3dm.device_status_diagnostic_response", "Diagnostic Device Status",
+        ["3dm.device_status"];
+    /// Diagnostic Device Status with GNSS (0x0C,0x90).
+    Mip3dmDeviceStatusDiagnosticGnssResponse(crate::mip_3dm::DeviceStatusDiagnosticGnssResponse):
+        Response 0x0C, 0x90, in 0x0C..=0x0C, of 8,
+        "3dm.device_status_diagnostic_gnss_response", "Diagnostic Device Status with GNSS",
+        ["3dm.device_status"];
+    /// Diagnostic Device Status of the 3DM-GQ4-45 (0x0C,0x90).
+    Mip3dmDeviceStatusDiagnosticGq4_45Response(crate::mip_3dm::DeviceStatusDiagnosticGq4_45Response):
+        Response 0x0C, 0x90, in 0x0C..=0x0C, of 8,
+        "3dm.device_status_diagnostic_gq4_45_response", "Diagnostic Device Status of the 3DM-GQ4-45",
+        ["3dm.device_status"];
+    /// Diagnostic Device Status of the 3DM-RQ1-45 (0x0C,0x90).
+    Mip3dmDeviceStatusDiagnosticRq1_45Response(crate::mip_3dm::DeviceStatusDiagnosticRq1_45Response):
+        Response 0x0C, 0x90, in 0x0C..=0x0C, of 8,
+        "3dm.device_status_diagnostic_rq1_45_response", "Diagnostic Device Status of the 3DM-RQ1-45",
+        ["3dm.device_status"];
+    /// Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25 (0x0C,0x90).
+    Mip3dmDeviceStatusDiagnosticGx4Response(crate::mip_3dm::DeviceStatusDiagnosticGx4Response):
+        Response 0x0C, 0x90, in 0x0C..=0x0C, of 8,
+        "3dm.device_status_diagnostic_gx4_response", "Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25",
+        ["3dm.device_status"];
+    /// Diagnostic Device Status of an IMU (0x0C,0x90).
+    Mip3dmDeviceStatusDiagnosticImuResponse(crate::mip_3dm::DeviceStatusDiagnosticImuResponse):
+        Response 0x0C, 0x90, in 0x0C..=0x0C, of 8,
+        "3dm.device_status_diagnostic_imu_response", "Diagnostic Device Status of an IMU",
         ["3dm.device_status"];
     /// Complementary Filter Configuration response (0x0C,0x97).
     Mip3dmComplementaryFilterResponse(crate::mip_3dm::ComplementaryFilterResponse):

@@ -2955,25 +2955,28 @@ command! {
 record! {
     /// Device Status (0x0C,0x64).
     ///
-    /// Asks for the state of the device, in one of two layouts.
+    /// Asks for the state of the device, in short or with counters.
     ///
-    /// For advanced use. Answered by [`DeviceStatusBasicResponse`] or
-    /// [`DeviceStatusDiagnosticResponse`]. Supported by 3DM-GX5-15.
+    /// For advanced use. Answered by [`DeviceStatusBasicResponse`],
+    /// [`DeviceStatusBasicWithoutStateResponse`], [`DeviceStatusDiagnosticResponse`],
+    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
+    /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`] or
+    /// [`DeviceStatusDiagnosticImuResponse`]. Supported by 3DM-GX5-15.
     ///
-    /// On the wire there is also `model_number`: Model number of the 3DM-GX5-15. Always 6254.
+    /// - The device expects its own model number, which
+    ///   [`base::GetDeviceInfo`](crate::base::GetDeviceInfo) tells.
+    /// - Families of devices answer in layouts of their own. The selector and the length tell them
+    ///   apart.
     ///
-    /// - The layouts hold for this model number only; other models answer with layouts of their
-    ///   own.
-    ///
-    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64).
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C,0x64).
     #[derive(Default)]
     pub struct DeviceStatus {
-        /// Layout of the answer.
+        /// Model number of the device that is asked.
+        pub model_number: u16,
+        /// How much the answer tells.
         pub status_selector: DeviceStatusSelector,
-    }
-    wire 3 {
-        [model_number: u16 = 6254]
-        [status_selector]
     }
 }
 
@@ -2981,18 +2984,17 @@ constructors! {
     DeviceStatus
 
     /// The command with its parameters.
-    fn new(status_selector: DeviceStatusSelector);
+    fn new(model_number: u16, status_selector: DeviceStatusSelector);
 }
 
 field! {
     DeviceStatus: 0x0C, 0x64, "3dm.device_status";
-    constants [0: 24 110];
 }
 
 command! {
     DeviceStatus -> DeviceStatusResponses;
-    responds DeviceStatusBasicResponse, if status_selector = DeviceStatusSelector::BASIC;
-    responds DeviceStatusDiagnosticResponse, if status_selector = DeviceStatusSelector::DIAGNOSTIC;
+    responds DeviceStatusBasicResponse | DeviceStatusBasicWithoutStateResponse, if status_selector = DeviceStatusSelector::BASIC;
+    responds DeviceStatusDiagnosticResponse | DeviceStatusDiagnosticGnssResponse | DeviceStatusDiagnosticGq4_45Response | DeviceStatusDiagnosticRq1_45Response | DeviceStatusDiagnosticGx4Response | DeviceStatusDiagnosticImuResponse, if status_selector = DeviceStatusSelector::DIAGNOSTIC;
 }
 
 responses! {
@@ -3000,8 +3002,20 @@ responses! {
     pub enum DeviceStatusResponses {
         /// The response [`DeviceStatusBasicResponse`].
         Basic(DeviceStatusBasicResponse),
+        /// The response [`DeviceStatusBasicWithoutStateResponse`].
+        BasicWithoutState(DeviceStatusBasicWithoutStateResponse),
         /// The response [`DeviceStatusDiagnosticResponse`].
         Diagnostic(DeviceStatusDiagnosticResponse),
+        /// The response [`DeviceStatusDiagnosticGnssResponse`].
+        DiagnosticGnss(DeviceStatusDiagnosticGnssResponse),
+        /// The response [`DeviceStatusDiagnosticGq4_45Response`].
+        DiagnosticGq4_45(DeviceStatusDiagnosticGq4_45Response),
+        /// The response [`DeviceStatusDiagnosticRq1_45Response`].
+        DiagnosticRq1_45(DeviceStatusDiagnosticRq1_45Response),
+        /// The response [`DeviceStatusDiagnosticGx4Response`].
+        DiagnosticGx4(DeviceStatusDiagnosticGx4Response),
+        /// The response [`DeviceStatusDiagnosticImuResponse`].
+        DiagnosticImu(DeviceStatusDiagnosticImuResponse),
     }
 }
 
@@ -3316,16 +3330,19 @@ record! {
     ///
     /// State and timer.
     ///
-    /// Answers [`DeviceStatus`]. Sent if `status_selector` is [`DeviceStatusSelector::BASIC`].
-    /// Supported by 3DM-GX5-15.
-    ///
-    /// On the wire there is also `model_number`: Model number of the 3DM-GX5-15. Always 6254.
+    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusBasicWithoutStateResponse`] by the size of
+    /// its data. Sent if `status_selector` is [`DeviceStatusSelector::BASIC`]. Supported by
+    /// 3DM-GX5-15.
     ///
     /// On the wire there is also `status_selector`: Basic status. Always 1.
     ///
-    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64).
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C,0x64).
     #[derive(Default)]
     pub struct DeviceStatusBasicResponse {
+        /// Model number of the device.
+        pub model_number: u16,
         /// Reserved.
         pub status_flags: u32,
         /// State of the system; its values are not documented.
@@ -3336,7 +3353,7 @@ record! {
         pub system_timer: u32,
     }
     wire 13 {
-        [model_number: u16 = 6254]
+        [model_number]
         [status_selector: u8 = 1]
         [status_flags]
         [system_state]
@@ -3346,7 +3363,50 @@ record! {
 
 field! {
     DeviceStatusBasicResponse: 0x0C, 0x90, "3dm.device_status_basic_response";
-    constants [0: 24 110] [2: 1];
+    constants [2: 1];
+    sizes 13..=usize::MAX;
+    answers DeviceStatus;
+}
+
+record! {
+    /// Basic Device Status without a state (0x0C,0x90).
+    ///
+    /// Timer alone.
+    ///
+    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusBasicResponse`] by the size of its data.
+    /// Sent if `status_selector` is [`DeviceStatusSelector::BASIC`]. Supported by 3DM-GX5-15.
+    /// Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and
+    /// 3DM-CV5-10. Uncertain: The manual of the 3DM-GX5-45 prints it too, but for the model number
+    /// of another device; MSCL has the layout with a state for that device.
+    ///
+    /// On the wire there is also `status_selector`: Basic status. Always 1.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C,0x64).
+    #[derive(Default)]
+    pub struct DeviceStatusBasicWithoutStateResponse {
+        /// Model number of the device.
+        pub model_number: u16,
+        /// Reserved.
+        pub status_flags: u32,
+        /// Time since start-up.
+        ///
+        /// Unit: ms.
+        pub system_timer: u32,
+    }
+    wire 11 {
+        [model_number]
+        [status_selector: u8 = 1]
+        [status_flags]
+        [system_timer]
+    }
+}
+
+field! {
+    DeviceStatusBasicWithoutStateResponse: 0x0C, 0x90, "3dm.device_status_basic_without_state_response";
+    constants [2: 1];
+    sizes 0..=12;
     answers DeviceStatus;
 }
 
@@ -3355,16 +3415,21 @@ record! {
     ///
     /// State and timer with the counters of streams and port.
     ///
-    /// Answers [`DeviceStatus`]. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`].
-    /// Supported by 3DM-GX5-15.
-    ///
-    /// On the wire there is also `model_number`: Model number of the 3DM-GX5-15. Always 6254.
+    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticGnssResponse`],
+    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
+    /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
+    /// of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by
+    /// 3DM-GX5-15.
     ///
     /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
     ///
-    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64).
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C,0x64).
     #[derive(Default)]
     pub struct DeviceStatusDiagnosticResponse {
+        /// Model number of the device.
+        pub model_number: u16,
         /// Reserved.
         pub status_flags: u32,
         /// State of the system; its values are not documented.
@@ -3415,7 +3480,7 @@ record! {
         pub imu_last_message_time: u32,
     }
     wire 51 {
-        [model_number: u16 = 6254]
+        [model_number]
         [status_selector: u8 = 2]
         [status_flags]
         [system_state]
@@ -3436,7 +3501,670 @@ record! {
 
 field! {
     DeviceStatusDiagnosticResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_response";
-    constants [0: 24 110] [2: 2];
+    constants [2: 2];
+    sizes 0..=59;
+    answers DeviceStatus;
+}
+
+record! {
+    /// Diagnostic Device Status with GNSS (0x0C,0x90).
+    ///
+    /// State and timer with the counters of pulses, streams, port and receiver.
+    ///
+    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
+    /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
+    /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
+    /// of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by
+    /// 3DM-GX5-15. Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and -45 of the GX5 and
+    /// CX5; its length is that of a manual. Uncertain: MSCL names the values only; the descriptions
+    /// follow from the names, and times in ms from the system timer.
+    ///
+    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C,0x64).
+    #[derive(Default)]
+    pub struct DeviceStatusDiagnosticGnssResponse {
+        /// Model number of the device.
+        pub model_number: u16,
+        /// Reserved.
+        pub status_flags: u32,
+        /// State of the system; its values are not documented.
+        pub system_state: u16,
+        /// Time since start-up.
+        ///
+        /// Unit: ms.
+        pub system_timer: u32,
+        /// Power state of the GNSS receiver.
+        pub gnss_power_state: u8,
+        /// Pulses per second that were counted.
+        ///
+        /// Unit: 1.
+        pub pps_count: u32,
+        /// System timer at the last pulse.
+        ///
+        /// Unit: ms.
+        pub pps_last_time: u32,
+        /// Whether sensor data is streamed.
+        pub imu_stream_enabled: crate::Bool,
+        /// Whether GNSS data is streamed.
+        pub gnss_stream_enabled: crate::Bool,
+        /// Whether filter data is streamed.
+        pub filter_stream_enabled: crate::Bool,
+        /// Sensor data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub imu_dropped_packets: u32,
+        /// GNSS data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub gnss_dropped_packets: u32,
+        /// Filter data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub filter_dropped_packets: u32,
+        /// Bytes written to the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_written: u32,
+        /// Bytes read from the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_read: u32,
+        /// Overruns while writing to the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_write_overruns: u32,
+        /// Overruns while reading from the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_read_overruns: u32,
+        /// Messages of the IMU that could not be parsed.
+        ///
+        /// Unit: 1.
+        pub imu_parser_errors: u32,
+        /// Messages of the IMU that were read.
+        ///
+        /// Unit: 1.
+        pub imu_message_count: u32,
+        /// System timer at the last message of the IMU.
+        ///
+        /// Unit: ms.
+        pub imu_last_message_time: u32,
+        /// Messages of the receiver that could not be parsed.
+        ///
+        /// Unit: 1.
+        pub gnss_parser_errors: u32,
+        /// Messages of the receiver that were read.
+        ///
+        /// Unit: 1.
+        pub gnss_message_count: u32,
+        /// System timer at the last message of the receiver.
+        ///
+        /// Unit: ms.
+        pub gnss_last_message_time: u32,
+    }
+    wire 77 {
+        [model_number]
+        [status_selector: u8 = 2]
+        [status_flags]
+        [system_state]
+        [system_timer]
+        [gnss_power_state]
+        [pps_count]
+        [pps_last_time]
+        [imu_stream_enabled]
+        [gnss_stream_enabled]
+        [filter_stream_enabled]
+        [imu_dropped_packets]
+        [gnss_dropped_packets]
+        [filter_dropped_packets]
+        [comm_port_bytes_written]
+        [comm_port_bytes_read]
+        [comm_port_write_overruns]
+        [comm_port_read_overruns]
+        [imu_parser_errors]
+        [imu_message_count]
+        [imu_last_message_time]
+        [gnss_parser_errors]
+        [gnss_message_count]
+        [gnss_last_message_time]
+    }
+}
+
+field! {
+    DeviceStatusDiagnosticGnssResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_gnss_response";
+    constants [2: 2];
+    sizes 77..=79;
+    answers DeviceStatus;
+}
+
+record! {
+    /// Diagnostic Device Status of the 3DM-GQ4-45 (0x0C,0x90).
+    ///
+    /// The layout with GNSS, and what could not be started.
+    ///
+    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
+    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticRq1_45Response`],
+    /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
+    /// of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by
+    /// 3DM-GX5-15. Uncertain: No manual is known that prints it. Uncertain: MSCL names the values
+    /// only; the descriptions follow from the names, and times in ms from the system timer.
+    ///
+    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C,0x64).
+    #[derive(Default)]
+    pub struct DeviceStatusDiagnosticGq4_45Response {
+        /// Model number of the device.
+        pub model_number: u16,
+        /// Reserved.
+        pub status_flags: u32,
+        /// State of the system; its values are not documented.
+        pub system_state: u16,
+        /// Time since start-up.
+        ///
+        /// Unit: ms.
+        pub system_timer: u32,
+        /// Power state of the GNSS receiver.
+        pub gnss_power_state: u8,
+        /// Pulses per second that were counted.
+        ///
+        /// Unit: 1.
+        pub pps_count: u32,
+        /// System timer at the last pulse.
+        ///
+        /// Unit: ms.
+        pub pps_last_time: u32,
+        /// Whether sensor data is streamed.
+        pub imu_stream_enabled: crate::Bool,
+        /// Whether GNSS data is streamed.
+        pub gnss_stream_enabled: crate::Bool,
+        /// Whether filter data is streamed.
+        pub filter_stream_enabled: crate::Bool,
+        /// Sensor data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub imu_dropped_packets: u32,
+        /// GNSS data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub gnss_dropped_packets: u32,
+        /// Filter data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub filter_dropped_packets: u32,
+        /// Bytes written to the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_written: u32,
+        /// Bytes read from the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_read: u32,
+        /// Overruns while writing to the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_write_overruns: u32,
+        /// Overruns while reading from the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_read_overruns: u32,
+        /// Messages of the IMU that could not be parsed.
+        ///
+        /// Unit: 1.
+        pub imu_parser_errors: u32,
+        /// Messages of the IMU that were read.
+        ///
+        /// Unit: 1.
+        pub imu_message_count: u32,
+        /// System timer at the last message of the IMU.
+        ///
+        /// Unit: ms.
+        pub imu_last_message_time: u32,
+        /// Messages of the receiver that could not be parsed.
+        ///
+        /// Unit: 1.
+        pub gnss_parser_errors: u32,
+        /// Messages of the receiver that were read.
+        ///
+        /// Unit: 1.
+        pub gnss_message_count: u32,
+        /// System timer at the last message of the receiver.
+        ///
+        /// Unit: ms.
+        pub gnss_last_message_time: u32,
+        /// Whether the magnetometer could not be started.
+        pub mag_init_failed: crate::Bool,
+        /// Whether the pressure sensor could not be started.
+        pub pressure_init_failed: crate::Bool,
+        /// Whether the GNSS receiver could not be started.
+        pub receiver_init_failed: crate::Bool,
+    }
+    wire 80 {
+        [model_number]
+        [status_selector: u8 = 2]
+        [status_flags]
+        [system_state]
+        [system_timer]
+        [gnss_power_state]
+        [pps_count]
+        [pps_last_time]
+        [imu_stream_enabled]
+        [gnss_stream_enabled]
+        [filter_stream_enabled]
+        [imu_dropped_packets]
+        [gnss_dropped_packets]
+        [filter_dropped_packets]
+        [comm_port_bytes_written]
+        [comm_port_bytes_read]
+        [comm_port_write_overruns]
+        [comm_port_read_overruns]
+        [imu_parser_errors]
+        [imu_message_count]
+        [imu_last_message_time]
+        [gnss_parser_errors]
+        [gnss_message_count]
+        [gnss_last_message_time]
+        [mag_init_failed]
+        [pressure_init_failed]
+        [receiver_init_failed]
+    }
+}
+
+field! {
+    DeviceStatusDiagnosticGq4_45Response: 0x0C, 0x90, "3dm.device_status_diagnostic_gq4_45_response";
+    constants [2: 2];
+    sizes 80..=85;
+    answers DeviceStatus;
+}
+
+record! {
+    /// Diagnostic Device Status of the 3DM-RQ1-45 (0x0C,0x90).
+    ///
+    /// The layout with GNSS, and the temperature.
+    ///
+    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
+    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
+    /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
+    /// of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by
+    /// 3DM-GX5-15. Uncertain: No manual is known that prints it. Uncertain: MSCL names the values
+    /// only; the descriptions follow from the names, and times in ms from the system timer.
+    ///
+    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C,0x64).
+    #[derive(Default)]
+    pub struct DeviceStatusDiagnosticRq1_45Response {
+        /// Model number of the device.
+        pub model_number: u16,
+        /// Reserved.
+        pub status_flags: u32,
+        /// State of the system; its values are not documented.
+        pub system_state: u16,
+        /// Time since start-up.
+        ///
+        /// Unit: ms.
+        pub system_timer: u32,
+        /// Power state of the GNSS receiver.
+        pub gnss_power_state: u8,
+        /// Whether the receiver starts cold at power-on.
+        pub cold_start_on_power_on: u8,
+        /// Of the board.
+        ///
+        /// Unit: degC. Uncertain: The unit is inferred.
+        pub temperature: f32,
+        /// System timer at the last temperature.
+        ///
+        /// Unit: ms.
+        pub temperature_last_time: u32,
+        /// Pulses per second that were counted.
+        ///
+        /// Unit: 1.
+        pub pps_count: u32,
+        /// System timer at the last pulse.
+        ///
+        /// Unit: ms.
+        pub pps_last_time: u32,
+        /// Whether sensor data is streamed.
+        pub imu_stream_enabled: crate::Bool,
+        /// Whether GNSS data is streamed.
+        pub gnss_stream_enabled: crate::Bool,
+        /// Whether filter data is streamed.
+        pub filter_stream_enabled: crate::Bool,
+        /// Sensor data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub imu_dropped_packets: u32,
+        /// GNSS data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub gnss_dropped_packets: u32,
+        /// Filter data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub filter_dropped_packets: u32,
+        /// Bytes written to the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_written: u32,
+        /// Bytes read from the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_read: u32,
+        /// Overruns while writing to the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_write_overruns: u32,
+        /// Overruns while reading from the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_read_overruns: u32,
+        /// Messages of the IMU that could not be parsed.
+        ///
+        /// Unit: 1.
+        pub imu_parser_errors: u32,
+        /// Messages of the IMU that were read.
+        ///
+        /// Unit: 1.
+        pub imu_message_count: u32,
+        /// System timer at the last message of the IMU.
+        ///
+        /// Unit: ms.
+        pub imu_last_message_time: u32,
+        /// Messages of the receiver that could not be parsed.
+        ///
+        /// Unit: 1.
+        pub gnss_parser_errors: u32,
+        /// Messages of the receiver that were read.
+        ///
+        /// Unit: 1.
+        pub gnss_message_count: u32,
+        /// System timer at the last message of the receiver.
+        ///
+        /// Unit: ms.
+        pub gnss_last_message_time: u32,
+    }
+    wire 86 {
+        [model_number]
+        [status_selector: u8 = 2]
+        [status_flags]
+        [system_state]
+        [system_timer]
+        [gnss_power_state]
+        [cold_start_on_power_on]
+        [temperature]
+        [temperature_last_time]
+        [pps_count]
+        [pps_last_time]
+        [imu_stream_enabled]
+        [gnss_stream_enabled]
+        [filter_stream_enabled]
+        [imu_dropped_packets]
+        [gnss_dropped_packets]
+        [filter_dropped_packets]
+        [comm_port_bytes_written]
+        [comm_port_bytes_read]
+        [comm_port_write_overruns]
+        [comm_port_read_overruns]
+        [imu_parser_errors]
+        [imu_message_count]
+        [imu_last_message_time]
+        [gnss_parser_errors]
+        [gnss_message_count]
+        [gnss_last_message_time]
+    }
+}
+
+field! {
+    DeviceStatusDiagnosticRq1_45Response: 0x0C, 0x90, "3dm.device_status_diagnostic_rq1_45_response";
+    constants [2: 2];
+    sizes 86..=usize::MAX;
+    answers DeviceStatus;
+}
+
+record! {
+    /// Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25 (0x0C,0x90).
+    ///
+    /// Timer with the counters of pulses, streams, port and USB.
+    ///
+    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
+    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
+    /// [`DeviceStatusDiagnosticRq1_45Response`] and [`DeviceStatusDiagnosticImuResponse`] by the
+    /// size of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`].
+    /// Supported by 3DM-GX5-15. Uncertain: No manual is known that prints it for these devices; the
+    /// offsets 49 to 69 of that of the 3DM-GX5-45 agree. Uncertain: MSCL names the values only; the
+    /// descriptions follow from the names, and times in ms from the system timer.
+    ///
+    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C,0x64).
+    #[derive(Default)]
+    pub struct DeviceStatusDiagnosticGx4Response {
+        /// Model number of the device.
+        pub model_number: u16,
+        /// Reserved.
+        pub status_flags: u32,
+        /// Time since start-up.
+        ///
+        /// Unit: ms.
+        pub system_timer: u32,
+        /// Pulses per second that were counted.
+        ///
+        /// Unit: 1.
+        pub pps_count: u32,
+        /// System timer at the last pulse.
+        ///
+        /// Unit: ms.
+        pub pps_last_time: u32,
+        /// Whether sensor data is streamed.
+        pub imu_stream_enabled: crate::Bool,
+        /// Whether filter data is streamed.
+        pub filter_stream_enabled: crate::Bool,
+        /// Sensor data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub imu_dropped_packets: u32,
+        /// Filter data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub filter_dropped_packets: u32,
+        /// Bytes written to the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_written: u32,
+        /// Bytes read from the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_read: u32,
+        /// Overruns while writing to the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_write_overruns: u32,
+        /// Overruns while reading from the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_read_overruns: u32,
+        /// Bytes written to USB.
+        ///
+        /// Unit: byte.
+        pub usb_bytes_written: u32,
+        /// Bytes read from USB.
+        ///
+        /// Unit: byte.
+        pub usb_bytes_read: u32,
+        /// Overruns while writing to USB.
+        ///
+        /// Unit: 1.
+        pub usb_write_overruns: u32,
+        /// Overruns while reading from USB.
+        ///
+        /// Unit: 1.
+        pub usb_read_overruns: u32,
+        /// Messages of the IMU that could not be parsed.
+        ///
+        /// Unit: 1.
+        pub imu_parser_errors: u32,
+        /// Messages of the IMU that were read.
+        ///
+        /// Unit: 1.
+        pub imu_message_count: u32,
+        /// System timer at the last message of the IMU.
+        ///
+        /// Unit: ms.
+        pub imu_last_message_time: u32,
+    }
+    wire 73 {
+        [model_number]
+        [status_selector: u8 = 2]
+        [status_flags]
+        [system_timer]
+        [pps_count]
+        [pps_last_time]
+        [imu_stream_enabled]
+        [filter_stream_enabled]
+        [imu_dropped_packets]
+        [filter_dropped_packets]
+        [comm_port_bytes_written]
+        [comm_port_bytes_read]
+        [comm_port_write_overruns]
+        [comm_port_read_overruns]
+        [usb_bytes_written]
+        [usb_bytes_read]
+        [usb_write_overruns]
+        [usb_read_overruns]
+        [imu_parser_errors]
+        [imu_message_count]
+        [imu_last_message_time]
+    }
+}
+
+field! {
+    DeviceStatusDiagnosticGx4Response: 0x0C, 0x90, "3dm.device_status_diagnostic_gx4_response";
+    constants [2: 2];
+    sizes 73..=76;
+    answers DeviceStatus;
+}
+
+record! {
+    /// Diagnostic Device Status of an IMU (0x0C,0x90).
+    ///
+    /// Timer with the sensors that there are, temperature, and the counters of pulses, stream and
+    /// port.
+    ///
+    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
+    /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
+    /// [`DeviceStatusDiagnosticRq1_45Response`] and [`DeviceStatusDiagnosticGx4Response`] by the
+    /// size of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`].
+    /// Supported by 3DM-GX5-15. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and
+    /// 3DM-CV5-10; no manual is known that prints it. Uncertain: MSCL names the values only; the
+    /// descriptions follow from the names, and times in ms from the system timer. Uncertain: The
+    /// units of the ranges are open.
+    ///
+    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    ///
+    /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
+    /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
+    /// (0x0C,0x64).
+    #[derive(Default)]
+    pub struct DeviceStatusDiagnosticImuResponse {
+        /// Model number of the device.
+        pub model_number: u16,
+        /// Reserved.
+        pub status_flags: u32,
+        /// Time since start-up.
+        ///
+        /// Unit: ms.
+        pub system_timer: u32,
+        /// Whether it has a magnetometer.
+        pub has_mag: crate::Bool,
+        /// Whether it has a pressure sensor.
+        pub has_pressure: crate::Bool,
+        /// Power state of the sensors.
+        pub power_state: u8,
+        /// Range of the gyroscope.
+        pub gyro_range: u16,
+        /// Range of the accelerometer.
+        pub accel_range: u16,
+        /// Reserved.
+        pub reserved: u32,
+        /// Of the board.
+        ///
+        /// Unit: degC. Uncertain: The unit is inferred.
+        pub temperature: f32,
+        /// System timer at the last temperature.
+        ///
+        /// Unit: ms.
+        pub temperature_last_time: u32,
+        /// State of the temperature measurement.
+        pub temperature_error: u8,
+        /// Pulses per second that were counted.
+        ///
+        /// Unit: 1.
+        pub pps_count: u32,
+        /// System timer at the last pulse.
+        ///
+        /// Unit: ms.
+        pub pps_last_time: u32,
+        /// Whether sensor data is streamed.
+        pub imu_stream_enabled: crate::Bool,
+        /// Sensor data packets that were not sent.
+        ///
+        /// Unit: 1.
+        pub imu_dropped_packets: u32,
+        /// Bytes written to the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_written: u32,
+        /// Bytes read from the port.
+        ///
+        /// Unit: byte.
+        pub comm_port_bytes_read: u32,
+        /// Overruns while writing to the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_write_overruns: u32,
+        /// Overruns while reading from the port.
+        ///
+        /// Unit: 1.
+        pub comm_port_read_overruns: u32,
+    }
+    wire 60 {
+        [model_number]
+        [status_selector: u8 = 2]
+        [status_flags]
+        [system_timer]
+        [has_mag]
+        [has_pressure]
+        [power_state]
+        [gyro_range]
+        [accel_range]
+        [reserved]
+        [temperature]
+        [temperature_last_time]
+        [temperature_error]
+        [pps_count]
+        [pps_last_time]
+        [imu_stream_enabled]
+        [imu_dropped_packets]
+        [comm_port_bytes_written]
+        [comm_port_bytes_read]
+        [comm_port_write_overruns]
+        [comm_port_read_overruns]
+    }
+}
+
+field! {
+    DeviceStatusDiagnosticImuResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_imu_response";
+    constants [2: 2];
+    sizes 60..=72;
     answers DeviceStatus;
 }
 

@@ -477,12 +477,16 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s. Valid if [`valid_flags.tow_valid`](types::SensorGpsTimestampFlags::tow_valid)
-        /// is set.
+        /// is set. On the 3DM-GX5-15: valid if
+        /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
+        /// set.
         pub tow: f64,
         /// GPS week number.
         ///
         /// Unit: week. Valid if
         /// [`valid_flags.week_number_valid`](types::SensorGpsTimestampFlags::week_number_valid) is
+        /// set. On the 3DM-GX5-15: valid if
+        /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set.
         pub week_number: u16,
         /// State of the time.

@@ -78,9 +78,6 @@ class Comments:
         what = " ".join([f"{s.title} ({hexadecimal(s.number)}).", *self._prose(s.description)])
         return ["@file", " ".join([what, *said(describe.uncertain(s, self.model))])]
 
-    def device(self, d: m.Device) -> list[str]:
-        return [f"{d.title}: {' '.join(self._prose(d.description))}"]
-
     def field(self, f: m.Field) -> list[str]:
         place = f"({hexadecimal(f.set)},{hexadecimal(f.descriptor)})" if f.set else hexadecimal(f.descriptor)
         facts = describe.field(f, self.model)
@@ -114,6 +111,10 @@ class Comments:
         place, *facts = describe.bits(b, self.model)
         return _paragraphs([*said([place]), *self._prose(b.description)], facts)
 
+    def device(self, d: m.Device) -> list[str]:
+        facts = said(describe.device(d, self.model))
+        return [" ".join([f"{d.title}:", *self._prose(d.description)]), " ".join(facts), *_cited(d)]
+
     def _prose(self, text: str) -> list[str]:
         """A text of the specification, if there is one."""
         return [describe.say(describe.prose(text, self.model), reference)] if text else []
@@ -142,6 +143,6 @@ def _paragraphs(texts: list[str], facts: Sequence[describe.Fact]) -> list[str]:
     return [*([first] if first else []), *said(notes)]
 
 
-def _cited(thing: m.Field | m.Enum | m.Bitfield | m.Struct) -> list[str]:
+def _cited(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.Device) -> list[str]:
     found = describe.sources(thing)
     return ["\n".join(f"- {source}" for source in found)] if found else []

@@ -6,13 +6,24 @@ from ... import describe
 from ... import model as m
 from .fields import ENTRY, entry
 from .places import Page
-from .text import code, hexadecimal, inline, table
+from .text import code, hexadecimal, inline, opening, table
 
 
 def supported(page: Page, d: m.Device, s: m.Set) -> str:
     """The fields of a set that a device supports, with the functions that it takes; empty if there are none."""
-    rows = [entry(page, x.field, x.functions) for x in d.supports if x.field.set == s.number]
+    rows = [entry(page, x.field, x.functions) for x in d.certain if x.field.set == s.number]
     return table(rows, ENTRY) if rows else ""
+
+
+def perhaps(page: Page, d: m.Device) -> list[tuple[str, str]]:
+    """The fields that a device may support, in a table for each evidence."""
+    found: dict[str, list[list[str]]] = {}
+    for x in d.supports:
+        if x.evidence is not None:
+            of = page.model.set(x.field.set)
+            assert of is not None
+            found.setdefault(x.evidence, []).append([page.link(of), *entry(page, x.field, x.functions)])
+    return [(evidence, table(rows, ["Set", *ENTRY])) for evidence, rows in found.items()]
 
 
 def differing(page: Page, d: m.Device) -> str:
@@ -20,6 +31,29 @@ def differing(page: Page, d: m.Device) -> str:
     found = [s for s in d.supports if s.differs]
     rows = [[page.link(s.field), code(m.letters(s.functions)), code(m.letters(s.field.functions))] for s in found]
     return table(rows, ["Command", "Functions here", "All functions"]) if rows else ""
+
+
+def deprecated(page: Page, d: m.Device) -> str:
+    rows = [[page.link(s.field), page.prose(s.deprecated)] for s in d.supports if s.deprecated]
+    return table(rows, ["Deprecated here", "Instead"]) if rows else ""
+
+
+def remarks(page: Page, d: m.Device) -> list[str]:
+    """What is not known of a device, and what is not sure."""
+    return [
+        opening(page.say(x.sentence))
+        for x in describe.topics(describe.device(d, page.model), "incomplete", "uncertain")
+    ]
+
+
+def listed(page: Page) -> str:
+    """All devices; those of which little is known are marked."""
+    rows = []
+    for d in page.model.devices:
+        number = "" if d.model_number is None else str(d.model_number)
+        known = f"{len(d.certain)}{' (incomplete)' if d.incomplete else ''}"
+        rows.append([page.link(d), ", ".join(map(inline, d.also)), number, known, page.prose(d.description)])
+    return table(rows, ["Device", "Also called", "Model number", "Commands and data fields", "Description"])
 
 
 def hertz(rate: m.Rate) -> str:
@@ -58,8 +92,8 @@ def variants(page: Page, d: m.Device) -> str:
     """The parameters that mean something else on a device."""
     rows = []
     for v in d.variants:
-        fact = describe.variant(v.variant, v.parameter, v.field, page.model)
-        rows.append([page.link(v.field), code(v.parameter.name), page.say(fact.value)])
+        said = describe.difference(v.variant, v.parameter, v.field, page.model)
+        rows.append([page.link(v.field), code(v.parameter.name), page.say(said)])
     return table(rows, ["Field", "Parameter", "Here"]) if rows else ""
 
 

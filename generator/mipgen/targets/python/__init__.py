@@ -52,6 +52,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "groups": members.groups,
         "answered": members.answered,
         "expected": lambda f: members.expected(f, model),
+        "matches": lambda f: members.matches(f, model),
         "readings": members.readings,
         # codecs
         "plan": steps.plan,
@@ -60,6 +61,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "field_doc": partial(docs.of_field, model=model),
         "type_doc": partial(docs.of_type, model=model),
         "function_doc": docs.of_function,
+        "device_doc": partial(docs.of_device, model=model),
         "member_doc": partial(docs.of_member, model=model),
         "value_doc": partial(docs.of_value, model=model),
         "bits_doc": partial(docs.of_bits, model=model),

@@ -70,6 +70,11 @@ def of_function(f: m.Function) -> str:
     return literal([f.description], 8)
 
 
+def of_device(d: m.Device, model: m.Model) -> str:
+    text = _text(d.description, describe.device(d, model), "devices", model)
+    return literal([text, sources(d)], 0)
+
+
 def of_value(v: m.EnumValue, t: m.Enum, model: m.Model) -> str:
     return literal([_text(v.description, describe.value(v, model), home(t), model)], 4)
 
@@ -111,7 +116,7 @@ def sentences(facts: Iterable[Fact], where: str) -> str:
     return " ".join(say(fact.sentence, where) for fact in facts)
 
 
-def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct) -> str:
+def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct | m.Device) -> str:
     return items(describe.sources(thing))
 
 

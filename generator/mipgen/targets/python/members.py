@@ -145,16 +145,28 @@ def answered(f: m.Field) -> str:
     return " and ".join(tests)
 
 
-def expected(f: m.Field, model: m.Model) -> list[tuple[str, str]]:
-    """The responses of a command, each with the condition under which it is sent; none if there are no conditions."""
+def expected(f: m.Field, model: m.Model) -> list[tuple[str, list[str]]]:
+    """The layouts of each response of a command, with the condition under which it is sent; none if there are no
+    conditions."""
     found = []
     for reply in model.replies(f):
         functions = [f"self.function == FunctionSelector.{constant(x.name)}" for x in reply.functions]
         tests = [" or ".join(functions)] if functions else []
         tests += [f"self.{member(c.parameter)} == {c.value}" for c in reply.when]
         condition = " and ".join(f"({t})" if " or " in t and len(tests) > 1 else t for t in tests)
-        found.append((condition or "True", reference(reply.response, home(f))))
+        found.append((condition or "True", [reference(layout, home(f)) for layout in reply.layouts]))
     return found if any(condition != "True" for condition, _ in found) else []
+
+
+def matches(f: m.Field, model: m.Model) -> str:
+    """Whether `data` can be those of a field, as a condition; empty if any can."""
+    sizes = model.sizes(f)
+    tests = [f"{sizes.start} <= len(data)"] if sizes.start else []
+    if sizes.stop <= m.MAX_FIELD_DATA:
+        tests = [f"{sizes.start} <= len(data) < {sizes.stop}" if sizes.start else f"len(data) < {sizes.stop}"]
+    for at, size, value in f.signature:
+        tests.append(f"{value.to_bytes(size, 'big')!r}.startswith(data[{at}:{at + size}])")
+    return " and ".join(tests)
 
 
 def readings(f: m.Field) -> dict[str, tuple[str, dict[str, str]]]:

@@ -94,6 +94,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "octets": tables.octets,
         "option": tables.option,
         "quoted": tables.quoted,
+        "sizes": rows.sizes,
         "set_pattern": rows.set_pattern,
         "set_range": rows.set_range,
     }

@@ -83,14 +83,14 @@ class Docs:
         return [self._variants(c.reading, c.record, "types")]
 
     def _variants(self, r: Reading, record: Record, here: str) -> str:
-        p = r.member.parameter
-        facts = describe.topics(describe.parameter(p, record, self.model), "variant")
-        return self._facts([f for v, f in zip(p.variants, facts, strict=True) if v in r.variants], here)[0]
+        told = describe.variants(r.member.parameter, record, self.model)
+        return self._facts([fact for group, fact in told if any(v in r.variants for v in group)], here)[0]
 
     # ------------------------------------------------------------------ devices
 
     def device(self, d: m.Device) -> list[Block]:
-        found: list[Block] = [prose(d.title), self._prose(d.description, "devices")]
+        said, _ = self._facts(describe.device(d, self.model), "devices")
+        found: list[Block] = [prose(d.title), self._prose(d.description, "devices"), said, sources(d)]
         for n in d.notes:
             rows = [tuple(map(prose, row)) for row in n.rows]
             rule = [("---",) * len(rows[0])] if rows else []
@@ -99,9 +99,8 @@ class Docs:
 
     def difference(self, v: m.DeviceVariant) -> str:
         """What is different on a device, as plain text."""
-        facts = describe.topics(describe.parameter(v.parameter, v.field, self.model), "variant")
-        fact = facts[v.parameter.variants.index(v.variant)]
-        return describe.say(fact.value, lambda r: r.words)
+        said = describe.difference(v.variant, v.parameter, v.field, self.model)
+        return describe.say(said, lambda r: r.words)
 
     # ------------------------------------------------------------------ texts of the specification
 
@@ -122,7 +121,7 @@ def title(f: m.Field) -> str:
     return f"{prose(f.title)} (0x{f.set:02X},0x{f.descriptor:02X})"
 
 
-def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct) -> str:
+def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct | m.Device) -> str:
     found = "; ".join(map(prose, describe.sources(thing)))
     return f"Source: {found}." if found else ""
 

@@ -60,6 +60,13 @@ class Tables:
         """How many layouts the descriptor has."""
         return len(self.model.candidates(f.set, f.descriptor))
 
+    def sizes(self, f: m.Field) -> str:
+        """The sizes of data that a layout may have; empty if it may have any."""
+        found = self.model.sizes(f)
+        if found == range(m.MAX_FIELD_DATA + 1):
+            return ""
+        return f"{found.start}..={found.stop - 1 if found.stop <= m.MAX_FIELD_DATA else 'usize::MAX'}"
+
     def ack_codes(self, d: m.Device) -> list[str]:
         names = {v.value: constant(v.name) for v in self.model.protocol.ack_code.values}
         return [f"AckCode::{names[code]}" for code in d.ack_codes]

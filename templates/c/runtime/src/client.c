@@ -1,42 +1,54 @@
 /* The command client. */
 #include "mip/client.h"
 
+#include <string.h>
+
 void mip_client_init(struct mip_client *client) {
     client->waiting = NULL;
     client->timeout = MIP_DEFAULT_TIMEOUT;
 }
 
-/** The response that a command asks for with these values; NULL if it asks for none. */
-static const struct mip_codec *wanted(const struct mip_codec *codec, const void *command) {
+/** The first response that a command asks for with these values; NULL if it asks for none. */
+static const struct mip_response *wanted(const struct mip_codec *codec, const void *command) {
     const struct mip_response *r = codec->responses;
     while (r != NULL && r->codec != NULL && r->asked != NULL && !r->asked(command)) {
         r++;
     }
-    return r != NULL ? r->codec : NULL;
+    return r != NULL && r->codec != NULL ? r : NULL;
+}
+
+/** Those that it asks for under the same condition: the layouts that the response may have. */
+static const struct mip_response *another(const struct mip_response *r) {
+    const struct mip_response *next = r + 1;
+    while (next->codec != NULL && next->asked != r->asked) {
+        next++;
+    }
+    return next->codec != NULL ? next : NULL;
 }
 
 mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                          struct mip_builder *packet, const struct mip_codec *codec,
                          const void *command, uint32_t now) {
     const mip_error error = mip_encode(codec, command, packet);
-    mip_client_cancel(client, request); /* it may still be waiting for an earlier answer */
-    if (error != MIP_OK) {
-        request->state = MIP_REQUEST_CANCELLED; /* so that the caller does not wait for it */
-        return error;
-    }
-    request->state = MIP_REQUEST_WAITING;
+    mip_client_cancel(client, request);     /* it could still wait for an earlier answer */
+    request->state = MIP_REQUEST_CANCELLED; /* so that nobody waits for it if there is an error */
     request->code = 0;
     request->responded = false;
     request->error = MIP_OK;
     request->command = codec;
-    request->codec = wanted(codec, command);
+    request->asked = error == MIP_OK ? wanted(codec, command) : NULL;
+    request->codec = request->asked != NULL ? request->asked->codec : NULL;
     request->response = NULL;
     request->deadline = now + (codec->timeout > client->timeout ? codec->timeout : client->timeout);
     request->next = NULL;
+    if (error != MIP_OK) {
+        return error;
+    }
     if (codec->silent != NULL && codec->silent(command)) {
         request->state = MIP_REQUEST_SILENT;
         return MIP_OK;
     }
+    request->state = MIP_REQUEST_WAITING;
     struct mip_request **end = &client->waiting;
     while (*end != NULL) {
         end = &(*end)->next;
@@ -46,9 +58,15 @@ mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
 }
 
 bool mip_client_expect(struct mip_request *request, const struct mip_codec *codec, void *response) {
-    const bool right = codec != NULL && codec == request->codec;
-    request->response = right ? response : NULL;
-    return right;
+    request->response = NULL;
+    for (const struct mip_response *r = request->asked; r != NULL; r = another(r)) {
+        if (r->codec == codec) {
+            request->codec = codec;
+            request->response = response;
+            return true;
+        }
+    }
+    return false;
 }
 
 /** Removes a request from the waiting list. */
@@ -75,16 +93,28 @@ static bool may_answer(const struct mip_codec *command, const struct mip_field *
 
 /** Decodes the response that a request asks for. False if the field is not that response. */
 static bool respond(struct mip_request *request, const struct mip_field *field) {
-    if (field->descriptor != request->codec->descriptor) {
+    const struct mip_response *r = request->asked;
+    while (r != NULL &&
+           (r->codec->descriptor != field->descriptor || !mip_codec_matches(r->codec, field))) {
+        r = another(r);
+    }
+    if (r == NULL) {
         return false;
     }
     if (request->response == NULL) {
+        request->codec = r->codec;
         return true;
     }
-    const mip_error error = mip_decode(request->codec, request->response, field, NULL);
-    if (error == MIP_ERROR_CONSTANT) {
-        return false; /* another layout of the descriptor */
+    mip_error error = MIP_ERROR_LAYOUT;
+    if (r->codec == request->codec) {
+        error = mip_decode(r->codec, request->response, field, NULL);
+    } else {
+        memset(request->response, 0, request->codec->size);
     }
+    if (error == MIP_ERROR_CONSTANT) {
+        return false; /* it answers something else */
+    }
+    request->codec = r->codec;
     request->error = (uint8_t)error;
     request->responded = error == MIP_OK;
     return true;

@@ -70,7 +70,7 @@ Event = Answer | TimedOut | Received
 @dataclass
 class _Pending:
     command: Command
-    expected: type[Response] | None
+    expected: tuple[type[Response], ...]
     deadline: float
 
 
@@ -183,7 +183,7 @@ class Client:
             if ack.code != 0:
                 return self._done(waiting, Answer(command, ack.code))
             if behind is None or all(r.DESCRIPTOR != behind.descriptor for r in command.RESPONSES):
-                if waiting.expected is None:
+                if not waiting.expected:
                     return self._done(waiting, Answer(command, ack.code))
                 left_alone = left_alone or waiting
             elif (found := _response(waiting, ack.code, behind)) is not None:
@@ -199,9 +199,13 @@ class Client:
 
 
 def _response(waiting: _Pending, code: AckCode, raw: RawField) -> Answer | None:
-    """The answer with this response, if the command asks for it."""
-    command, kind = waiting.command, waiting.expected
-    if kind is None or kind.DESCRIPTOR != raw.descriptor:
+    """The answer with this response, if it is the one that the command asks for."""
+    command = waiting.command
+    layouts = (
+        t for t in waiting.expected if t.DESCRIPTOR == raw.descriptor and t.matches(raw.data)
+    )
+    kind = next(layouts, None)
+    if kind is None:
         return None
     try:
         return Answer(command, code, kind.decode(raw.data), None, raw)

@@ -66,7 +66,7 @@ class Field(Structure):
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        """Can this be its data? Checks the constants that distinguish layouts of one descriptor."""
+        """Can this be its data? Looks at what tells the layouts of one descriptor apart: constants and size."""
         return True
 
     def packet(self) -> Packet:
@@ -93,8 +93,8 @@ class Response(Field):
     COMMANDS: ClassVar[tuple[type[Command], ...]] = ()
 
 
-#: For classes whose own member is called `type`.
-ResponseClass: TypeAlias = "type[Response]"
+#: For where a field's own member is called `type`.
+ResponseClasses: TypeAlias = "tuple[type[Response], ...]"
 
 
 class Command(Field):
@@ -113,9 +113,9 @@ class Command(Field):
         return True
 
     @property
-    def expected(self) -> ResponseClass | None:
-        """The response that it asks for, with these values."""
-        return self.RESPONSES[0] if self.RESPONSES else None
+    def expected(self) -> ResponseClasses:
+        """The response that it asks for, with these values: devices may have different layouts of it."""
+        return self.RESPONSES
 
 
 class Data(Field):

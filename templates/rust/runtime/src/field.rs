@@ -2,6 +2,7 @@
 
 use crate::codec::{DecodeError, EncodeError, Reader, Wire, Writer};
 use crate::packet::MAX_FIELD_DATA;
+use core::ops::RangeInclusive;
 
 /// The type of one field: one descriptor of one descriptor set.
 pub trait Field: Wire {
@@ -13,6 +14,8 @@ pub trait Field: Wire {
     const NAME: &'static str;
     /// Constants inside the data, as offset and bytes; they distinguish layouts of one descriptor.
     const CONSTANTS: &'static [(usize, &'static [u8])] = &[];
+    /// Bytes of data that it may have; they tell layouts with the same constants apart.
+    const SIZES: RangeInclusive<usize> = 0..=usize::MAX;
 
     /// May packets of this set hold the field?
     #[must_use]
@@ -107,13 +110,7 @@ impl<T: Field> Response for T {
     const DESCRIPTORS: &'static [u8] = &[T::DESCRIPTOR];
 
     fn from_field(field: &RawField<'_>) -> Option<Result<Self, DecodeError>> {
-        if !T::in_set(field.set) || field.descriptor != T::DESCRIPTOR {
-            return None;
-        }
-        match T::decode(field.data) {
-            Err(DecodeError::Constant) => None, // another layout of the descriptor
-            found => Some(found),
-        }
+        field.get().filter(|found| !matches!(found, Err(DecodeError::Constant)))
     }
 }
 
@@ -158,15 +155,17 @@ impl RawField<'_> {
     /// Is it a field of this type?
     #[must_use]
     pub fn is<T: Field>(&self) -> bool {
-        T::in_set(self.set) && self.descriptor == T::DESCRIPTOR && self.has_constants_of::<T>()
+        T::in_set(self.set) && self.descriptor == T::DESCRIPTOR && self.has_layout_of::<T>()
     }
 
-    /// Does the data hold the constants of this type?
+    /// Can the data have the layout of this type, as far as they reach? The constants and the size
+    /// tell.
     #[must_use]
-    pub fn has_constants_of<T: Field>(&self) -> bool {
-        T::CONSTANTS.iter().all(|(offset, bytes)| {
-            self.data.get(*offset..).map_or(false, |tail| tail.starts_with(bytes))
-        })
+    pub fn has_layout_of<T: Field>(&self) -> bool {
+        T::SIZES.contains(&self.data.len())
+            && T::CONSTANTS.iter().all(|(offset, bytes)| {
+                self.data.iter().skip(*offset).zip(bytes.iter()).all(|(here, byte)| here == byte)
+            })
     }
 
     /// Decodes it, if it is a field of this type.

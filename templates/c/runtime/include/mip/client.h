@@ -55,9 +55,13 @@ struct mip_request {
     bool responded;
     /** A mip_error: what is wrong with the response; its structure is then zeroed. */
     uint8_t error;
-    /** The command, and the response that it asks for; NULL if it asks for none. */
+    /** The command, and the response that it asks for; NULL if it asks for none. Where devices
+     * answer in different layouts, it is the first one or the expected one, and in the end the one
+     * that came. */
     const struct mip_codec *command;
     const struct mip_codec *codec;
+    /** The responses of the command, from the one that it asks for on. */
+    const struct mip_response *asked;
     /** Where the response goes; NULL if the caller does not need it. */
     void *response;
     /** When the request times out, in the caller's milliseconds. */
@@ -86,8 +90,12 @@ mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                          const void *command, uint32_t now);
 
 /**
- * Sets where to store the response. Call it directly after mip_client_add. Returns false, and
- * stores nothing, if the command with its values does not ask for this response.
+ * Says where the response goes. To be called right after mip_client_add. False, and nothing is
+ * stored, if this is not the response that the command asks for with its values.
+ *
+ * If devices answer in different layouts, say which one this device has; if it sends another one,
+ * the request is undecodable with MIP_ERROR_LAYOUT. Who does not know takes the field from
+ * mip_client_next and decodes it by the `codec` of the request.
  */
 bool mip_client_expect(struct mip_request *request, const struct mip_codec *codec, void *response);
 

@@ -19,6 +19,8 @@ struct mip_device_field {
     /** Letters of the function selectors that the device takes: "WRSLD"; empty without selectors.
      */
     const char *functions;
+    /** Why the device is believed to support it; NULL if that is certain. */
+    const char *evidence;
 };
 
 /** How often a device samples the fields of a data set. */
@@ -71,11 +73,16 @@ struct mip_device_reading {
 struct mip_device {
     const char *id;
     const char *title;
+    /** Empty if none is known. */
     const char *manual;
     const char *description;
-    /** 0 if unknown. */
+    /** 0 if it is not known. */
     uint16_t model_number;
-    /** Numbers of elements of the tables below. */
+    /** 0 if it is not known. */
+    uint8_t generation;
+    /** Elements of the tables below. */
+    uint8_t also_count;
+    uint8_t incomplete_count;
     uint16_t field_count;
     uint8_t rate_count;
     uint8_t port_count;
@@ -83,6 +90,10 @@ struct mip_device {
     uint8_t note_count;
     uint8_t reading_count;
     uint8_t ack_code_count;
+    /** What others call it. */
+    const char *const *also;
+    /** What is not known of it, in sentences. If there is any, it may have more than is listed. */
+    const char *const *incomplete;
     /** By descriptor set and descriptor. */
     const struct mip_device_field *fields;
     const struct mip_device_rate *rates;
@@ -98,14 +109,28 @@ struct mip_device {
 extern const struct mip_device *const mip_devices[];
 extern const size_t mip_device_count;
 
-/** A device by its id ("3dm-gx5-15"); NULL if it is unknown. */
-const struct mip_device *mip_device_find(const char *id);
+/** A device by its id ("3dm-gx5-15"), its title or another name; NULL if it is unknown. */
+const struct mip_device *mip_device_find(const char *name);
 
-/** The entry of a command or a data field; NULL if the device does not support it. */
+/** A device by its model number; NULL if it is unknown, as newer ones are. */
+const struct mip_device *mip_device_by_model(uint16_t model_number);
+
+/**
+ * The model number that the device information gives: its model and serial numbers begin with it.
+ * Spaces may come before it, and a dot, a dash, a space, a NUL or the end of the text behind it. 0
+ * if it is not there.
+ */
+uint16_t mip_model_number(const char *text, size_t size);
+
+/** Does the device support a command or a data field? NULL if it is not known to. */
 const struct mip_device_field *mip_device_supports(const struct mip_device *device,
                                                    uint8_t descriptor_set, uint8_t descriptor);
 
-/** The base rate of a data set in Hz: 0 if data are sent as they arise, negative if unknown. */
+/** The same, though it may not be certain: `evidence` says why it is believed. */
+const struct mip_device_field *mip_device_may_support(const struct mip_device *device,
+                                                      uint8_t descriptor_set, uint8_t descriptor);
+
+/** The base rate of a data set in Hz: 0 if data are sent as they come, negative if it has none. */
 double mip_device_base_rate(const struct mip_device *device, uint8_t descriptor_set);
 
 /** The name of the device's own type for a parameter; NULL if it has none. */

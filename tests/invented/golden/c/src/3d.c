@@ -31,6 +31,7 @@ const struct mip_codec mip_3d_default_codec = {
     write_default,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_3d_default_decode(struct mip_3d_default *value, const struct mip_field *field) {

@@ -6,31 +6,31 @@
 /* Model A. */
 
 static const struct mip_device_field model_a_fields[] = {
-    {0x01, 0x01, ""},       /* tools.ping */
-    {0x01, 0x02, "WRSLDA"}, /* tools.settings */
-    {0x01, 0x03, "WRA"},    /* tools.set_time */
-    {0x01, 0x04, ""},       /* tools.status */
-    {0x01, 0x05, "WRSLD"},  /* tools.bias */
-    {0x01, 0x06, ""},       /* tools.capture_bias */
-    {0x01, 0x07, ""},       /* tools.formats */
-    {0x01, 0x08, "WR"},     /* tools.choice */
-    {0x01, 0x09, "WRS"},    /* tools.list */
-    {0x01, 0x0A, ""},       /* tools.inventory */
-    {0x01, 0x0B, "WR"},     /* tools.pin */
-    {0x01, 0x0D, ""},       /* tools.readings */
-    {0x0C, 0x10, ""},       /* 3d.default */
-    {0x80, 0x01, ""},       /* measurements.accel */
-    {0x80, 0x02, ""},       /* measurements.numbers */
-    {0x80, 0x03, ""},       /* measurements.strings */
-    {0x80, 0x04, ""},       /* measurements.health */
-    {0x80, 0x05, ""},       /* measurements.arrays */
-    {0x80, 0x06, ""},       /* measurements.growing */
-    {0x80, 0x08, ""},       /* measurements.cloud */
-    {0x80, 0x0A, ""},       /* measurements.breeze */
-    {0x81, 0x01, ""},       /* more.accel */
-    {0x81, 0x03, ""},       /* more.strings */
-    {0x81, 0x07, ""},       /* more.own */
-    {0xFF, 0xD3, ""},       /* shared.timestamp */
+    {0x01, 0x01, "", NULL},       /* tools.ping */
+    {0x01, 0x02, "WRSLDA", NULL}, /* tools.settings */
+    {0x01, 0x03, "WRA", NULL},    /* tools.set_time */
+    {0x01, 0x04, "", NULL},       /* tools.status */
+    {0x01, 0x05, "WRSLD", NULL},  /* tools.bias */
+    {0x01, 0x06, "", NULL},       /* tools.capture_bias */
+    {0x01, 0x07, "", NULL},       /* tools.formats */
+    {0x01, 0x08, "WR", NULL},     /* tools.choice */
+    {0x01, 0x09, "WRS", NULL},    /* tools.list */
+    {0x01, 0x0A, "", NULL},       /* tools.inventory */
+    {0x01, 0x0B, "WR", NULL},     /* tools.pin */
+    {0x01, 0x0D, "", NULL},       /* tools.readings */
+    {0x0C, 0x10, "", NULL},       /* 3d.default */
+    {0x80, 0x01, "", NULL},       /* measurements.accel */
+    {0x80, 0x02, "", NULL},       /* measurements.numbers */
+    {0x80, 0x03, "", NULL},       /* measurements.strings */
+    {0x80, 0x04, "", NULL},       /* measurements.health */
+    {0x80, 0x05, "", NULL},       /* measurements.arrays */
+    {0x80, 0x06, "", NULL},       /* measurements.growing */
+    {0x80, 0x08, "", NULL},       /* measurements.cloud */
+    {0x80, 0x0A, "", NULL},       /* measurements.breeze */
+    {0x81, 0x01, "", NULL},       /* more.accel */
+    {0x81, 0x03, "", NULL},       /* more.strings */
+    {0x81, 0x07, "", NULL},       /* more.own */
+    {0xFF, 0xD3, "", NULL},       /* shared.timestamp */
 };
 
 static const struct mip_device_rate model_a_rates[] = {
@@ -73,6 +73,9 @@ const struct mip_device mip_device_model_a = {
     "guide",
     "Supports nearly everything.",
     4711, /* model number */
+    0,    /* generation */
+    0,    /* other names */
+    0,    /* what is not known */
     25,   /* fields */
     2,    /* base rates */
     2,    /* ports */
@@ -80,6 +83,8 @@ const struct mip_device mip_device_model_a = {
     1,    /* notes */
     2,    /* readings */
     3,    /* acknowledge codes */
+    NULL,
+    NULL,
     model_a_fields,
     model_a_rates,
     model_a_ports,
@@ -92,10 +97,10 @@ const struct mip_device mip_device_model_a = {
 /* Model B. */
 
 static const struct mip_device_field model_b_fields[] = {
-    {0x01, 0x01, ""},   /* tools.ping */
-    {0x01, 0x02, "WR"}, /* tools.settings */
-    {0x01, 0x04, ""},   /* tools.status */
-    {0x80, 0x01, ""},   /* measurements.accel */
+    {0x01, 0x01, "", NULL},   /* tools.ping */
+    {0x01, 0x02, "WR", NULL}, /* tools.settings */
+    {0x01, 0x04, "", NULL},   /* tools.status */
+    {0x80, 0x01, "", NULL},   /* measurements.accel */
 };
 
 static const struct mip_device_rate model_b_rates[] = {
@@ -116,6 +121,9 @@ const struct mip_device mip_device_model_b = {
     "leaflet",
     "Small, and reads the acknowledge code in its own way.",
     0, /* model number */
+    0, /* generation */
+    0, /* other names */
+    0, /* what is not known */
     4, /* fields */
     1, /* base rates */
     0, /* ports */
@@ -123,6 +131,8 @@ const struct mip_device mip_device_model_b = {
     0, /* notes */
     3, /* readings */
     2, /* acknowledge codes */
+    NULL,
+    NULL,
     model_b_fields,
     model_b_rates,
     NULL,
@@ -132,10 +142,174 @@ const struct mip_device mip_device_model_b = {
     model_b_ack_codes,
 };
 
+/* Model C. */
+
+static const char *const model_c_also[] = {
+    "Model See",
+    "c",
+};
+
+static const struct mip_device_field model_c_fields[] = {
+    {0x01, 0x01, "", NULL},                  /* tools.ping */
+    {0x01, 0x02, "WRS", NULL},               /* tools.settings */
+    {0x01, 0x03, "WRA", NULL},               /* tools.set_time */
+    {0x01, 0x04, "", NULL},                  /* tools.status */
+    {0x01, 0x05, "WRSLD", NULL},             /* tools.bias */
+    {0x01, 0x06, "", NULL},                  /* tools.capture_bias */
+    {0x01, 0x07, "", NULL},                  /* tools.formats */
+    {0x01, 0x09, "WRS", NULL},               /* tools.list */
+    {0x01, 0x0A, "", NULL},                  /* tools.inventory */
+    {0x01, 0x0B, "WR", NULL},                /* tools.pin */
+    {0x01, 0x0C, "", "The sheet names it."}, /* tools.hello */
+    {0x01, 0x0D, "", NULL},                  /* tools.readings */
+    {0x80, 0x01, "", NULL},                  /* measurements.accel */
+    {0x80, 0x02, "", NULL},                  /* measurements.numbers */
+    {0x80, 0x03, "", NULL},                  /* measurements.strings */
+    {0x80, 0x04, "", NULL},                  /* measurements.health */
+    {0x80, 0x05, "", NULL},                  /* measurements.arrays */
+    {0x80, 0x06, "", NULL},                  /* measurements.growing */
+    {0x80, 0x07, "", NULL},                  /* measurements.radio */
+    {0x80, 0x08, "", NULL},                  /* measurements.cloud */
+    {0x80, 0x0A, "", NULL},                  /* measurements.breeze */
+    {0x81, 0x01, "", NULL},                  /* more.accel */
+    {0x81, 0x07, "", NULL},                  /* more.own */
+    {0x92, 0x01, "", "The sheet names it."}, /* copy.accel */
+    {0xFF, 0xD3, "", NULL},                  /* shared.timestamp */
+};
+
+static const struct mip_device_rate model_c_rates[] = {
+    {0x80, 1000},
+    {0x81, 250},
+};
+
+static const uint32_t model_c_baud_rates_1[] = {9600};
+
+static const struct mip_device_port model_c_ports[] = {
+    {"Main", 0x12, 1, model_c_baud_rates_1, "MIP"},
+    {"CAN", 0x00, 0, NULL, ""},
+};
+
+static const struct mip_device_limit model_c_limits[] = {
+    {"segments", 6, "", "In a format."},
+};
+
+static const struct mip_device_reading model_c_readings[] = {
+    {"tools.status_short.flags", "tools.model_a_faults"},
+};
+
+static const uint8_t model_c_ack_codes[] = {0, 1, 3};
+
+const struct mip_device mip_device_model_c = {
+    "model-c",
+    "Model C",
+    "",
+    "Like the model A, with a radio and without a choice.",
+    4713, /* model number */
+    3,    /* generation */
+    2,    /* other names */
+    0,    /* what is not known */
+    25,   /* fields */
+    2,    /* base rates */
+    2,    /* ports */
+    1,    /* limits */
+    0,    /* notes */
+    1,    /* readings */
+    3,    /* acknowledge codes */
+    model_c_also,
+    NULL,
+    model_c_fields,
+    model_c_rates,
+    model_c_ports,
+    model_c_limits,
+    NULL,
+    model_c_readings,
+    model_c_ack_codes,
+};
+
+/* Old 1. */
+
+static const char *const old_1_also[] = {
+    "First",
+};
+
+static const char *const old_1_incomplete[] = {
+    "No manual is known; see `tools.ping`.",
+};
+
+static const struct mip_device_field old_1_fields[] = {
+    {0x01, 0x01, "", NULL},                       /* tools.ping */
+    {0x80, 0x02, "", "All old devices have it."}, /* measurements.numbers */
+};
+
+const struct mip_device mip_device_old_1 = {
+    "old-1",
+    "Old 1",
+    "",
+    "Known by its name and number.",
+    4001, /* model number */
+    1,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    2,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    0,    /* readings */
+    0,    /* acknowledge codes */
+    old_1_also,
+    old_1_incomplete,
+    old_1_fields,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+};
+
+/* Old 2. */
+
+static const char *const old_2_incomplete[] = {
+    "Nothing is known of its data.",
+};
+
+static const struct mip_device_field old_2_fields[] = {
+    {0x01, 0x01, "", "All old devices have it."}, /* tools.ping */
+    {0x80, 0x02, "", "All old devices have it."}, /* measurements.numbers */
+};
+
+const struct mip_device mip_device_old_2 = {
+    "old-2",
+    "Old 2",
+    "",
+    "Known by its name and number.",
+    4002, /* model number */
+    1,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    2,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    0,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    old_2_incomplete,
+    old_2_fields,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+};
+
 /* All of them. */
 
 const struct mip_device *const mip_devices[] = {
-    &mip_device_model_a,
-    &mip_device_model_b,
+    &mip_device_model_a, &mip_device_model_b, &mip_device_model_c,
+    &mip_device_old_1,   &mip_device_old_2,
 };
-const size_t mip_device_count = 2;
+const size_t mip_device_count = 5;

@@ -25,6 +25,7 @@ const struct mip_codec mip_measurements_accel_codec = {
     write_accel,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_accel_decode(struct mip_measurements_accel *value,
@@ -79,6 +80,7 @@ const struct mip_codec mip_measurements_numbers_codec = {
     write_numbers,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_numbers_decode(struct mip_measurements_numbers *value,
@@ -119,6 +121,7 @@ const struct mip_codec mip_measurements_strings_codec = {
     write_strings,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_strings_decode(struct mip_measurements_strings *value,
@@ -152,6 +155,7 @@ const struct mip_codec mip_measurements_health_codec = {
     0, /* time-out */
     read_health,
     write_health,
+    NULL,
     NULL,
     NULL,
 };
@@ -204,6 +208,7 @@ const struct mip_codec mip_measurements_arrays_codec = {
     write_arrays,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_arrays_decode(struct mip_measurements_arrays *value,
@@ -244,6 +249,7 @@ const struct mip_codec mip_measurements_growing_codec = {
     0, /* time-out */
     read_growing,
     write_growing,
+    NULL,
     NULL,
     NULL,
 };
@@ -287,6 +293,7 @@ const struct mip_codec mip_measurements_radio_codec = {
     write_radio,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_radio_decode(struct mip_measurements_radio *value,
@@ -325,6 +332,7 @@ const struct mip_codec mip_measurements_cloud_codec = {
     0, /* time-out */
     read_cloud,
     write_cloud,
+    NULL,
     NULL,
     NULL,
 };
@@ -369,6 +377,7 @@ const struct mip_codec mip_measurements_gust_codec = {
     write_gust,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_gust_decode(struct mip_measurements_gust *value,
@@ -403,6 +412,7 @@ const struct mip_codec mip_measurements_breeze_codec = {
     0, /* time-out */
     read_breeze,
     write_breeze,
+    NULL,
     NULL,
     NULL,
 };

@@ -23,6 +23,7 @@ const struct mip_codec mip_more_own_codec = {
     write_own,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_more_own_decode(struct mip_more_own *value, const struct mip_field *field) {

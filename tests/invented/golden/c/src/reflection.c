@@ -583,6 +583,7 @@ static const struct mip_record record_tools_readings_response = {
 static const struct mip_reading readings_tools_status_short_flags[] = {
     {"model-a", 0, 0, &names_tools_model_a_faults},
     {"model-b", 0, 0, &names_tools_model_b_faults},
+    {"model-c", 0, 0, &names_tools_model_a_faults},
 };
 static const struct mip_parameter parameters_tools_status_short[] = {
     {"model", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 4711, 0, 0, 0,
@@ -591,7 +592,7 @@ static const struct mip_parameter parameters_tools_status_short[] = {
      NULL, NULL, NULL, 0},
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_tools_status_short, flags), 0, NULL, readings_tools_status_short_flags, NULL,
-     NULL, 2},
+     NULL, 3},
 };
 static const struct mip_record record_tools_status_short = {
     parameters_tools_status_short,
@@ -618,6 +619,38 @@ static const struct mip_record record_tools_status_long = {
     parameters_tools_status_long,
     4,
     sizeof(struct mip_tools_status_long),
+};
+
+static const struct mip_parameter parameters_tools_status_old[] = {
+    {"model", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 4711, 0, 0, 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"selector", "", MIP_KIND_CONSTANT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 2, 0, 0, 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"uptime", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_status_old, uptime), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_status_old = {
+    parameters_tools_status_old,
+    3,
+    sizeof(struct mip_tools_status_old),
+};
+
+static const struct mip_parameter parameters_tools_status_full[] = {
+    {"model", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 4711, 0, 0, 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"selector", "", MIP_KIND_CONSTANT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 2, 0, 0, 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"place", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_status_full, place), 0, NULL, NULL, &record_point, NULL, 0},
+    {"uptime", "s", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_status_full, uptime), 0, NULL, NULL, NULL, NULL, 0},
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_status_full, mode), 0, &names_mode, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_status_full = {
+    parameters_tools_status_full,
+    5,
+    sizeof(struct mip_tools_status_full),
 };
 
 static const struct mip_parameter parameters_tools_bias_vector[] = {
@@ -881,6 +914,8 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_tools_readings_response_codec, &record_tools_readings_response, false, false, NULL, 0, 0},
     {&mip_tools_status_short_codec, &record_tools_status_short, false, false, NULL, 0, 0},
     {&mip_tools_status_long_codec, &record_tools_status_long, false, false, NULL, 0, 0},
+    {&mip_tools_status_old_codec, &record_tools_status_old, false, false, NULL, 0, 0},
+    {&mip_tools_status_full_codec, &record_tools_status_full, false, false, NULL, 0, 0},
     {&mip_tools_bias_vector_codec, &record_tools_bias_vector, false, false, NULL, 0, 0},
     {&mip_3d_default_codec, &record_3d_default, false, false, NULL, 0, 0},
     {&mip_measurements_accel_codec, &record_measurements_accel, false, false, NULL, 0, 0},

@@ -25,6 +25,7 @@ const struct mip_codec mip_shared_timestamp_codec = {
     write_timestamp,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_timestamp_decode(struct mip_shared_timestamp *value,

@@ -79,6 +79,7 @@ const struct mip_codec mip_tools_ping_codec = {
     mip_write_nothing,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_ping_decode(struct mip_tools_ping *value, const struct mip_field *field) {
@@ -151,6 +152,7 @@ const struct mip_codec mip_tools_settings_codec = {
     write_settings,
     silent_settings,
     responses_settings,
+    NULL,
 };
 
 mip_error mip_tools_settings_decode(struct mip_tools_settings *value,
@@ -250,6 +252,7 @@ const struct mip_codec mip_tools_settings_response_codec = {
     write_settings_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_settings_response_decode(struct mip_tools_settings_response *value,
@@ -320,6 +323,7 @@ const struct mip_codec mip_tools_set_time_codec = {
     write_set_time,
     silent_set_time,
     responses_set_time,
+    NULL,
 };
 
 mip_error mip_tools_set_time_decode(struct mip_tools_set_time *value,
@@ -379,6 +383,7 @@ const struct mip_codec mip_tools_set_time_fast_response_codec = {
     write_set_time_fast_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_set_time_fast_response_decode(struct mip_tools_set_time_fast_response *value,
@@ -411,6 +416,7 @@ const struct mip_codec mip_tools_set_time_slow_response_codec = {
     0, /* time-out */
     read_set_time_slow_response,
     write_set_time_slow_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -453,6 +459,8 @@ static bool asked_status_2(const void *value) {
 static const struct mip_response responses_status[] = {
     {&mip_tools_status_short_codec, asked_status_1},
     {&mip_tools_status_long_codec, asked_status_2},
+    {&mip_tools_status_old_codec, asked_status_2},
+    {&mip_tools_status_full_codec, asked_status_2},
     {NULL, NULL},
 };
 
@@ -466,6 +474,7 @@ const struct mip_codec mip_tools_status_codec = {
     write_status,
     NULL,
     responses_status,
+    NULL,
 };
 
 mip_error mip_tools_status_decode(struct mip_tools_status *value, const struct mip_field *field) {
@@ -498,6 +507,17 @@ static void write_status_short(struct mip_writer *w, const void *value) {
     mip_write_u32(w, &v->flags, 1);
 }
 
+static const struct mip_constant constants_status_short[] = {
+    {0, 2, 4711},
+    {2, 1, 1},
+};
+static const struct mip_layout layout_status_short = {
+    0,
+    253, /* bytes of data */
+    2,
+    constants_status_short,
+};
+
 const struct mip_codec mip_tools_status_short_codec = {
     0x01, /* descriptor set */
     MIP_TOOLS_STATUS_SHORT_DESCRIPTOR,
@@ -508,6 +528,7 @@ const struct mip_codec mip_tools_status_short_codec = {
     write_status_short,
     NULL,
     NULL,
+    &layout_status_short,
 };
 
 mip_error mip_tools_status_short_decode(struct mip_tools_status_short *value,
@@ -537,6 +558,17 @@ static void write_status_long(struct mip_writer *w, const void *value) {
     mip_write_u64(w, &v->uptime, 1);
 }
 
+static const struct mip_constant constants_status_long[] = {
+    {0, 2, 4711},
+    {2, 1, 2},
+};
+static const struct mip_layout layout_status_long = {
+    15,
+    15, /* bytes of data */
+    2,
+    constants_status_long,
+};
+
 const struct mip_codec mip_tools_status_long_codec = {
     0x01, /* descriptor set */
     MIP_TOOLS_STATUS_LONG_DESCRIPTOR,
@@ -547,6 +579,7 @@ const struct mip_codec mip_tools_status_long_codec = {
     write_status_long,
     NULL,
     NULL,
+    &layout_status_long,
 };
 
 mip_error mip_tools_status_long_decode(struct mip_tools_status_long *value,
@@ -557,6 +590,108 @@ mip_error mip_tools_status_long_decode(struct mip_tools_status_long *value,
 mip_error mip_tools_status_long_encode(const struct mip_tools_status_long *value,
                                        struct mip_builder *builder) {
     return mip_encode_field(builder, 0x01, MIP_TOOLS_STATUS_LONG_DESCRIPTOR, write_status_long,
+                            value);
+}
+
+static void read_status_old(struct mip_reader *r, void *value) {
+    struct mip_tools_status_old *v = (struct mip_tools_status_old *)value;
+    mip_read_constant(r, 4711, 2);
+    mip_read_constant(r, 2, 1);
+    mip_read_u32(r, &v->uptime, 1);
+}
+
+static void write_status_old(struct mip_writer *w, const void *value) {
+    const struct mip_tools_status_old *v = (const struct mip_tools_status_old *)value;
+    mip_write_constant(w, 4711, 2);
+    mip_write_constant(w, 2, 1);
+    mip_write_u32(w, &v->uptime, 1);
+}
+
+static const struct mip_constant constants_status_old[] = {
+    {0, 2, 4711},
+    {2, 1, 2},
+};
+static const struct mip_layout layout_status_old = {
+    0,
+    14, /* bytes of data */
+    2,
+    constants_status_old,
+};
+
+const struct mip_codec mip_tools_status_old_codec = {
+    0x01, /* descriptor set */
+    MIP_TOOLS_STATUS_OLD_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_tools_status_old),
+    0, /* time-out */
+    read_status_old,
+    write_status_old,
+    NULL,
+    NULL,
+    &layout_status_old,
+};
+
+mip_error mip_tools_status_old_decode(struct mip_tools_status_old *value,
+                                      const struct mip_field *field) {
+    return mip_decode_field(field, read_status_old, value, sizeof(*value), NULL);
+}
+
+mip_error mip_tools_status_old_encode(const struct mip_tools_status_old *value,
+                                      struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_STATUS_OLD_DESCRIPTOR, write_status_old,
+                            value);
+}
+
+static void read_status_full(struct mip_reader *r, void *value) {
+    struct mip_tools_status_full *v = (struct mip_tools_status_full *)value;
+    mip_read_constant(r, 4711, 2);
+    mip_read_constant(r, 2, 1);
+    mip_point_read(r, &v->place);
+    mip_read_u64(r, &v->uptime, 1);
+    mip_read_u8(r, &v->mode, 1);
+}
+
+static void write_status_full(struct mip_writer *w, const void *value) {
+    const struct mip_tools_status_full *v = (const struct mip_tools_status_full *)value;
+    mip_write_constant(w, 4711, 2);
+    mip_write_constant(w, 2, 1);
+    mip_point_write(w, &v->place);
+    mip_write_u64(w, &v->uptime, 1);
+    mip_write_u8(w, &v->mode, 1);
+}
+
+static const struct mip_constant constants_status_full[] = {
+    {0, 2, 4711},
+    {2, 1, 2},
+};
+static const struct mip_layout layout_status_full = {
+    16,
+    253, /* bytes of data */
+    2,
+    constants_status_full,
+};
+
+const struct mip_codec mip_tools_status_full_codec = {
+    0x01, /* descriptor set */
+    MIP_TOOLS_STATUS_FULL_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_tools_status_full),
+    0, /* time-out */
+    read_status_full,
+    write_status_full,
+    NULL,
+    NULL,
+    &layout_status_full,
+};
+
+mip_error mip_tools_status_full_decode(struct mip_tools_status_full *value,
+                                       const struct mip_field *field) {
+    return mip_decode_field(field, read_status_full, value, sizeof(*value), NULL);
+}
+
+mip_error mip_tools_status_full_encode(const struct mip_tools_status_full *value,
+                                       struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_STATUS_FULL_DESCRIPTOR, write_status_full,
                             value);
 }
 
@@ -601,6 +736,7 @@ const struct mip_codec mip_tools_bias_codec = {
     write_bias,
     NULL,
     responses_bias,
+    NULL,
 };
 
 mip_error mip_tools_bias_decode(struct mip_tools_bias *value, const struct mip_field *field) {
@@ -667,6 +803,7 @@ const struct mip_codec mip_tools_bias_vector_codec = {
     write_bias_vector,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_bias_vector_decode(struct mip_tools_bias_vector *value,
@@ -705,6 +842,7 @@ const struct mip_codec mip_tools_capture_bias_codec = {
     write_capture_bias,
     NULL,
     responses_capture_bias,
+    NULL,
 };
 
 mip_error mip_tools_capture_bias_decode(struct mip_tools_capture_bias *value,
@@ -759,6 +897,7 @@ const struct mip_codec mip_tools_formats_codec = {
     read_formats,
     write_formats,
     silent_formats,
+    NULL,
     NULL,
 };
 
@@ -862,6 +1001,7 @@ const struct mip_codec mip_tools_choice_codec = {
     write_choice,
     NULL,
     responses_choice,
+    NULL,
 };
 
 mip_error mip_tools_choice_decode(struct mip_tools_choice *value, const struct mip_field *field) {
@@ -948,6 +1088,7 @@ const struct mip_codec mip_tools_choice_response_codec = {
     write_choice_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_choice_response_decode(struct mip_tools_choice_response *value,
@@ -1004,6 +1145,7 @@ const struct mip_codec mip_tools_list_codec = {
     write_list,
     NULL,
     responses_list,
+    NULL,
 };
 
 mip_error mip_tools_list_decode(struct mip_tools_list *value, const struct mip_field *field) {
@@ -1059,6 +1201,7 @@ const struct mip_codec mip_tools_list_response_codec = {
     write_list_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_list_response_decode(struct mip_tools_list_response *value,
@@ -1087,6 +1230,7 @@ const struct mip_codec mip_tools_inventory_codec = {
     mip_write_nothing,
     NULL,
     responses_inventory,
+    NULL,
 };
 
 mip_error mip_tools_inventory_decode(struct mip_tools_inventory *value,
@@ -1120,6 +1264,7 @@ const struct mip_codec mip_tools_inventory_response_codec = {
     0, /* time-out */
     read_inventory_response,
     write_inventory_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -1180,6 +1325,7 @@ const struct mip_codec mip_tools_pin_codec = {
     write_pin,
     NULL,
     responses_pin,
+    NULL,
 };
 
 mip_error mip_tools_pin_decode(struct mip_tools_pin *value, const struct mip_field *field) {
@@ -1229,6 +1375,7 @@ const struct mip_codec mip_tools_pin_response_codec = {
     write_pin_response,
     NULL,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_pin_response_decode(struct mip_tools_pin_response *value,
@@ -1273,6 +1420,7 @@ const struct mip_codec mip_tools_hello_codec = {
     write_hello,
     NULL,
     responses_hello,
+    NULL,
 };
 
 mip_error mip_tools_hello_decode(struct mip_tools_hello *value, const struct mip_field *field) {
@@ -1301,6 +1449,7 @@ const struct mip_codec mip_tools_hello_response_codec = {
     0, /* time-out */
     read_hello_response,
     write_hello_response,
+    NULL,
     NULL,
     NULL,
 };
@@ -1341,6 +1490,7 @@ const struct mip_codec mip_tools_readings_codec = {
     write_readings,
     NULL,
     responses_readings,
+    NULL,
 };
 
 mip_error mip_tools_readings_decode(struct mip_tools_readings *value,
@@ -1388,6 +1538,7 @@ const struct mip_codec mip_tools_readings_response_codec = {
     0, /* time-out */
     read_readings_response,
     write_readings_response,
+    NULL,
     NULL,
     NULL,
 };

@@ -16,7 +16,7 @@ class Accel(measurements.Accel):
 
     A vector whose elements are valid together.
 
-    Has the layout of `measurements.Accel`. Sent at 100 Hz at most. No device profile lists it.
+    Has the layout of `measurements.Accel`. Sent at 100 Hz at most. May be supported by Model C.
 
     - guide: Third acceleration
     """
@@ -31,6 +31,8 @@ class Accel(measurements.Accel):
     x by `types.StateFlags.READY` of `valid_flags`, y by `types.StateFlags.HOT` of `valid_flags`, z
     by `types.StateFlags.READY` of `valid_flags`.
     """
+    valid_flags: types.StateFlags
+    """What is valid."""
 
 
 class Numbers(measurements.Numbers):
@@ -135,6 +137,9 @@ class Radio(measurements.Radio):
     SET = 0x92
     NAME = "copy.radio"
 
+    noise: float
+    """Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true."""
+
 
 class Cloud(measurements.Cloud):
     """Cloud (0x92,0x08).
@@ -190,7 +195,7 @@ class Breeze(measurements.Breeze):
     NAME = "copy.breeze"
 
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Accel,),
     0x02: (Numbers,),

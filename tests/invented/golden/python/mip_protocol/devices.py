@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from . import tools, types
-from .profile import Device, Limit, Note, Port
+from .profile import Device, DeviceInfo, Limit, Note, Port, model_number
 
 MODEL_A = Device(
     id="model-a",
@@ -56,7 +56,14 @@ MODEL_A = Device(
         "tools.status_long.flags": tools.ModelAFaults,
     },
     ack_codes=frozenset([0, 1, 3]),
+    perhaps={},
+    incomplete=(),
+    also=(),
+    generation=None,
+    manual="guide",
 )
+"""Supports nearly everything. Model number 4711. Manual: A guide to devices that do not exist, 1.
+"""
 
 MODEL_B = Device(
     id="model-b",
@@ -82,9 +89,168 @@ MODEL_B = Device(
         "tools.status_long.flags": tools.ModelBFaults,
     },
     ack_codes=frozenset([0, 1]),
+    perhaps={},
+    incomplete=(),
+    also=(),
+    generation=None,
+    manual="leaflet",
 )
+"""Small, and reads the acknowledge code in its own way. Manual: A leaflet about one of them, 2."""
+
+MODEL_C = Device(
+    id="model-c",
+    title="Model C",
+    description="Like the model A, with a radio and without a choice.",
+    model_number=4713,
+    fields=frozenset(
+        {
+            (0x01, 0x01),  # tools.ping
+            (0x01, 0x02),  # tools.settings
+            (0x01, 0x03),  # tools.set_time
+            (0x01, 0x04),  # tools.status
+            (0x01, 0x05),  # tools.bias
+            (0x01, 0x06),  # tools.capture_bias
+            (0x01, 0x07),  # tools.formats
+            (0x01, 0x09),  # tools.list
+            (0x01, 0x0A),  # tools.inventory
+            (0x01, 0x0B),  # tools.pin
+            (0x01, 0x0D),  # tools.readings
+            (0x80, 0x01),  # measurements.accel
+            (0x80, 0x02),  # measurements.numbers
+            (0x80, 0x03),  # measurements.strings
+            (0x80, 0x04),  # measurements.health
+            (0x80, 0x05),  # measurements.arrays
+            (0x80, 0x06),  # measurements.growing
+            (0x80, 0x07),  # measurements.radio
+            (0x80, 0x08),  # measurements.cloud
+            (0x80, 0x0A),  # measurements.breeze
+            (0x81, 0x01),  # more.accel
+            (0x81, 0x07),  # more.own
+            (0xFF, 0xD3),  # shared.timestamp
+        }
+    ),
+    functions={(0x01, 0x02): "WRS"},
+    base_rates={0x80: 1000, 0x81: 250},
+    ports=(Port("Main", 18, (9600,), ("MIP",)), Port("CAN", None, (), ())),
+    limits={"segments": Limit(6, None, "In a format.")},
+    notes={},
+    readings={"tools.status_short.flags": tools.ModelAFaults},
+    ack_codes=frozenset([0, 1, 3]),
+    perhaps={
+        (0x01, 0x0C): "The sheet names it.",  # tools.hello
+        (0x92, 0x01): "The sheet names it.",  # copy.accel
+    },
+    incomplete=(),
+    also=("Model See", "c"),
+    generation=3,
+    manual=None,
+)
+"""Like the model A, with a radio and without a choice. Also called Model See and c. Generation 3.
+Model number 4713. Like the Model A, but for what is said here. No manual of it is known. Uncertain:
+Whether it has a model number of its own.
+
+- sheet: Radio
+"""
+
+OLD_1 = Device(
+    id="old-1",
+    title="Old 1",
+    description="Known by its name and number.",
+    model_number=4001,
+    fields=frozenset(
+        {
+            (0x01, 0x01)  # tools.ping
+        }
+    ),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={},
+    readings={},
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x80, 0x02): "All old devices have it."  # measurements.numbers
+    },
+    incomplete=("No manual is known; see `tools.ping`.",),
+    also=("First",),
+    generation=1,
+    manual=None,
+)
+"""Known by its name and number. Also called First. Generation 1. Model number 4001. No manual of it
+is known. This profile is incomplete: No manual is known; see `tools.Ping`.
+
+- sheet: Names
+"""
+
+OLD_2 = Device(
+    id="old-2",
+    title="Old 2",
+    description="Known by its name and number.",
+    model_number=4002,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={},
+    readings={},
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x01, 0x01): "All old devices have it.",  # tools.ping
+        (0x80, 0x02): "All old devices have it.",  # measurements.numbers
+    },
+    incomplete=("Nothing is known of its data.",),
+    also=(),
+    generation=1,
+    manual=None,
+)
+"""Known by its name and number. Generation 1. Model number 4002. No manual of it is known. This
+profile is incomplete: Nothing is known of its data.
+
+- sheet: Names
+"""
 
 #: All devices by id.
-DEVICES: dict[str, Device] = {"model-a": MODEL_A, "model-b": MODEL_B}
+DEVICES: dict[str, Device] = {
+    "model-a": MODEL_A,
+    "model-b": MODEL_B,
+    "model-c": MODEL_C,
+    "old-1": OLD_1,
+    "old-2": OLD_2,
+}
 
-__all__ = ["DEVICES", "Device", "Limit", "Note", "Port", "MODEL_A", "MODEL_B"]
+
+def find(name: str) -> Device | None:
+    """A device by its id, its title or another name."""
+    return next((d for d in DEVICES.values() if name in (d.id, d.title, *d.also)), None)
+
+
+def by_model(number: int) -> Device | None:
+    """A device by its model number; None if it is unknown, as newer ones are."""
+    return next((d for d in DEVICES.values() if d.model_number == number), None)
+
+
+def identify(info: DeviceInfo) -> Device | None:
+    """The device that the device information is of; None if it is unknown."""
+    number = model_number(info.model_number) or model_number(info.serial_number)
+    return by_model(number) if number else None
+
+
+__all__ = [
+    "DEVICES",
+    "Device",
+    "DeviceInfo",
+    "Limit",
+    "Note",
+    "Port",
+    "by_model",
+    "find",
+    "identify",
+    "model_number",
+    "MODEL_A",
+    "MODEL_B",
+    "MODEL_C",
+    "OLD_1",
+    "OLD_2",
+]

@@ -20,7 +20,7 @@ class Accel(Data):
 
     A vector whose elements are valid together.
 
-    Sent at 100 Hz at most. Supported by Model A and Model B.
+    Sent at 100 Hz at most. Supported by Model A, Model B and Model C.
 
     - guide: Acceleration
     - leaflet: Acceleration
@@ -36,10 +36,16 @@ class Accel(Data):
     x by `types.StateFlags.READY` of `valid_flags`, y by `types.StateFlags.HOT` of `valid_flags`, z
     by `types.StateFlags.READY` of `valid_flags`.
 
-    - On the Model B: unit m, m, s; frame ned. Turned by the device.
+    - On the Model B: unit m, m, s; frame ned; valid by element: x by `types.StateFlags.HOT` of
+      `valid_flags`, y by `types.StateFlags.READY` of `valid_flags`, z by `types.StateFlags.HOT` of
+      `valid_flags`. Turned by the device.
+    - On the Model C: nothing says whether it is valid.
     """
     valid_flags: types.StateFlags
-    """What is valid."""
+    """What is valid.
+
+    - On the Model C: only `types.StateFlags.READY` and `types.StateFlags.LEVEL`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Accel, int]:
@@ -77,7 +83,7 @@ class Numbers(Data):
 
     One of each.
 
-    Supported by Model A.
+    Supported by Model A and Model C. May be supported by Old 1 and Old 2.
 
     - guide: Numbers
     """
@@ -157,7 +163,7 @@ class Strings(Data):
 
     Fixed, counted, and to the end.
 
-    Supported by Model A.
+    Supported by Model A and Model C.
 
     - guide: Strings
     """
@@ -210,7 +216,7 @@ class Health(Data):
 
     The wide bitfield.
 
-    Deprecated: use `Numbers` instead. Supported by Model A.
+    Deprecated: use `Numbers` instead. Supported by Model A and Model C.
 
     - guide: Health
     """
@@ -248,7 +254,7 @@ class Arrays(Data):
 
     Arrays of all that can stand in one.
 
-    Supported by Model A.
+    Supported by Model A and Model C.
 
     - guide: Arrays
     """
@@ -311,7 +317,7 @@ class Growing(Data):
 
     Newer devices send more of it.
 
-    Supported by Model A.
+    Supported by Model A and Model C.
 
     - guide: Growing
     """
@@ -376,9 +382,8 @@ class Radio(Data):
 
     A bool vouches for values; one source has no layout that agrees with it.
 
-    Also called `modem` and `rf`. No device profile lists it. Known from the Kit of names only.
-    Uncertain: The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never
-    positive.
+    Also called `modem` and `rf`. Supported by Model C. Known from the Kit of names only. Uncertain:
+    The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
 
     - sheet: Radio
     """
@@ -393,7 +398,10 @@ class Radio(Data):
     strength: int
     """Of the signal. Range: less than 1. Valid if `connected` is true. Uncertain: Its unit."""
     noise: float
-    """Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true."""
+    """Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true.
+
+    - On the Model C: valid if `connected` is true; deprecated.
+    """
     gap: float = 0.0
     """Reserved. Reserved."""
     gaps: tuple[float, float] = (0.0, 0.0)
@@ -431,7 +439,7 @@ class Cloud(Data):
 
     The count can exceed what a field holds beside the value behind the array.
 
-    Supported by Model A.
+    Supported by Model A and Model C.
 
     - guide: Cloud
     """
@@ -539,7 +547,7 @@ class Breeze(Data):
 
     Its place is told as in `Gust`.
 
-    Supported by Model A.
+    Supported by Model A and Model C.
 
     - guide: Breeze
     """
@@ -573,7 +581,7 @@ class Breeze(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Accel,),
     0x02: (Numbers,),

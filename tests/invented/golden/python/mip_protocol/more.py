@@ -19,7 +19,7 @@ class Own(Data):
 
     Beside those that it repeats.
 
-    Supported by Model A.
+    Supported by Model A and Model C.
 
     - guide: Own
     """
@@ -49,7 +49,8 @@ class Accel(measurements.Accel):
 
     A vector whose elements are valid together.
 
-    Has the layout of `measurements.Accel`. Sent at 100 Hz at most. Supported by Model A.
+    Has the layout of `measurements.Accel`. Sent at 100 Hz at most. Supported by Model A and Model
+    C.
 
     - guide: Second acceleration
     """
@@ -64,6 +65,8 @@ class Accel(measurements.Accel):
     x by `types.StateFlags.READY` of `valid_flags`, y by `types.StateFlags.HOT` of `valid_flags`, z
     by `types.StateFlags.READY` of `valid_flags`.
     """
+    valid_flags: types.StateFlags
+    """What is valid."""
 
 
 class Strings(measurements.Strings):
@@ -82,5 +85,5 @@ class Strings(measurements.Strings):
     NAME = "more.strings"
 
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {0x01: (Accel,), 0x03: (Strings,), 0x07: (Own,)}

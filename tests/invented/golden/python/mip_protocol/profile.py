@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Container
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Protocol
 
 
 @dataclass(frozen=True)
@@ -34,6 +36,15 @@ class Note:
     rows: tuple[tuple[str, ...], ...]  # the first row is the heading
 
 
+class DeviceInfo(Protocol):
+    """What the device information says of a device, as `base.BaseDeviceInfo` does."""
+
+    @property
+    def model_number(self) -> str: ...
+    @property
+    def serial_number(self) -> str: ...
+
+
 @dataclass(frozen=True)
 class Device:
     """A device profile."""
@@ -50,11 +61,21 @@ class Device:
     notes: dict[str, Note]
     readings: dict[str, Any]  # "set.field.parameter" -> enumeration or bitfield to read it as
     ack_codes: frozenset[int] = field(default_factory=frozenset)
+    perhaps: dict[tuple[int, int], str] = field(default_factory=dict)
+    """(set, descriptor) of commands and data that it may have -> why this is believed."""
+    incomplete: tuple[str, ...] = ()
+    """What is not known of it. If there is anything, it may have more than is listed."""
+    also: tuple[str, ...] = ()  # what others call it
+    generation: int | None = None
+    manual: str | None = None
 
     def supports(self, set: int, descriptor: int) -> bool:
-        """Does it support this command, or send these data? Shared data belong to every data set."""
-        shared = set >= 0x80 and (0xFF, descriptor) in self.fields
-        return (set, descriptor) in self.fields or shared
+        """Does it know this command or send these data? Shared data count in every data set."""
+        return _has(self.fields, set, descriptor)
+
+    def may_support(self, set: int, descriptor: int) -> bool:
+        """The same, though it may not be certain."""
+        return self.supports(set, descriptor) or _has(self.perhaps, set, descriptor)
 
     def decimation(self, set: int, rate: float) -> int:
         """The decimation that comes closest to a wanted rate in Hz; at least 1.
@@ -67,3 +88,17 @@ class Device:
         if base <= 0:
             raise ValueError(f"{self.title} sends set 0x{set:02X} at no fixed rate")
         return max(1, min(0xFFFF, round(base / rate)))
+
+
+def _has(known: Container[tuple[int, int]], set: int, descriptor: int) -> bool:
+    return (set, descriptor) in known or (set >= 0x80 and (0xFF, descriptor) in known)
+
+
+def model_number(text: str) -> int | None:
+    """The number with which the model and serial numbers of the device information begin.
+
+    It has at least four digits. Spaces may come before it, and a dot, a dash or a space behind it.
+    """
+    found = re.match(r" *([0-9]{4,})(?=[-. \0]|\Z)", text)
+    number = int(found[1]) if found else 0
+    return number if 0 < number <= 0xFFFF else None

@@ -185,6 +185,18 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("flags", "flags", "scalar", scalar="u32"),
         Parameter("uptime", "uptime", "scalar", scalar="u64", units=("s",)),
     ),
+    tools.StatusOld: (
+        Parameter("model", "model", "constant", scalar="u16", constant=4711),
+        Parameter("selector", "selector", "constant", scalar="u8", constant=2),
+        Parameter("uptime", "uptime", "scalar", scalar="u32", units=("s",)),
+    ),
+    tools.StatusFull: (
+        Parameter("model", "model", "constant", scalar="u16", constant=4711),
+        Parameter("selector", "selector", "constant", scalar="u8", constant=2),
+        Parameter("place", "place", "struct", type=types.Point),
+        Parameter("uptime", "uptime", "scalar", scalar="u64", units=("s",)),
+        Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),
+    ),
     tools.BiasVector: (
         Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",)),
     ),

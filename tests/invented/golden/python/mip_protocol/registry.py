@@ -20,7 +20,7 @@ __all__ = ["MODULES", "SHARED_SET", "all_types", "decode", "decode_packet", "typ
 def types(set: int, descriptor: int) -> tuple[type[Field], ...]:
     """The types of a descriptor in packets of a set; empty if it is unknown.
 
-    If there are several, constants in the data distinguish them.
+    Several mean that constants in the data, or their size, tell them apart.
     """
     if set < 0x80 and descriptor == Acknowledge.DESCRIPTOR:
         return (Acknowledge,)

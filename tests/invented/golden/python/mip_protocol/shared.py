@@ -19,7 +19,7 @@ class Timestamp(Data):
 
     When the packet was sent.
 
-    Supported by Model A.
+    Supported by Model A and Model C.
 
     - guide: Timestamp
     """
@@ -47,5 +47,5 @@ class Timestamp(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {0xD3: (Timestamp,)}

@@ -10,7 +10,7 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClass, Structure
+from .field import Command, Field, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 
@@ -217,7 +217,7 @@ _SETTINGS_RESPONSE_0 = codec.Block("BBIHB", "port", "mode", "baud", "limit", "re
 class SettingsResponse(Response):
     """Settings response (0x01,0x82).
 
-    Answers `Settings`. Supported by Model A and Model B.
+    Answers `Settings`. Supported by Model A, Model B and Model C.
 
     - guide: Settings
     - leaflet: Settings
@@ -266,7 +266,7 @@ _SET_TIME_FAST_RESPONSE_0 = codec.Block("I", "value")
 class SetTimeFastResponse(Response):
     """Set time response (0x01,0x83).
 
-    Answers `SetTime`. Sent if `part` is `types.Mode.FAST`. Supported by Model A.
+    Answers `SetTime`. Sent if `part` is `types.Mode.FAST`. Supported by Model A and Model C.
 
     - guide: Set time
     """
@@ -298,7 +298,7 @@ _SET_TIME_SLOW_RESPONSE_0 = codec.Block("I", "value")
 class SetTimeSlowResponse(Response):
     """Set time response (0x01,0x84).
 
-    Answers `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A.
+    Answers `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A and Model C.
 
     - guide: Set time
     """
@@ -406,7 +406,7 @@ _LIST_RESPONSE_0 = codec.Block("B", "count")
 class ListResponse(Response):
     """List response (0x01,0x89).
 
-    Answers `List`. Supported by Model A.
+    Answers `List`. Supported by Model A and Model C.
 
     - guide: List
     """
@@ -440,7 +440,7 @@ class ListResponse(Response):
 class InventoryResponse(Response):
     """Inventory response (0x01,0x8A).
 
-    Answers `Inventory`. Supported by Model A.
+    Answers `Inventory`. Supported by Model A and Model C.
 
     - guide: Inventory
     """
@@ -474,7 +474,7 @@ _PIN_RESPONSE_0 = codec.Block("BB", "drive", "use")
 class PinResponse(Response):
     """Pin response (0x01,0x8B).
 
-    Answers `Pin`. Supported by Model A.
+    Answers `Pin`. Supported by Model A and Model C.
 
     - guide: Pin
     """
@@ -514,8 +514,8 @@ _HELLO_RESPONSE_0 = codec.Block("I", "seen")
 class HelloResponse(Response):
     """Hello response (0x01,0x8C).
 
-    Also called `keep_alive_response` and `welcome`. Answers `Hello`. Known from the Kit of names
-    only. Uncertain: When it comes.
+    Also called `keep_alive_response` and `welcome`. Answers `Hello`. May be supported by Model C.
+    Known from the Kit of names only. Uncertain: When it comes.
 
     - sheet: Hello
     """
@@ -547,7 +547,7 @@ _READINGS_RESPONSE_0 = codec.Block("BB", "drive", "count")
 class ReadingsResponse(Response):
     """Readings response (0x01,0x8D).
 
-    Answers `Readings`. Supported by Model A.
+    Answers `Readings`. Supported by Model A and Model C.
 
     - guide: Readings
     """
@@ -602,7 +602,7 @@ _STATUS_SHORT_2 = codec.Block("I", "flags")
 class StatusShort(Response):
     """Status response (0x01,0x90).
 
-    Answers `Status`. Sent if `selector` is 1. Supported by Model A and Model B.
+    Answers `Status`. Sent if `selector` is 1. Supported by Model A, Model B and Model C.
 
     - guide: Status
     """
@@ -611,20 +611,25 @@ class StatusShort(Response):
     DESCRIPTOR = 0x90
     NAME = "tools.status_short"
     ROLE = "response"
-    READINGS = {"flags": ("device", {"model-a": ModelAFaults, "model-b": ModelBFaults})}
+    READINGS = {
+        "flags": (
+            "device",
+            {"model-a": ModelAFaults, "model-b": ModelBFaults, "model-c": ModelAFaults},
+        )
+    }
 
     # On the wire: model. The model. Always 4711.
     # On the wire: selector. The short layout. Always 1.
     flags: int
     """Faults.
 
-    - On the Model A: values of `ModelAFaults`.
+    - On the Model A and Model C: values of `ModelAFaults`.
     - On the Model B: values of `ModelBFaults`.
     """
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x12g" and data[2:3] == b"\x01"
+        return b"\x12g".startswith(data[0:2]) and b"\x01".startswith(data[2:3])
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[StatusShort, int]:
@@ -655,7 +660,8 @@ _STATUS_LONG_2 = codec.Block("IQ", "flags", "uptime")
 class StatusLong(Response):
     """Status response (0x01,0x90).
 
-    Answers `Status`. Sent if `selector` is 2. Supported by Model A and Model B.
+    Answers `Status`. Told from `StatusOld` and `StatusFull` by the size of its data. Sent if
+    `selector` is 2. Supported by Model A, Model B and Model C.
 
     - guide: Status
     """
@@ -673,13 +679,18 @@ class StatusLong(Response):
 
     - On the Model A: values of `ModelAFaults`.
     - On the Model B: values of `ModelBFaults`.
+    - On the Model C: values that are not known.
     """
     uptime: int
     """Since start. Unit: s."""
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x12g" and data[2:3] == b"\x02"
+        return (
+            15 <= len(data) < 16
+            and b"\x12g".startswith(data[0:2])
+            and b"\x02".startswith(data[2:3])
+        )
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[StatusLong, int]:
@@ -702,6 +713,113 @@ class StatusLong(Response):
         return codec.finished(out)
 
 
+_STATUS_OLD_0 = codec.Block("H", "model")
+_STATUS_OLD_1 = codec.Block("B", "selector")
+_STATUS_OLD_2 = codec.Block("I", "uptime")
+
+
+@dataclass(slots=True)
+class StatusOld(Response):
+    """Status response (0x01,0x90).
+
+    The long layout of old devices. Its size tells it from the others.
+
+    Answers `Status`. Told from `StatusLong` and `StatusFull` by the size of its data. Sent if
+    `selector` is 2. Supported by Model A, Model B and Model C.
+
+    - guide: Status
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x90
+    NAME = "tools.status_old"
+    ROLE = "response"
+
+    # On the wire: model. The model. Always 4711.
+    # On the wire: selector. The long layout. Always 2.
+    uptime: int
+    """Since start. Unit: s."""
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return len(data) < 15 and b"\x12g".startswith(data[0:2]) and b"\x02".startswith(data[2:3])
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[StatusOld, int]:
+        v = _STATUS_OLD_0.read(raw, at)
+        at += 2
+        codec.constant(v[0], 4711)
+        v = _STATUS_OLD_1.read(raw, at)
+        at += 1
+        codec.constant(v[0], 2)
+        v = _STATUS_OLD_2.read(raw, at)
+        at += 4
+        uptime = v[0]
+        return cls(uptime), at
+
+    def _write(self) -> bytes:
+        out = _STATUS_OLD_0.write(4711)
+        out += _STATUS_OLD_1.write(2)
+        out += _STATUS_OLD_2.write(self.uptime)
+        return codec.finished(out)
+
+
+_STATUS_FULL_0 = codec.Block("H", "model")
+_STATUS_FULL_1 = codec.Block("B", "selector")
+_STATUS_FULL_2 = codec.Block("QB", "uptime", "mode")
+
+
+@dataclass(slots=True)
+class StatusFull(Response):
+    """Status response (0x01,0x90).
+
+    Answers `Status`. Told from `StatusLong` and `StatusOld` by the size of its data. Sent if
+    `selector` is 2. Supported by Model A, Model B and Model C.
+
+    - guide: Status
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x90
+    NAME = "tools.status_full"
+    ROLE = "response"
+
+    # On the wire: model. The model. Always 4711.
+    # On the wire: selector. The long layout. Always 2.
+    place: types.Point
+    """Where it is."""
+    uptime: int
+    """Since start. Unit: s."""
+    mode: types.Mode
+    """What it does."""
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return 16 <= len(data) and b"\x12g".startswith(data[0:2]) and b"\x02".startswith(data[2:3])
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[StatusFull, int]:
+        v = _STATUS_FULL_0.read(raw, at)
+        at += 2
+        codec.constant(v[0], 4711)
+        v = _STATUS_FULL_1.read(raw, at)
+        at += 1
+        codec.constant(v[0], 2)
+        place, at = types.Point._read(raw, at)
+        v = _STATUS_FULL_2.read(raw, at)
+        at += 9
+        uptime = v[0]
+        mode = types.Mode(v[1])
+        return cls(place, uptime, mode), at
+
+    def _write(self) -> bytes:
+        out = _STATUS_FULL_0.write(4711)
+        out += _STATUS_FULL_1.write(2)
+        out += codec.structure("place", self.place, types.Point)
+        out += _STATUS_FULL_2.write(self.uptime, self.mode)
+        return codec.finished(out)
+
+
 _BIAS_VECTOR_0 = codec.Block("fff", *["bias"] * 3)
 
 
@@ -709,7 +827,7 @@ _BIAS_VECTOR_0 = codec.Block("fff", *["bias"] * 3)
 class BiasVector(Response):
     """Bias response (0x01,0x9B).
 
-    Answers `Bias` and `CaptureBias`. Supported by Model A.
+    Answers `Bias` and `CaptureBias`. Supported by Model A and Model C.
 
     - guide: Bias
     - leaflet: Bias
@@ -741,7 +859,7 @@ class Ping(Command):
 
     Tests the line.
 
-    Supported by Model A and Model B.
+    Supported by Model A, Model B, Model C and Old 1. May be supported by Old 2.
 
     - guide: Ping
     - leaflet: Ping
@@ -782,7 +900,8 @@ class Settings(Command):
     Every function, and a prefix of parameters for each.
 
     Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `SettingsResponse`. Supported by Model A and Model B. On the Model B: `write` and `read` only.
+    `SettingsResponse`. Supported by Model A, Model B and Model C. On the Model B: `write` and
+    `read` only. On the Model C: `write`, `read` and `save` only.
 
     - guide: Settings
     - leaflet: Settings
@@ -800,7 +919,10 @@ class Settings(Command):
     port: int | None = None
     """Number of the port, 0 for all. Range: 0 to 8."""
     mode: types.Mode | None = None
-    """What to do. Default: `types.Mode.FAST`. Required for `write`, `read` and `apply`."""
+    """What to do. Default: `types.Mode.FAST`. Required for `write`, `read` and `apply`.
+
+    - On the Model C: only `types.Mode.DEFAULT` and `types.Mode.FAST`; not deprecated.
+    """
     baud: int | None = None
     """Speed. Unit: Bd. Default: 115200. Required for `write` and `apply`."""
     limit: int | None = None
@@ -847,10 +969,10 @@ class Settings(Command):
         return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return SettingsResponse
-        return None
+            return (SettingsResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Settings, int]:
@@ -931,7 +1053,7 @@ class SetTime(Command):
     Two responses for one command.
 
     Functions: `write`, `read` and `apply`. Answered by `SetTimeFastResponse` or
-    `SetTimeSlowResponse`. Supported by Model A.
+    `SetTimeSlowResponse`. Supported by Model A and Model C.
 
     Send it once a second.
 
@@ -972,12 +1094,12 @@ class SetTime(Command):
         return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ and self.part == 1:
-            return SetTimeFastResponse
+            return (SetTimeFastResponse,)
         if self.function == FunctionSelector.READ and self.part == 2:
-            return SetTimeSlowResponse
-        return None
+            return (SetTimeSlowResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetTime, int]:
@@ -1026,10 +1148,10 @@ _STATUS_1 = codec.Block("B", "selector")
 class Status(Command):
     """Status (0x01,0x04).
 
-    Two layouts of one response, told apart by constants.
+    Layouts of one response, told apart by constants and by size.
 
-    For advanced use. Answered by `StatusShort` or `StatusLong`. The device may take 2.5 s to
-    answer. Supported by Model A and Model B.
+    For advanced use. Answered by `StatusShort`, `StatusLong`, `StatusOld` or `StatusFull`. The
+    device may take 2.5 s to answer. Supported by Model A, Model B and Model C.
 
     - guide: Status
     """
@@ -1038,24 +1160,27 @@ class Status(Command):
     DESCRIPTOR = 0x04
     NAME = "tools.status"
     ROLE = "command"
-    RESPONSES = (StatusShort, StatusLong)
+    RESPONSES = (StatusShort, StatusLong, StatusOld, StatusFull)
     TIMEOUT = 2.5
 
     # On the wire: model. The model that the layouts belong to. Always 4711.
     selector: int
-    """Which layout. Range: 1 to 2."""
+    """Which layout. Range: 1 to 2.
+
+    - On the Model C: always 2.
+    """
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x12g"
+        return b"\x12g".startswith(data[0:2])
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.selector == 1:
-            return StatusShort
+            return (StatusShort,)
         if self.selector == 2:
-            return StatusLong
-        return None
+            return (StatusLong, StatusOld, StatusFull)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Status, int]:
@@ -1085,7 +1210,7 @@ class Bias(Command):
     Its response serves another command too.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `BiasVector`. Supported by
-    Model A.
+    Model A and Model C.
 
     - guide: Bias
     - leaflet: Bias
@@ -1130,10 +1255,10 @@ class Bias(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return BiasVector
-        return None
+            return (BiasVector,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Bias, int]:
@@ -1174,7 +1299,8 @@ class CaptureBias(Command):
 
     Measures the bias.
 
-    Answered by `BiasVector`. Supported by Model A.
+    Answered by `BiasVector`. Supported by Model A and Model C. Deprecated on the Model C: use
+    `Bias` instead.
 
     - guide: Capture bias
     """
@@ -1209,7 +1335,7 @@ class Formats(Command):
 
     Counted arrays of structures and of numbers; not answered if told so.
 
-    Not acknowledged if `suppress_ack` is true. Supported by Model A.
+    Not acknowledged if `suppress_ack` is true. Supported by Model A and Model C.
 
     - guide: Formats
     """
@@ -1306,10 +1432,10 @@ class Choice(Command):
         return cls(FunctionSelector.READ, instance=instance)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return ChoiceResponse
-        return None
+            return (ChoiceResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Choice, int]:
@@ -1396,7 +1522,8 @@ class List(Command):
 
     Optional counted array; a read may carry a zero count.
 
-    Functions: `write`, `read` and `save`. Answered by `ListResponse`. Supported by Model A.
+    Functions: `write`, `read` and `save`. Answered by `ListResponse`. Supported by Model A and
+    Model C.
 
     - guide: List
     """
@@ -1430,10 +1557,10 @@ class List(Command):
         return cls(FunctionSelector.SAVE)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return ListResponse
-        return None
+            return (ListResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[List, int]:
@@ -1475,7 +1602,7 @@ class Inventory(Command):
 
     Answers with an array to the end of the field.
 
-    Answered by `InventoryResponse`. Supported by Model A.
+    Answered by `InventoryResponse`. Supported by Model A and Model C.
 
     - guide: Inventory
     """
@@ -1506,7 +1633,7 @@ class Pin(Command):
 
     The names of one number depend on another.
 
-    Functions: `write` and `read`. Answered by `PinResponse`. Supported by Model A.
+    Functions: `write` and `read`. Answered by `PinResponse`. Supported by Model A and Model C.
 
     - guide: Pin
     """
@@ -1541,10 +1668,10 @@ class Pin(Command):
         return cls(FunctionSelector.READ, drive=drive)
 
     @property
-    def expected(self) -> ResponseClass | None:
+    def expected(self) -> ResponseClasses:
         if self.function == FunctionSelector.READ:
-            return PinResponse
-        return None
+            return (PinResponse,)
+        return ()
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Pin, int]:
@@ -1597,7 +1724,7 @@ class Hello(Command):
     The device asks and a host answers.
 
     Also called `keep_alive`. Answered by `HelloResponse`. The device sends it, and the host
-    answers. No device profile lists it. Known from the Kit of names only.
+    answers. May be supported by Model C. Known from the Kit of names only.
 
     - sheet: Hello
     """
@@ -1652,7 +1779,7 @@ class Readings(Command):
 
     A parameter outside of a structure says how its members are read.
 
-    Answered by `ReadingsResponse`. Supported by Model A.
+    Answered by `ReadingsResponse`. Supported by Model A and Model C.
 
     - guide: Readings
     """
@@ -1689,9 +1816,11 @@ HelloResponse.COMMANDS = (Hello,)
 ReadingsResponse.COMMANDS = (Readings,)
 StatusShort.COMMANDS = (Status,)
 StatusLong.COMMANDS = (Status,)
+StatusOld.COMMANDS = (Status,)
+StatusFull.COMMANDS = (Status,)
 BiasVector.COMMANDS = (Bias, CaptureBias)
 
-#: The types of each descriptor; several where constants in the data tell layouts apart.
+#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Ping,),
     0x02: (Settings,),
@@ -1715,6 +1844,6 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x8B: (PinResponse,),
     0x8C: (HelloResponse,),
     0x8D: (ReadingsResponse,),
-    0x90: (StatusShort, StatusLong),
+    0x90: (StatusShort, StatusLong, StatusOld, StatusFull),
     0x9B: (BiasVector,),
 }

@@ -15,9 +15,17 @@ pub struct Device {
     pub title: &'static str,
     /// A description.
     pub description: &'static str,
-    /// The model number, if it has one.
+    /// What others call it.
+    pub also: &'static [&'static str],
+    /// The number of the model, if it is known.
     pub model_number: Option<u16>,
-    /// Its commands and data fields.
+    /// The generation of devices that it belongs to, if that is known.
+    pub generation: Option<u8>,
+    /// The manual that describes it, if one is known.
+    pub manual: Option<&'static str>,
+    /// What is not known of it, in sentences. If there is any, it may have more than is listed.
+    pub incomplete: &'static [&'static str],
+    /// Its commands and data fields, those that are not certain included.
     pub fields: &'static [Supported],
     /// Base rates of data sets.
     pub base_rates: &'static [BaseRate],
@@ -42,6 +50,8 @@ pub struct Supported {
     pub name: &'static str,
     /// The function selectors that the device takes; empty if the field has none.
     pub functions: &'static [FunctionSelector],
+    /// Why the device is believed to support it; `None` if that is certain.
+    pub evidence: Option<&'static str>,
 }
 
 /// The base rate of a data set.
@@ -97,11 +107,30 @@ impl Device {
         ALL.iter().copied().find(|device| device.id == id)
     }
 
+    /// The device of this id, this title or another name.
+    #[must_use]
+    pub fn find(name: &str) -> Option<&'static Self> {
+        let called = |d: &&Self| d.id == name || d.title == name || d.also.contains(&name);
+        ALL.iter().copied().find(called)
+    }
+
+    /// The device of this model number; `None` if it is unknown, as newer ones are.
+    #[must_use]
+    pub fn by_model(number: u16) -> Option<&'static Self> {
+        ALL.iter().copied().find(|device| device.model_number == Some(number))
+    }
+
     /// The entry of a field, if the device supports it in packets of this set.
     ///
     /// Shared data belong to every data set.
     #[must_use]
     pub fn supports(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
+        self.may_support(set, descriptor).filter(|field| field.evidence.is_none())
+    }
+
+    /// The same, though it may not be certain: the evidence says why it is believed.
+    #[must_use]
+    pub fn may_support(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
         let matches = |f: &&Supported| f.set == set || (f.set == 0xFF && set >= 0x80);
         self.fields.iter().find(|f| f.descriptor == descriptor && matches(f))
     }
@@ -109,7 +138,8 @@ impl Device {
     /// Does it support this field?
     #[must_use]
     pub fn has<T: crate::Field>(&self) -> bool {
-        self.fields.iter().any(|f| T::in_set(f.set) && f.descriptor == T::DESCRIPTOR)
+        let mut certain = self.fields.iter().filter(|f| f.evidence.is_none());
+        certain.any(|f| T::in_set(f.set) && f.descriptor == T::DESCRIPTOR)
     }
 
     /// The base rate of a descriptor set in Hz; 0 if data are sent as they arise.
@@ -123,4 +153,24 @@ impl Device {
     pub fn limit(&self, name: &str) -> Option<f64> {
         self.limits.iter().find(|limit| limit.name == name).map(|limit| limit.value)
     }
+}
+
+/// The model number that the device information gives: its model and serial numbers begin with it.
+///
+/// It has at least four digits. Spaces may come before it, and a dot, a dash, a space, a NUL or the
+/// end of the text behind it.
+///
+/// ```
+/// use mip_protocol::devices::model_number;
+///
+/// assert_eq!(model_number("  6254-4220      "), Some(6254));
+/// assert_eq!(model_number("GX5-15"), None);
+/// ```
+#[must_use]
+pub fn model_number(text: &str) -> Option<u16> {
+    let text = text.trim_start_matches(' ');
+    let end = text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
+    let (digits, rest) = (text.get(..end)?, text.get(end..)?);
+    let ends = rest.is_empty() || rest.starts_with(['.', '-', ' ', '\0']);
+    digits.parse().ok().filter(|number| ends && digits.len() >= 4 && *number > 0)
 }

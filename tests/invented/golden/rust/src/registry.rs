@@ -36,7 +36,7 @@ impl FieldInfo {
         FIELDS.iter().find(|info| info.name == name)
     }
 
-    /// The field that these bytes hold; of several layouts the one whose constants match.
+    /// The field that has these bytes; of several layouts the one that the data have.
     #[must_use]
     pub fn of(field: &RawField<'_>) -> Option<&'static Self> {
         FIELDS.get(index(field)? as usize)

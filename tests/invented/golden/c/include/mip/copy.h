@@ -25,7 +25,7 @@ extern "C" {
  *
  * A vector whose elements are valid together.
  *
- * Has the layout of mip_measurements_accel. Sent at 100 Hz at most. No device profile lists it.
+ * Has the layout of mip_measurements_accel. Sent at 100 Hz at most. May be supported by Model C.
  *
  * - guide: Third acceleration
  */

@@ -16,11 +16,49 @@
 extern "C" {
 #endif
 
-/** Model A: Supports nearly everything. */
+/**
+ * Model A: Supports nearly everything.
+ *
+ * Model number 4711. Manual: A guide to devices that do not exist, 1.
+ */
 extern const struct mip_device mip_device_model_a;
 
-/** Model B: Small, and reads the acknowledge code in its own way. */
+/**
+ * Model B: Small, and reads the acknowledge code in its own way.
+ *
+ * Manual: A leaflet about one of them, 2.
+ */
 extern const struct mip_device mip_device_model_b;
+
+/**
+ * Model C: Like the model A, with a radio and without a choice.
+ *
+ * Also called Model See and c. Generation 3. Model number 4713. Like the Model A, but for what is
+ * said here. No manual of it is known. Uncertain: Whether it has a model number of its own.
+ *
+ * - sheet: Radio
+ */
+extern const struct mip_device mip_device_model_c;
+
+/**
+ * Old 1: Known by its name and number.
+ *
+ * Also called First. Generation 1. Model number 4001. No manual of it is known. This profile is
+ * incomplete: No manual is known; see mip_tools_ping.
+ *
+ * - sheet: Names
+ */
+extern const struct mip_device mip_device_old_1;
+
+/**
+ * Old 2: Known by its name and number.
+ *
+ * Generation 1. Model number 4002. No manual of it is known. This profile is incomplete: Nothing is
+ * known of its data.
+ *
+ * - sheet: Names
+ */
+extern const struct mip_device mip_device_old_2;
 
 #ifdef __cplusplus
 }

@@ -24,7 +24,7 @@ extern "C" {
  *
  * A vector whose elements are valid together.
  *
- * Sent at 100 Hz at most. Supported by Model A and Model B.
+ * Sent at 100 Hz at most. Supported by Model A, Model B and Model C.
  *
  * - guide: Acceleration
  * - leaflet: Acceleration
@@ -33,11 +33,13 @@ struct mip_measurements_accel {
     /**
      * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
      * x by MIP_STATE_FLAGS_READY in valid_flags, y by MIP_STATE_FLAGS_HOT in valid_flags, z by
-     * MIP_STATE_FLAGS_READY in valid_flags. On the Model B: unit m, m, s; frame ned. Turned by the
-     * device.
+     * MIP_STATE_FLAGS_READY in valid_flags. On the Model B: unit m, m, s; frame ned; valid by
+     * element: x by MIP_STATE_FLAGS_HOT in valid_flags, y by MIP_STATE_FLAGS_READY in valid_flags,
+     * z by MIP_STATE_FLAGS_HOT in valid_flags. Turned by the device. On the Model C: nothing says
+     * whether it is valid.
      */
     float scaled_accel[3];
-    /** What is valid. */
+    /** What is valid. On the Model C: only MIP_STATE_FLAGS_READY and MIP_STATE_FLAGS_LEVEL. */
     mip_state_flags valid_flags;
 };
 
@@ -55,7 +57,7 @@ mip_error mip_measurements_accel_encode(const struct mip_measurements_accel *val
  *
  * One of each.
  *
- * Supported by Model A.
+ * Supported by Model A and Model C. May be supported by Old 1 and Old 2.
  *
  * - guide: Numbers
  */
@@ -100,7 +102,7 @@ mip_error mip_measurements_numbers_encode(const struct mip_measurements_numbers 
  *
  * Fixed, counted, and to the end.
  *
- * Supported by Model A.
+ * Supported by Model A and Model C.
  *
  * - guide: Strings
  */
@@ -131,7 +133,7 @@ mip_error mip_measurements_strings_encode(const struct mip_measurements_strings 
  *
  * The wide bitfield.
  *
- * Deprecated: use mip_measurements_numbers instead. Supported by Model A.
+ * Deprecated: use mip_measurements_numbers instead. Supported by Model A and Model C.
  *
  * - guide: Health
  */
@@ -156,7 +158,7 @@ mip_error mip_measurements_health_encode(const struct mip_measurements_health *v
  *
  * Arrays of all that can stand in one.
  *
- * Supported by Model A.
+ * Supported by Model A and Model C.
  *
  * - guide: Arrays
  */
@@ -189,7 +191,7 @@ mip_error mip_measurements_arrays_encode(const struct mip_measurements_arrays *v
  *
  * Newer devices send more of it.
  *
- * Supported by Model A.
+ * Supported by Model A and Model C.
  *
  * - guide: Growing
  */
@@ -222,9 +224,8 @@ mip_error mip_measurements_growing_encode(const struct mip_measurements_growing 
  *
  * A bool vouches for values; one source has no layout that agrees with it.
  *
- * Also called `modem` and `rf`. No device profile lists it. Known from the Kit of names only.
- * Uncertain: The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never
- * positive.
+ * Also called `modem` and `rf`. Supported by Model C. Known from the Kit of names only. Uncertain:
+ * The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
  *
  * - sheet: Radio
  */
@@ -233,7 +234,10 @@ struct mip_measurements_radio {
     mip_bool connected;
     /** Of the signal. Range: less than 1. Valid if connected is true. Uncertain: Its unit. */
     int32_t strength;
-    /** Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if connected is true. */
+    /**
+     * Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if connected is true. On the
+     * Model C: valid if connected is true; deprecated.
+     */
     float noise;
     /** Reserved. Reserved. */
     float gap;
@@ -255,7 +259,7 @@ mip_error mip_measurements_radio_encode(const struct mip_measurements_radio *val
  *
  * The count can exceed what a field holds beside the value behind the array.
  *
- * Supported by Model A.
+ * Supported by Model A and Model C.
  *
  * - guide: Cloud
  */
@@ -322,7 +326,7 @@ mip_error mip_measurements_gust_encode(const struct mip_measurements_gust *value
  *
  * Its place is told as in mip_measurements_gust.
  *
- * Supported by Model A.
+ * Supported by Model A and Model C.
  *
  * - guide: Breeze
  */

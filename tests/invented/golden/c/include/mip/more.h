@@ -25,7 +25,7 @@ extern "C" {
  *
  * Beside those that it repeats.
  *
- * Supported by Model A.
+ * Supported by Model A and Model C.
  *
  * - guide: Own
  */
@@ -46,7 +46,8 @@ mip_error mip_more_own_encode(const struct mip_more_own *value, struct mip_build
  *
  * A vector whose elements are valid together.
  *
- * Has the layout of mip_measurements_accel. Sent at 100 Hz at most. Supported by Model A.
+ * Has the layout of mip_measurements_accel. Sent at 100 Hz at most. Supported by Model A and Model
+ * C.
  *
  * - guide: Second acceleration
  */

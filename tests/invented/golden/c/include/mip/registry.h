@@ -12,13 +12,6 @@
 extern "C" {
 #endif
 
-/** A constant at a fixed offset, which distinguishes two layouts of one descriptor. */
-struct mip_constant {
-    uint8_t offset;
-    uint8_t size;
-    uint64_t value;
-};
-
 /** A field as a descriptor set defines or repeats it. */
 struct mip_entry {
     /** Descriptor set: 0 for fields of all command sets, 0xFF for those of all data sets. */
@@ -26,11 +19,9 @@ struct mip_entry {
     uint8_t descriptor;
     /** MIP_COMMAND, MIP_RESPONSE or MIP_DATA. */
     uint8_t role;
-    uint8_t constant_count;
-    /** The entries that mip_registry_link returns: their number and position. */
+    /** Entries that mip_registry_link gives, and where they stand. */
     uint8_t link_count;
     uint16_t first_link;
-    const struct mip_constant *constants;
     /** Name in the specification: "3dm.pps_source_control". */
     const char *name;
     const struct mip_codec *codec;
@@ -45,7 +36,8 @@ extern const uint16_t mip_registry_links[];
 const struct mip_entry *mip_registry_candidates(uint8_t descriptor_set, uint8_t descriptor,
                                                 size_t *count);
 
-/** The layout of a field; NULL if it is unknown, or if its constants match no layout. */
+/** The layout of a field; NULL if it is unknown, or if the data have none of those that are known.
+ */
 const struct mip_entry *mip_registry_find(const struct mip_field *field);
 
 /** A field by its name; NULL if there is none. */

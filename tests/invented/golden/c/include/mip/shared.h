@@ -24,7 +24,7 @@ extern "C" {
  *
  * When the packet was sent.
  *
- * Supported by Model A.
+ * Supported by Model A and Model C.
  *
  * - guide: Timestamp
  */

@@ -128,7 +128,7 @@ typedef uint32_t mip_tools_model_b_faults;
  *
  * Tests the line.
  *
- * Supported by Model A and Model B.
+ * Supported by Model A, Model B, Model C and Old 1. May be supported by Old 2.
  *
  * - guide: Ping
  * - leaflet: Ping
@@ -151,7 +151,8 @@ mip_error mip_tools_ping_encode(const struct mip_tools_ping *value, struct mip_b
  * Every function, and a prefix of parameters for each.
  *
  * Functions: write, read, save, load, default and apply. Answered by mip_tools_settings_response.
- * Supported by Model A and Model B. On the Model B: write and read only.
+ * Supported by Model A, Model B and Model C. On the Model B: write and read only. On the Model C:
+ * write, read and save only.
  *
  * - guide: Settings
  * - leaflet: Settings
@@ -163,7 +164,10 @@ struct mip_tools_settings {
     mip_function_selector function;
     /** Number of the port, 0 for all. Range: 0 to 8. */
     uint8_t port;
-    /** What to do. Default: MIP_MODE_FAST. Required for write, read and apply. */
+    /**
+     * What to do. Default: MIP_MODE_FAST. Required for write, read and apply. On the Model C: only
+     * MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated.
+     */
     mip_mode mode;
     /** Speed. Unit: Bd. Default: 115200. Required for write and apply. */
     uint32_t baud;
@@ -204,7 +208,7 @@ struct mip_tools_settings mip_tools_settings_apply(uint8_t port, mip_mode mode, 
 /**
  * Settings response: response (0x01,0x82).
  *
- * Answers mip_tools_settings. Supported by Model A and Model B.
+ * Answers mip_tools_settings. Supported by Model A, Model B and Model C.
  *
  * - guide: Settings
  * - leaflet: Settings
@@ -240,7 +244,7 @@ mip_error mip_tools_settings_response_encode(const struct mip_tools_settings_res
  * Two responses for one command.
  *
  * Functions: write, read and apply. Answered by mip_tools_set_time_fast_response or
- * mip_tools_set_time_slow_response. Supported by Model A.
+ * mip_tools_set_time_slow_response. Supported by Model A and Model C.
  *
  * Send it once a second.
  *
@@ -275,7 +279,7 @@ struct mip_tools_set_time mip_tools_set_time_apply(mip_mode part, uint32_t value
 /**
  * Set time response: response (0x01,0x83).
  *
- * Answers mip_tools_set_time. Sent if part is MIP_MODE_FAST. Supported by Model A.
+ * Answers mip_tools_set_time. Sent if part is MIP_MODE_FAST. Supported by Model A and Model C.
  *
  * - guide: Set time
  */
@@ -296,7 +300,7 @@ mip_error mip_tools_set_time_fast_response_encode(
 /**
  * Set time response: response (0x01,0x84).
  *
- * Answers mip_tools_set_time. Sent if part is MIP_MODE_SLOW. Supported by Model A.
+ * Answers mip_tools_set_time. Sent if part is MIP_MODE_SLOW. Supported by Model A and Model C.
  *
  * - guide: Set time
  */
@@ -317,10 +321,11 @@ mip_error mip_tools_set_time_slow_response_encode(
 /**
  * Status: command (0x01,0x04).
  *
- * Two layouts of one response, told apart by constants.
+ * Layouts of one response, told apart by constants and by size.
  *
- * For advanced use. Answered by mip_tools_status_short or mip_tools_status_long. The device may
- * take 2.5 s to answer. Supported by Model A and Model B.
+ * For advanced use. Answered by mip_tools_status_short, mip_tools_status_long, mip_tools_status_old
+ * or mip_tools_status_full. The device may take 2.5 s to answer. Supported by Model A, Model B and
+ * Model C.
  *
  * On the wire only, without a member:
  * - model: The model that the layouts belong to. Always 4711.
@@ -328,7 +333,7 @@ mip_error mip_tools_set_time_slow_response_encode(
  * - guide: Status
  */
 struct mip_tools_status {
-    /** Which layout. Range: 1 to 2. */
+    /** Which layout. Range: 1 to 2. On the Model C: always 2. */
     uint8_t selector;
 };
 
@@ -345,7 +350,7 @@ struct mip_tools_status mip_tools_status_make(uint8_t selector);
 /**
  * Status response: response (0x01,0x90).
  *
- * Answers mip_tools_status. Sent if selector is 1. Supported by Model A and Model B.
+ * Answers mip_tools_status. Sent if selector is 1. Supported by Model A, Model B and Model C.
  *
  * On the wire only, without a member:
  * - model: The model. Always 4711.
@@ -355,8 +360,8 @@ struct mip_tools_status mip_tools_status_make(uint8_t selector);
  */
 struct mip_tools_status_short {
     /**
-     * Faults. On the Model A: values of mip_tools_model_a_faults. On the Model B: values of
-     * mip_tools_model_b_faults.
+     * Faults. On the Model A and Model C: values of mip_tools_model_a_faults. On the Model B:
+     * values of mip_tools_model_b_faults.
      */
     uint32_t flags;
 };
@@ -373,7 +378,8 @@ mip_error mip_tools_status_short_encode(const struct mip_tools_status_short *val
 /**
  * Status response: response (0x01,0x90).
  *
- * Answers mip_tools_status. Sent if selector is 2. Supported by Model A and Model B.
+ * Answers mip_tools_status. Told from mip_tools_status_old and mip_tools_status_full by the size of
+ * its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
  *
  * On the wire only, without a member:
  * - model: The model. Always 4711.
@@ -384,7 +390,7 @@ mip_error mip_tools_status_short_encode(const struct mip_tools_status_short *val
 struct mip_tools_status_long {
     /**
      * Faults. On the Model A: values of mip_tools_model_a_faults. On the Model B: values of
-     * mip_tools_model_b_faults.
+     * mip_tools_model_b_faults. On the Model C: values that are not known.
      */
     uint32_t flags;
     /** Since start. Unit: s. */
@@ -401,12 +407,70 @@ mip_error mip_tools_status_long_encode(const struct mip_tools_status_long *value
                                        struct mip_builder *builder);
 
 /**
+ * Status response: response (0x01,0x90).
+ *
+ * The long layout of old devices. Its size tells it from the others.
+ *
+ * Answers mip_tools_status. Told from mip_tools_status_long and mip_tools_status_full by the size
+ * of its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
+ *
+ * On the wire only, without a member:
+ * - model: The model. Always 4711.
+ * - selector: The long layout. Always 2.
+ *
+ * - guide: Status
+ */
+struct mip_tools_status_old {
+    /** Since start. Unit: s. */
+    uint32_t uptime;
+};
+
+#define MIP_TOOLS_STATUS_OLD_DESCRIPTOR 0x90
+#define MIP_TOOLS_STATUS_OLD_NAME "tools.status_old"
+
+extern const struct mip_codec mip_tools_status_old_codec;
+mip_error mip_tools_status_old_decode(struct mip_tools_status_old *value,
+                                      const struct mip_field *field);
+mip_error mip_tools_status_old_encode(const struct mip_tools_status_old *value,
+                                      struct mip_builder *builder);
+
+/**
+ * Status response: response (0x01,0x90).
+ *
+ * Answers mip_tools_status. Told from mip_tools_status_long and mip_tools_status_old by the size of
+ * its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
+ *
+ * On the wire only, without a member:
+ * - model: The model. Always 4711.
+ * - selector: The long layout. Always 2.
+ *
+ * - guide: Status
+ */
+struct mip_tools_status_full {
+    /** Where it is. */
+    struct mip_point place;
+    /** Since start. Unit: s. */
+    uint64_t uptime;
+    /** What it does. */
+    mip_mode mode;
+};
+
+#define MIP_TOOLS_STATUS_FULL_DESCRIPTOR 0x90
+#define MIP_TOOLS_STATUS_FULL_NAME "tools.status_full"
+
+extern const struct mip_codec mip_tools_status_full_codec;
+mip_error mip_tools_status_full_decode(struct mip_tools_status_full *value,
+                                       const struct mip_field *field);
+mip_error mip_tools_status_full_encode(const struct mip_tools_status_full *value,
+                                       struct mip_builder *builder);
+
+/**
  * Bias: command (0x01,0x05).
  *
  * Its response serves another command too.
  *
  * Functions: write, read, save, load and default. Answered by mip_tools_bias_vector. Supported by
- * Model A.
+ * Model A and Model C.
  *
  * - guide: Bias
  * - leaflet: Bias
@@ -440,7 +504,7 @@ struct mip_tools_bias mip_tools_bias_default(void);
 /**
  * Bias response: response (0x01,0x9B).
  *
- * Answers mip_tools_bias and mip_tools_capture_bias. Supported by Model A.
+ * Answers mip_tools_bias and mip_tools_capture_bias. Supported by Model A and Model C.
  *
  * - guide: Bias
  * - leaflet: Bias
@@ -464,7 +528,8 @@ mip_error mip_tools_bias_vector_encode(const struct mip_tools_bias_vector *value
  *
  * Measures the bias.
  *
- * Answered by mip_tools_bias_vector. Supported by Model A.
+ * Answered by mip_tools_bias_vector. Supported by Model A and Model C. Deprecated on the Model C:
+ * use mip_tools_bias instead.
  *
  * - guide: Capture bias
  */
@@ -489,7 +554,7 @@ struct mip_tools_capture_bias mip_tools_capture_bias_make(uint16_t time);
  *
  * Counted arrays of structures and of numbers; not answered if told so.
  *
- * Not acknowledged if suppress_ack is true. Supported by Model A.
+ * Not acknowledged if suppress_ack is true. Supported by Model A and Model C.
  *
  * - guide: Formats
  */
@@ -607,7 +672,8 @@ mip_error mip_tools_choice_response_encode(const struct mip_tools_choice_respons
  *
  * Optional counted array; a read may carry a zero count.
  *
- * Functions: write, read and save. Answered by mip_tools_list_response. Supported by Model A.
+ * Functions: write, read and save. Answered by mip_tools_list_response. Supported by Model A and
+ * Model C.
  *
  * - guide: List
  */
@@ -638,7 +704,7 @@ struct mip_tools_list mip_tools_list_save(void);
 /**
  * List response: response (0x01,0x89).
  *
- * Answers mip_tools_list. Supported by Model A.
+ * Answers mip_tools_list. Supported by Model A and Model C.
  *
  * - guide: List
  */
@@ -663,7 +729,7 @@ mip_error mip_tools_list_response_encode(const struct mip_tools_list_response *v
  *
  * Answers with an array to the end of the field.
  *
- * Answered by mip_tools_inventory_response. Supported by Model A.
+ * Answered by mip_tools_inventory_response. Supported by Model A and Model C.
  *
  * - guide: Inventory
  */
@@ -684,7 +750,7 @@ mip_error mip_tools_inventory_encode(const struct mip_tools_inventory *value,
 /**
  * Inventory response: response (0x01,0x8A).
  *
- * Answers mip_tools_inventory. Supported by Model A.
+ * Answers mip_tools_inventory. Supported by Model A and Model C.
  *
  * - guide: Inventory
  */
@@ -709,7 +775,7 @@ mip_error mip_tools_inventory_response_encode(const struct mip_tools_inventory_r
  *
  * The names of one number depend on another.
  *
- * Functions: write and read. Answered by mip_tools_pin_response. Supported by Model A.
+ * Functions: write and read. Answered by mip_tools_pin_response. Supported by Model A and Model C.
  *
  * - guide: Pin
  */
@@ -741,7 +807,7 @@ struct mip_tools_pin mip_tools_pin_read(mip_tools_drive drive);
 /**
  * Pin response: response (0x01,0x8B).
  *
- * Answers mip_tools_pin. Supported by Model A.
+ * Answers mip_tools_pin. Supported by Model A and Model C.
  *
  * - guide: Pin
  */
@@ -770,7 +836,7 @@ mip_error mip_tools_pin_response_encode(const struct mip_tools_pin_response *val
  * The device asks and a host answers.
  *
  * Also called `keep_alive`. Answered by mip_tools_hello_response. The device sends it, and the host
- * answers. No device profile lists it. Known from the Kit of names only.
+ * answers. May be supported by Model C. Known from the Kit of names only.
  *
  * - sheet: Hello
  */
@@ -795,8 +861,8 @@ mip_error mip_tools_hello_encode(const struct mip_tools_hello *value, struct mip
 /**
  * Hello response: response (0x01,0x8C).
  *
- * Also called `keep_alive_response` and `welcome`. Answers mip_tools_hello. Known from the Kit of
- * names only. Uncertain: When it comes.
+ * Also called `keep_alive_response` and `welcome`. Answers mip_tools_hello. May be supported by
+ * Model C. Known from the Kit of names only. Uncertain: When it comes.
  *
  * - sheet: Hello
  */
@@ -819,7 +885,7 @@ mip_error mip_tools_hello_response_encode(const struct mip_tools_hello_response 
  *
  * A parameter outside of a structure says how its members are read.
  *
- * Answered by mip_tools_readings_response. Supported by Model A.
+ * Answered by mip_tools_readings_response. Supported by Model A and Model C.
  *
  * - guide: Readings
  */
@@ -842,7 +908,7 @@ struct mip_tools_readings mip_tools_readings_make(mip_tools_drive drive);
 /**
  * Readings response: response (0x01,0x8D).
  *
- * Answers mip_tools_readings. Supported by Model A.
+ * Answers mip_tools_readings. Supported by Model A and Model C.
  *
  * - guide: Readings
  */

@@ -8,11 +8,16 @@ use crate::protocol::AckCode;
 pub static ALL: &[&Device] = &[
     &MODEL_A,
     &MODEL_B,
+    &MODEL_C,
+    &OLD_1,
+    &OLD_2,
 ];
 
 /// Model A
 ///
 /// Supports nearly everything.
+///
+/// Model number 4711. Manual: A guide to devices that do not exist, 1.
 ///
 /// # Pins
 ///
@@ -27,33 +32,38 @@ pub static MODEL_A: Device = Device {
     id: "model-a",
     title: "Model A",
     description: "Supports nearly everything.",
+    also: &[],
     model_number: Some(4711),
+    generation: None,
+    manual: Some("guide"),
+    incomplete: &[
+    ],
     fields: supported! {
-        0x01 0x01 "tools.ping" [];
-        0x01 0x02 "tools.settings" [WRITE READ SAVE LOAD DEFAULT APPLY];
-        0x01 0x03 "tools.set_time" [WRITE READ APPLY];
-        0x01 0x04 "tools.status" [];
-        0x01 0x05 "tools.bias" [WRITE READ SAVE LOAD DEFAULT];
-        0x01 0x06 "tools.capture_bias" [];
-        0x01 0x07 "tools.formats" [];
-        0x01 0x08 "tools.choice" [WRITE READ];
-        0x01 0x09 "tools.list" [WRITE READ SAVE];
-        0x01 0x0A "tools.inventory" [];
-        0x01 0x0B "tools.pin" [WRITE READ];
-        0x01 0x0D "tools.readings" [];
-        0x0C 0x10 "3d.default" [];
-        0x80 0x01 "measurements.accel" [];
-        0x80 0x02 "measurements.numbers" [];
-        0x80 0x03 "measurements.strings" [];
-        0x80 0x04 "measurements.health" [];
-        0x80 0x05 "measurements.arrays" [];
-        0x80 0x06 "measurements.growing" [];
-        0x80 0x08 "measurements.cloud" [];
-        0x80 0x0A "measurements.breeze" [];
-        0x81 0x01 "more.accel" [];
-        0x81 0x03 "more.strings" [];
-        0x81 0x07 "more.own" [];
-        0xFF 0xD3 "shared.timestamp" [];
+        0x01 0x01 "tools.ping" [] None;
+        0x01 0x02 "tools.settings" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x01 0x03 "tools.set_time" [WRITE READ APPLY] None;
+        0x01 0x04 "tools.status" [] None;
+        0x01 0x05 "tools.bias" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x01 0x06 "tools.capture_bias" [] None;
+        0x01 0x07 "tools.formats" [] None;
+        0x01 0x08 "tools.choice" [WRITE READ] None;
+        0x01 0x09 "tools.list" [WRITE READ SAVE] None;
+        0x01 0x0A "tools.inventory" [] None;
+        0x01 0x0B "tools.pin" [WRITE READ] None;
+        0x01 0x0D "tools.readings" [] None;
+        0x0C 0x10 "3d.default" [] None;
+        0x80 0x01 "measurements.accel" [] None;
+        0x80 0x02 "measurements.numbers" [] None;
+        0x80 0x03 "measurements.strings" [] None;
+        0x80 0x04 "measurements.health" [] None;
+        0x80 0x05 "measurements.arrays" [] None;
+        0x80 0x06 "measurements.growing" [] None;
+        0x80 0x08 "measurements.cloud" [] None;
+        0x80 0x0A "measurements.breeze" [] None;
+        0x81 0x01 "more.accel" [] None;
+        0x81 0x03 "more.strings" [] None;
+        0x81 0x07 "more.own" [] None;
+        0xFF 0xD3 "shared.timestamp" [] None;
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
@@ -109,17 +119,24 @@ pub static MODEL_A: Device = Device {
 /// Model B
 ///
 /// Small, and reads the acknowledge code in its own way.
+///
+/// Manual: A leaflet about one of them, 2.
 #[rustfmt::skip]
 pub static MODEL_B: Device = Device {
     id: "model-b",
     title: "Model B",
     description: "Small, and reads the acknowledge code in its own way.",
+    also: &[],
     model_number: None,
+    generation: None,
+    manual: Some("leaflet"),
+    incomplete: &[
+    ],
     fields: supported! {
-        0x01 0x01 "tools.ping" [];
-        0x01 0x02 "tools.settings" [WRITE READ];
-        0x01 0x04 "tools.status" [];
-        0x80 0x01 "measurements.accel" [];
+        0x01 0x01 "tools.ping" [] None;
+        0x01 0x02 "tools.settings" [WRITE READ] None;
+        0x01 0x04 "tools.status" [] None;
+        0x80 0x01 "measurements.accel" [] None;
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 0.0 },
@@ -147,11 +164,199 @@ pub static MODEL_B: Device = Device {
         Variant {
             parameter: "measurements.accel.scaled_accel",
             read_as: None,
-            difference: "unit m, m, s; frame ned. Turned by the device",
+            difference: "unit m, m, s; frame ned; valid by element: x by valid_flags.hot, y by valid_flags.ready, z by valid_flags.hot. Turned by the device",
         },
     ],
     ack_codes: &[
         AckCode::OK,
         AckCode::UNKNOWN_COMMAND,
+    ],
+};
+
+/// Model C
+///
+/// Like the model A, with a radio and without a choice.
+///
+/// Also called Model See and c. Generation 3. Model number 4713. Like the Model A, but for what is
+/// said here. No manual of it is known. Uncertain: Whether it has a model number of its own.
+///
+/// Source: sheet: Radio.
+#[rustfmt::skip]
+pub static MODEL_C: Device = Device {
+    id: "model-c",
+    title: "Model C",
+    description: "Like the model A, with a radio and without a choice.",
+    also: &["Model See", "c"],
+    model_number: Some(4713),
+    generation: Some(3),
+    manual: None,
+    incomplete: &[
+    ],
+    fields: supported! {
+        0x01 0x01 "tools.ping" [] None;
+        0x01 0x02 "tools.settings" [WRITE READ SAVE] None;
+        0x01 0x03 "tools.set_time" [WRITE READ APPLY] None;
+        0x01 0x04 "tools.status" [] None;
+        0x01 0x05 "tools.bias" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x01 0x06 "tools.capture_bias" [] None;
+        0x01 0x07 "tools.formats" [] None;
+        0x01 0x09 "tools.list" [WRITE READ SAVE] None;
+        0x01 0x0A "tools.inventory" [] None;
+        0x01 0x0B "tools.pin" [WRITE READ] None;
+        0x01 0x0C "tools.hello" [] Some("The sheet names it.");
+        0x01 0x0D "tools.readings" [] None;
+        0x80 0x01 "measurements.accel" [] None;
+        0x80 0x02 "measurements.numbers" [] None;
+        0x80 0x03 "measurements.strings" [] None;
+        0x80 0x04 "measurements.health" [] None;
+        0x80 0x05 "measurements.arrays" [] None;
+        0x80 0x06 "measurements.growing" [] None;
+        0x80 0x07 "measurements.radio" [] None;
+        0x80 0x08 "measurements.cloud" [] None;
+        0x80 0x0A "measurements.breeze" [] None;
+        0x81 0x01 "more.accel" [] None;
+        0x81 0x07 "more.own" [] None;
+        0x92 0x01 "copy.accel" [] Some("The sheet names it.");
+        0xFF 0xD3 "shared.timestamp" [] None;
+    },
+    base_rates: &[
+        BaseRate { set: 0x80, hertz: 1000.0 },
+        BaseRate { set: 0x81, hertz: 250.0 },
+    ],
+    ports: &[
+        Port {
+            name: "Main",
+            id: Some(0x12),
+            baud_rates: &[9600],
+            protocols: &["MIP"],
+        },
+        Port {
+            name: "CAN",
+            id: None,
+            baud_rates: &[],
+            protocols: &[],
+        },
+    ],
+    limits: &[
+        Limit {
+            name: "segments",
+            value: 6.0,
+            unit: None,
+            description: "In a format.",
+        },
+    ],
+    variants: &[
+        Variant {
+            parameter: "tools.settings.mode",
+            read_as: None,
+            difference: "only default and fast; not deprecated",
+        },
+        Variant {
+            parameter: "tools.status.selector",
+            read_as: None,
+            difference: "always 2",
+        },
+        Variant {
+            parameter: "tools.status_short.flags",
+            read_as: Some("model_a_faults"),
+            difference: "values of model_a_faults",
+        },
+        Variant {
+            parameter: "tools.status_long.flags",
+            read_as: None,
+            difference: "values that are not known",
+        },
+        Variant {
+            parameter: "measurements.accel.scaled_accel",
+            read_as: None,
+            difference: "nothing says whether it is valid",
+        },
+        Variant {
+            parameter: "measurements.accel.valid_flags",
+            read_as: None,
+            difference: "only ready and level",
+        },
+        Variant {
+            parameter: "measurements.radio.noise",
+            read_as: None,
+            difference: "valid if connected is true; deprecated",
+        },
+    ],
+    ack_codes: &[
+        AckCode::OK,
+        AckCode::UNKNOWN_COMMAND,
+        AckCode::INVALID_PARAMETER,
+    ],
+};
+
+/// Old 1
+///
+/// Known by its name and number.
+///
+/// Also called First. Generation 1. Model number 4001. No manual of it is known. This profile is
+/// incomplete: No manual is known; see [`tools::Ping`](crate::tools::Ping).
+///
+/// Source: sheet: Names.
+#[rustfmt::skip]
+pub static OLD_1: Device = Device {
+    id: "old-1",
+    title: "Old 1",
+    description: "Known by its name and number.",
+    also: &["First"],
+    model_number: Some(4001),
+    generation: Some(1),
+    manual: None,
+    incomplete: &[
+        "No manual is known; see `tools.ping`.",
+    ],
+    fields: supported! {
+        0x01 0x01 "tools.ping" [] None;
+        0x80 0x02 "measurements.numbers" [] Some("All old devices have it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// Old 2
+///
+/// Known by its name and number.
+///
+/// Generation 1. Model number 4002. No manual of it is known. This profile is incomplete: Nothing
+/// is known of its data.
+///
+/// Source: sheet: Names.
+#[rustfmt::skip]
+pub static OLD_2: Device = Device {
+    id: "old-2",
+    title: "Old 2",
+    description: "Known by its name and number.",
+    also: &[],
+    model_number: Some(4002),
+    generation: Some(1),
+    manual: None,
+    incomplete: &[
+        "Nothing is known of its data.",
+    ],
+    fields: supported! {
+        0x01 0x01 "tools.ping" [] Some("All old devices have it.");
+        0x80 0x02 "measurements.numbers" [] Some("All old devices have it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+    ],
+    ack_codes: &[
     ],
 };

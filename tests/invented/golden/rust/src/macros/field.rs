@@ -1,12 +1,13 @@
 //! Fields: their sets and descriptors, and how commands are answered.
 
-/// The set and descriptor of a field, perhaps with further sets; the constants that distinguish it
-/// from others with the same descriptor; and the commands that a response answers.
+/// Where a field belongs, perhaps in other sets too; the constants and the sizes that tell it from
+/// others with its descriptor; and of a response the commands that it answers.
 macro_rules! field {
     (
         $name:ident: $set:literal, $descriptor:literal, $text:literal;
         $(in [$sets:pat];)?
         $(constants $([$offset:literal: $($byte:literal)+])+;)?
+        $(sizes $sizes:expr;)?
         $(answers $($command:ident)+;)?
     ) => {
         impl $crate::Field for $name {
@@ -14,6 +15,7 @@ macro_rules! field {
             const DESCRIPTOR: u8 = $descriptor;
             const NAME: &'static str = $text;
             $(const CONSTANTS: &'static [(usize, &'static [u8])] = &[$(($offset, &[$($byte),+])),+];)?
+            $(const SIZES: core::ops::RangeInclusive<usize> = $sizes;)?
 
             $(
                 fn in_set(set: u8) -> bool {
@@ -26,11 +28,11 @@ macro_rules! field {
     };
 }
 
-/// How a command is answered: by which response, for which functions, and when not at all.
+/// How a command is answered: with what, in which layouts, for which functions; and when not at all.
 macro_rules! command {
     (
         $name:ident -> $response:ty;
-        $(responds $reply:ident $(for $($asked:ident)+)? $(, if $($part:ident = $is:expr),+)?;)*
+        $(responds $($reply:ident)|+ $(for $($asked:ident)+)? $(, if $($part:ident = $is:expr),+)?;)*
         $(silent for $($mute:ident)+;)?
         $(silent if $($member:ident = $value:expr),+;)?
         $(timeout $milliseconds:literal;)?
@@ -51,7 +53,9 @@ macro_rules! command {
                         $(&& matches!(self.function, $($crate::protocol::FunctionSelector::$asked)|+))?
                         $($(&& self.$part == $is)+)?
                     {
-                        return Some($crate::field::check::<$reply>);
+                        let check: $crate::ResponseCheck =
+                            |field| None$(.or_else(|| $crate::field::check::<$reply>(field)))+;
+                        return Some(check);
                     }
                 )*
                 None

@@ -22,7 +22,7 @@ registry! {
     ToolsStatus(crate::tools::Status):
         Command 0x01, 0x04, in 0x01..=0x01, of 1,
         "tools.status", "Status",
-        ["tools.status_short", "tools.status_long"];
+        ["tools.status_short", "tools.status_long", "tools.status_old", "tools.status_full"];
     /// Bias (0x01,0x05).
     ToolsBias(crate::tools::Bias):
         Command 0x01, 0x05, in 0x01..=0x01, of 1,
@@ -115,13 +115,23 @@ registry! {
         ["tools.readings"];
     /// Status response (0x01,0x90).
     ToolsStatusShort(crate::tools::StatusShort):
-        Response 0x01, 0x90, in 0x01..=0x01, of 2,
+        Response 0x01, 0x90, in 0x01..=0x01, of 4,
         "tools.status_short", "Status response",
         ["tools.status"];
     /// Status response (0x01,0x90).
     ToolsStatusLong(crate::tools::StatusLong):
-        Response 0x01, 0x90, in 0x01..=0x01, of 2,
+        Response 0x01, 0x90, in 0x01..=0x01, of 4,
         "tools.status_long", "Status response",
+        ["tools.status"];
+    /// Status response (0x01,0x90).
+    ToolsStatusOld(crate::tools::StatusOld):
+        Response 0x01, 0x90, in 0x01..=0x01, of 4,
+        "tools.status_old", "Status response",
+        ["tools.status"];
+    /// Status response (0x01,0x90).
+    ToolsStatusFull(crate::tools::StatusFull):
+        Response 0x01, 0x90, in 0x01..=0x01, of 4,
+        "tools.status_full", "Status response",
         ["tools.status"];
     /// Bias response (0x01,0x9B).
     ToolsBiasVector(crate::tools::BiasVector):

@@ -13,7 +13,7 @@ pub const SET: u8 = 0x92;
 /// A vector whose elements are valid together.
 ///
 /// Has the layout of [`measurements::Accel`](crate::measurements::Accel). Sent at 100 Hz at most.
-/// No device profile lists it.
+/// May be supported by Model C.
 ///
 /// Source: guide: Third acceleration.
 pub type Accel = crate::measurements::Accel;

@@ -11,7 +11,7 @@ record! {
     ///
     /// A vector whose elements are valid together.
     ///
-    /// Sent at 100 Hz at most. Supported by Model A and Model B.
+    /// Sent at 100 Hz at most. Supported by Model A, Model B and Model C.
     ///
     /// Source: guide: Acceleration; leaflet: Acceleration.
     #[derive(Default)]
@@ -22,9 +22,15 @@ record! {
         /// [`valid_flags.ready`](types::StateFlags::ready), y by
         /// [`valid_flags.hot`](types::StateFlags::hot), z by
         /// [`valid_flags.ready`](types::StateFlags::ready). On the Model B: unit m, m, s; frame
-        /// ned. Turned by the device.
+        /// ned; valid by element: x by [`valid_flags.hot`](types::StateFlags::hot), y by
+        /// [`valid_flags.ready`](types::StateFlags::ready), z by
+        /// [`valid_flags.hot`](types::StateFlags::hot). Turned by the device. On the Model C:
+        /// nothing says whether it is valid.
         pub scaled_accel: types::Vector3f,
         /// What is valid.
+        ///
+        /// On the Model C: only [`ready`](types::StateFlags::ready) and
+        /// [`level`](types::StateFlags::level).
         pub valid_flags: types::StateFlags,
     }
 }
@@ -39,7 +45,7 @@ record! {
     ///
     /// One of each.
     ///
-    /// Supported by Model A.
+    /// Supported by Model A and Model C. May be supported by Old 1 and Old 2.
     ///
     /// Source: guide: Numbers.
     #[derive(Default)]
@@ -85,7 +91,7 @@ record! {
     ///
     /// Fixed, counted, and to the end.
     ///
-    /// Supported by Model A.
+    /// Supported by Model A and Model C.
     ///
     /// On the wire there is also `length`: Of the name. The number of elements of `name`.
     ///
@@ -117,7 +123,7 @@ record! {
     ///
     /// The wide bitfield.
     ///
-    /// Deprecated: use [`Numbers`] instead. Supported by Model A.
+    /// Deprecated: use [`Numbers`] instead. Supported by Model A and Model C.
     ///
     /// Source: guide: Health.
     #[derive(Default)]
@@ -140,7 +146,7 @@ record! {
     ///
     /// Arrays of all that can stand in one.
     ///
-    /// Supported by Model A.
+    /// Supported by Model A and Model C.
     ///
     /// Source: guide: Arrays.
     #[derive(Default)]
@@ -174,7 +180,7 @@ record! {
     ///
     /// Newer devices send more of it.
     ///
-    /// Supported by Model A.
+    /// Supported by Model A and Model C.
     ///
     /// Source: guide: Growing.
     #[derive(Default)]
@@ -207,7 +213,7 @@ record! {
     ///
     /// A bool vouches for values; one source has no layout that agrees with it.
     ///
-    /// Also called `modem` and `rf`. No device profile lists it. Known from the Kit of names only.
+    /// Also called `modem` and `rf`. Supported by Model C. Known from the Kit of names only.
     /// Uncertain: The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is
     /// never positive.
     ///
@@ -222,7 +228,8 @@ record! {
         pub strength: i32,
         /// Never nothing.
         ///
-        /// Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true.
+        /// Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true. On the Model
+        /// C: valid if `connected` is true; deprecated.
         pub noise: f32,
         /// Reserved.
         ///
@@ -243,7 +250,7 @@ record! {
     ///
     /// The count can exceed what a field holds beside the value behind the array.
     ///
-    /// Supported by Model A.
+    /// Supported by Model A and Model C.
     ///
     /// On the wire there is also `num_points`: Number of points. The number of elements of
     /// `points`.
@@ -321,7 +328,7 @@ record! {
     ///
     /// Its place is told as in [`Gust`].
     ///
-    /// Supported by Model A.
+    /// Supported by Model A and Model C.
     ///
     /// Source: guide: Breeze.
     #[derive(Default)]

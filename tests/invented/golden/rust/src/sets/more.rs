@@ -11,7 +11,7 @@ pub const SET: u8 = 0x81;
 /// A vector whose elements are valid together.
 ///
 /// Has the layout of [`measurements::Accel`](crate::measurements::Accel). Sent at 100 Hz at most.
-/// Supported by Model A.
+/// Supported by Model A and Model C.
 ///
 /// Source: guide: Second acceleration.
 pub type Accel = crate::measurements::Accel;
@@ -32,7 +32,7 @@ record! {
     ///
     /// Beside those that it repeats.
     ///
-    /// Supported by Model A.
+    /// Supported by Model A and Model C.
     ///
     /// Source: guide: Own.
     #[derive(Default)]

@@ -11,7 +11,7 @@ record! {
     ///
     /// When the packet was sent.
     ///
-    /// Supported by Model A.
+    /// Supported by Model A and Model C.
     ///
     /// Source: guide: Timestamp.
     #[derive(Default)]

@@ -213,7 +213,7 @@ record! {
     ///
     /// Tests the line.
     ///
-    /// Supported by Model A and Model B.
+    /// Supported by Model A, Model B, Model C and Old 1. May be supported by Old 2.
     ///
     /// Source: guide: Ping; leaflet: Ping.
     #[derive(Default)]
@@ -241,7 +241,8 @@ record! {
     /// Every function, and a prefix of parameters for each.
     ///
     /// Functions: write, read, save, load, default and apply. Answered by [`SettingsResponse`].
-    /// Supported by Model A and Model B. On the Model B: write and read only.
+    /// Supported by Model A, Model B and Model C. On the Model B: write and read only. On the Model
+    /// C: write, read and save only.
     ///
     /// Source: guide: Settings; leaflet: Settings.
     pub struct Settings {
@@ -253,7 +254,8 @@ record! {
         pub port: Option<u8>,
         /// What to do.
         ///
-        /// Default: [`types::Mode::FAST`]. Required for write, read and apply.
+        /// Default: [`types::Mode::FAST`]. Required for write, read and apply. On the Model C: only
+        /// [`types::Mode::DEFAULT`] and [`types::Mode::FAST`]; not deprecated.
         pub mode: Option<types::Mode>,
         /// Speed.
         ///
@@ -329,7 +331,7 @@ record! {
     /// Two responses for one command.
     ///
     /// Functions: write, read and apply. Answered by [`SetTimeFastResponse`] or
-    /// [`SetTimeSlowResponse`]. Supported by Model A.
+    /// [`SetTimeSlowResponse`]. Supported by Model A and Model C.
     ///
     /// - Send it once a second.
     ///
@@ -388,10 +390,11 @@ responses! {
 record! {
     /// Status (0x01,0x04).
     ///
-    /// Two layouts of one response, told apart by constants.
+    /// Layouts of one response, told apart by constants and by size.
     ///
-    /// For advanced use. Answered by [`StatusShort`] or [`StatusLong`]. The device may take 2.5 s
-    /// to answer. Supported by Model A and Model B.
+    /// For advanced use. Answered by [`StatusShort`], [`StatusLong`], [`StatusOld`] or
+    /// [`StatusFull`]. The device may take 2.5 s to answer. Supported by Model A, Model B and Model
+    /// C.
     ///
     /// On the wire there is also `model`: The model that the layouts belong to. Always 4711.
     ///
@@ -400,7 +403,7 @@ record! {
     pub struct Status {
         /// Which layout.
         ///
-        /// Range: 1 to 2.
+        /// Range: 1 to 2. On the Model C: always 2.
         pub selector: u8,
     }
     wire 3 {
@@ -424,7 +427,7 @@ field! {
 command! {
     Status -> StatusResponses;
     responds StatusShort, if selector = 1;
-    responds StatusLong, if selector = 2;
+    responds StatusLong | StatusOld | StatusFull, if selector = 2;
     timeout 2500;
 }
 
@@ -435,6 +438,10 @@ responses! {
         Short(StatusShort),
         /// The response [`StatusLong`].
         Long(StatusLong),
+        /// The response [`StatusOld`].
+        Old(StatusOld),
+        /// The response [`StatusFull`].
+        Full(StatusFull),
     }
 }
 
@@ -444,7 +451,7 @@ record! {
     /// Its response serves another command too.
     ///
     /// Functions: write, read, save, load and default. Answered by [`BiasVector`]. Supported by
-    /// Model A.
+    /// Model A and Model C.
     ///
     /// Source: guide: Bias; leaflet: Bias.
     pub struct Bias {
@@ -494,7 +501,8 @@ record! {
     ///
     /// Measures the bias.
     ///
-    /// Answered by [`BiasVector`]. Supported by Model A.
+    /// Answered by [`BiasVector`]. Supported by Model A and Model C. Deprecated on the Model C: use
+    /// [`Bias`] instead.
     ///
     /// Source: guide: Capture bias.
     #[derive(Default)]
@@ -527,7 +535,7 @@ record! {
     ///
     /// Counted arrays of structures and of numbers; not answered if told so.
     ///
-    /// Not acknowledged if `suppress_ack` is true. Supported by Model A.
+    /// Not acknowledged if `suppress_ack` is true. Supported by Model A and Model C.
     ///
     /// On the wire there is also `num_segments`: Number of segments. The number of elements of
     /// `segments`.
@@ -651,7 +659,8 @@ record! {
     ///
     /// Optional counted array; a read may carry a zero count.
     ///
-    /// Functions: write, read and save. Answered by [`ListResponse`]. Supported by Model A.
+    /// Functions: write, read and save. Answered by [`ListResponse`]. Supported by Model A and
+    /// Model C.
     ///
     /// On the wire there is also `count`: Number of items. The number of elements of `items`.
     /// Required for write.
@@ -701,7 +710,7 @@ record! {
     ///
     /// Answers with an array to the end of the field.
     ///
-    /// Answered by [`InventoryResponse`]. Supported by Model A.
+    /// Answered by [`InventoryResponse`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Inventory.
     #[derive(Default)]
@@ -729,7 +738,7 @@ record! {
     ///
     /// The names of one number depend on another.
     ///
-    /// Functions: write and read. Answered by [`PinResponse`]. Supported by Model A.
+    /// Functions: write and read. Answered by [`PinResponse`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Pin.
     pub struct Pin {
@@ -796,7 +805,7 @@ record! {
     /// The device asks and a host answers.
     ///
     /// Also called `keep_alive`. Answered by [`HelloResponse`]. The device sends it, and the host
-    /// answers. No device profile lists it. Known from the Kit of names only.
+    /// answers. May be supported by Model C. Known from the Kit of names only.
     ///
     /// Source: sheet: Hello.
     pub struct Hello {
@@ -847,7 +856,7 @@ record! {
     ///
     /// A parameter outside of a structure says how its members are read.
     ///
-    /// Answered by [`ReadingsResponse`]. Supported by Model A.
+    /// Answered by [`ReadingsResponse`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Readings.
     #[derive(Default)]
@@ -876,7 +885,7 @@ command! {
 record! {
     /// Settings response (0x01,0x82).
     ///
-    /// Answers [`Settings`]. Supported by Model A and Model B.
+    /// Answers [`Settings`]. Supported by Model A, Model B and Model C.
     ///
     /// Source: guide: Settings; leaflet: Settings.
     pub struct SettingsResponse {
@@ -923,7 +932,8 @@ field! {
 record! {
     /// Set time response (0x01,0x83).
     ///
-    /// Answers [`SetTime`]. Sent if `part` is [`types::Mode::FAST`]. Supported by Model A.
+    /// Answers [`SetTime`]. Sent if `part` is [`types::Mode::FAST`]. Supported by Model A and Model
+    /// C.
     ///
     /// Source: guide: Set time.
     #[derive(Default)]
@@ -943,7 +953,8 @@ field! {
 record! {
     /// Set time response (0x01,0x84).
     ///
-    /// Answers [`SetTime`]. Sent if `part` is [`types::Mode::SLOW`]. Supported by Model A.
+    /// Answers [`SetTime`]. Sent if `part` is [`types::Mode::SLOW`]. Supported by Model A and Model
+    /// C.
     ///
     /// Source: guide: Set time.
     #[derive(Default)]
@@ -992,7 +1003,7 @@ field! {
 record! {
     /// List response (0x01,0x89).
     ///
-    /// Answers [`List`]. Supported by Model A.
+    /// Answers [`List`]. Supported by Model A and Model C.
     ///
     /// On the wire there is also `count`: Number of items. The number of elements of `items`.
     ///
@@ -1016,7 +1027,7 @@ field! {
 record! {
     /// Inventory response (0x01,0x8A).
     ///
-    /// Answers [`Inventory`]. Supported by Model A.
+    /// Answers [`Inventory`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Inventory.
     #[derive(Default)]
@@ -1034,7 +1045,7 @@ field! {
 record! {
     /// Pin response (0x01,0x8B).
     ///
-    /// Answers [`Pin`]. Supported by Model A.
+    /// Answers [`Pin`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Pin.
     #[derive(Default)]
@@ -1082,8 +1093,8 @@ field! {
 record! {
     /// Hello response (0x01,0x8C).
     ///
-    /// Also called `keep_alive_response` and `welcome`. Answers [`Hello`]. Known from the Kit of
-    /// names only. Uncertain: When it comes.
+    /// Also called `keep_alive_response` and `welcome`. Answers [`Hello`]. May be supported by
+    /// Model C. Known from the Kit of names only. Uncertain: When it comes.
     ///
     /// Source: sheet: Hello.
     #[derive(Default)]
@@ -1103,7 +1114,7 @@ field! {
 record! {
     /// Readings response (0x01,0x8D).
     ///
-    /// Answers [`Readings`]. Supported by Model A.
+    /// Answers [`Readings`]. Supported by Model A and Model C.
     ///
     /// On the wire there is also `count`: Number of readings. The number of elements of `readings`.
     ///
@@ -1139,7 +1150,7 @@ field! {
 record! {
     /// Status response (0x01,0x90).
     ///
-    /// Answers [`Status`]. Sent if `selector` is 1. Supported by Model A and Model B.
+    /// Answers [`Status`]. Sent if `selector` is 1. Supported by Model A, Model B and Model C.
     ///
     /// On the wire there is also `model`: The model. Always 4711.
     ///
@@ -1150,7 +1161,8 @@ record! {
     pub struct StatusShort {
         /// Faults.
         ///
-        /// On the Model A: values of [`ModelAFaults`]. On the Model B: values of [`ModelBFaults`].
+        /// On the Model A and Model C: values of [`ModelAFaults`]. On the Model B: values of
+        /// [`ModelBFaults`].
         pub flags: u32,
     }
     wire 7 {
@@ -1164,7 +1176,7 @@ record! {
 impl StatusShort {
     /// Reads `flags` as [`ModelAFaults`].
     ///
-    /// On the Model A: values of [`ModelAFaults`].
+    /// On the Model A and Model C: values of [`ModelAFaults`].
     #[must_use]
     pub fn flags_as_model_a_faults(&self) -> ModelAFaults {
         self.flags.into()
@@ -1188,7 +1200,8 @@ field! {
 record! {
     /// Status response (0x01,0x90).
     ///
-    /// Answers [`Status`]. Sent if `selector` is 2. Supported by Model A and Model B.
+    /// Answers [`Status`]. Told from [`StatusOld`] and [`StatusFull`] by the size of its data. Sent
+    /// if `selector` is 2. Supported by Model A, Model B and Model C.
     ///
     /// On the wire there is also `model`: The model. Always 4711.
     ///
@@ -1200,6 +1213,7 @@ record! {
         /// Faults.
         ///
         /// On the Model A: values of [`ModelAFaults`]. On the Model B: values of [`ModelBFaults`].
+        /// On the Model C: values that are not known.
         pub flags: u32,
         /// Since start.
         ///
@@ -1236,13 +1250,86 @@ impl StatusLong {
 field! {
     StatusLong: 0x01, 0x90, "tools.status_long";
     constants [0: 18 103] [2: 2];
+    sizes 15..=15;
+    answers Status;
+}
+
+record! {
+    /// Status response (0x01,0x90).
+    ///
+    /// The long layout of old devices. Its size tells it from the others.
+    ///
+    /// Answers [`Status`]. Told from [`StatusLong`] and [`StatusFull`] by the size of its data.
+    /// Sent if `selector` is 2. Supported by Model A, Model B and Model C.
+    ///
+    /// On the wire there is also `model`: The model. Always 4711.
+    ///
+    /// On the wire there is also `selector`: The long layout. Always 2.
+    ///
+    /// Source: guide: Status.
+    #[derive(Default)]
+    pub struct StatusOld {
+        /// Since start.
+        ///
+        /// Unit: s.
+        pub uptime: u32,
+    }
+    wire 7 {
+        [model: u16 = 4711]
+        [selector: u8 = 2]
+        [uptime]
+    }
+}
+
+field! {
+    StatusOld: 0x01, 0x90, "tools.status_old";
+    constants [0: 18 103] [2: 2];
+    sizes 0..=14;
+    answers Status;
+}
+
+record! {
+    /// Status response (0x01,0x90).
+    ///
+    /// Answers [`Status`]. Told from [`StatusLong`] and [`StatusOld`] by the size of its data. Sent
+    /// if `selector` is 2. Supported by Model A, Model B and Model C.
+    ///
+    /// On the wire there is also `model`: The model. Always 4711.
+    ///
+    /// On the wire there is also `selector`: The long layout. Always 2.
+    ///
+    /// Source: guide: Status.
+    #[derive(Default)]
+    pub struct StatusFull {
+        /// Where it is.
+        pub place: types::Point,
+        /// Since start.
+        ///
+        /// Unit: s.
+        pub uptime: u64,
+        /// What it does.
+        pub mode: types::Mode,
+    }
+    wire 16 {
+        [model: u16 = 4711]
+        [selector: u8 = 2]
+        [place]
+        [uptime]
+        [mode]
+    }
+}
+
+field! {
+    StatusFull: 0x01, 0x90, "tools.status_full";
+    constants [0: 18 103] [2: 2];
+    sizes 16..=usize::MAX;
     answers Status;
 }
 
 record! {
     /// Bias response (0x01,0x9B).
     ///
-    /// Answers [`Bias`] and [`CaptureBias`]. Supported by Model A.
+    /// Answers [`Bias`] and [`CaptureBias`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Bias; leaflet: Bias.
     #[derive(Default)]

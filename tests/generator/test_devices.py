@@ -1,0 +1,121 @@
+"""Devices: what they inherit, what is not certain, and that a further one is one file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from mipgen import model as m
+from mipgen.problems import SpecError
+from mipgen.resolve import load_model
+from support import SPECS, model
+
+INVENTED, REAL = model("invented"), model("real")
+
+
+def device(id: str, of: m.Model = INVENTED) -> m.Device:
+    found = of.device(id)
+    assert found is not None
+    return found
+
+
+def names(d: m.Device) -> set[str]:
+    return {s.field.full_name for s in d.supports}
+
+
+# --------------------------------------------------------------------------- inheritance
+
+
+def test_what_is_added_and_lacked() -> None:
+    a, c = device("model-a"), device("model-c")
+    assert names(a) - names(c) == {"tools.choice", "more.strings", "3d.default"}
+    assert names(c) - names(a) == {"measurements.radio", "tools.hello", "copy.accel"}
+    assert {s.field.full_name: s.evidence for s in c.supports if s.evidence} == dict.fromkeys(
+        ("tools.hello", "copy.accel"), "The sheet names it."
+    )
+    assert names(c) - {s.field.full_name for s in c.certain} == {"tools.hello", "copy.accel"}
+    order = [(s.field.set, s.field.descriptor) for s in c.supports]
+    assert order == sorted(order)
+
+
+def test_what_changes() -> None:
+    a, c = device("model-a"), device("model-c")
+    functions = {s.field.full_name: m.letters(s.functions) for s in c.supports}
+    assert functions["tools.settings"] == "WRS" and functions["tools.bias"] == "WRSLD"
+    assert [(r.set.name, r.hertz) for r in c.base_rates] == [("measurements", 1000), ("more", 250)]  # copy: not known
+    assert [(p.name, p.id, p.baud_rates) for p in c.ports] == [("Main", 0x12, (9600,)), ("CAN", None, ())]
+    assert [(x.name, x.value) for x in c.limits] == [("segments", 6)] and len(a.limits) == 2
+    assert (len(a.notes), c.notes, c.ack_codes) == (1, (), a.ack_codes)
+    assert {s.field.full_name: s.deprecated for s in c.supports if s.deprecated} == {
+        "tools.capture_bias": "use `tools.bias` instead"
+    }
+
+
+def test_what_is_its_own() -> None:
+    c = device("model-c")
+    assert (c.model_number, c.generation, c.manual, c.like) == (4713, 3, None, "model-a")
+    assert c.also == ("Model See", "c") and [s.section for s in c.sources] == ["Radio"]
+    assert device("model-a").manual == "guide" and not device("model-a").also
+
+
+def test_what_varies() -> None:
+    found = {v.path: v.variant for v in device("model-c").variants}
+    assert {path for path, v in found.items() if v.unknown} == {"tools.status_long.flags"}
+    assert [x.name for x in found["tools.settings.mode"].only] == ["default", "fast"]
+    assert [x.name for x in found["measurements.accel.valid_flags"].only] == ["ready", "level"]
+    assert found["tools.status.selector"].constant == 2
+    assert found["tools.status_short.flags"].type is not None  # as on the model A
+
+
+def test_families() -> None:
+    first, second = device("old-1"), device("old-2")
+    assert first.generation == second.generation == 1 and first.description == second.description
+    assert [(s.field.full_name, s.evidence) for s in first.supports] == [
+        ("tools.ping", None), ("measurements.numbers", "All old devices have it.")
+    ]  # fmt: skip
+    assert [bool(s.evidence) for s in second.supports] == [True, True]
+    assert first.incomplete != second.incomplete == ("Nothing is known of its data.",)
+    assert first.like is None and INVENTED.device("old") is None
+    assert first.base_rates == () and first.ack_codes == ()
+
+
+# --------------------------------------------------------------------------- one file
+
+
+FURTHER = """\
+device: 3dm-made-up
+name: made_up
+title: 3DM-MADE-UP
+like: 3dm-gx5-15
+description: A device that does not exist.
+model_number: 6999
+supports: {sensor: [scaled_mag]}
+lacks: {sensor: [scaled_pressure], filter_data: [pressure_altitude, status], system: [comm_mode]}
+base_rates: {filter_data: 1000}
+"""
+
+
+def test_a_further_device_is_one_file(tmp_path: Path) -> None:
+    (tmp_path / "devices").mkdir()
+    (tmp_path / "devices/made_up.yaml").write_text(FURTHER)
+    of = load_model(SPECS["real"][0], tmp_path)
+    made, like = device("3dm-made-up", of), device("3dm-gx5-15", of)
+    assert names(made) - names(like) == {"sensor.scaled_mag"}
+    assert names(like) - names(made) == {
+        "sensor.scaled_pressure", "filter_data.pressure_altitude", "filter_data.status", "system.comm_mode"
+    }  # fmt: skip
+    assert {r.set.name: r.hertz for r in made.base_rates} == {"sensor": 1000, "filter_data": 1000}
+    paths = {v.path for v in made.variants}
+    assert paths == {v.path for v in like.variants if not v.path.startswith("filter_data.status.")}
+    assert made.manual is None and made.ack_codes == like.ack_codes
+
+
+def test_an_overlay_extends_what_others_inherit(tmp_path: Path) -> None:
+    (tmp_path / "devices").mkdir()
+    (tmp_path / "devices/a.yaml").write_text("extend: model-a\nsupports: {tools: [hello]}\n")
+    (tmp_path / "devices/c.yaml").write_text("extend: model-c\nsupports: {copy: [health]}\nalso: [See]\n")
+    with pytest.raises(SpecError, match=r"'model-a' already supports 'tools\.hello'; remove it"):
+        load_model(SPECS["invented"][0], tmp_path)
+    (tmp_path / "devices/a.yaml").write_text("extend: model-a\nsupports: {measurements: [gust]}\n")
+    c = device("model-c", load_model(SPECS["invented"][0], tmp_path))
+    assert {"measurements.gust", "copy.health"} <= names(c) and c.also[-1] == "See"
