@@ -2244,6 +2244,7 @@ class MagHardIronOffsetResponse(Response):
     3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
+    - 3dm-gx5-45: (0x0C, 0x3A)
     """
 
     SET = 0x0C
@@ -2277,6 +2278,7 @@ class MagSoftIronMatrixResponse(Response):
     3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
+    - 3dm-gx5-35: (0x0C, 0x3B)
     """
 
     SET = 0x0C
@@ -6130,6 +6132,7 @@ class MagHardIronOffset(Command):
     The values come from a calibration of the device as it is installed.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
+    - 3dm-gx5-45: (0x0C, 0x3A)
     """
 
     SET = 0x0C
@@ -6239,6 +6242,7 @@ class MagSoftIronMatrix(Command):
     The values come from a calibration of the device as it is installed.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
+    - 3dm-gx5-35: (0x0C, 0x3B)
     """
 
     SET = 0x0C

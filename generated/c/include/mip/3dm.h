@@ -2440,6 +2440,7 @@ struct mip_3dm_capture_gyro_bias mip_3dm_capture_gyro_bias_make(uint16_t averagi
  * The values come from a calibration of the device as it is installed.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
+ * - 3dm-gx5-45: (0x0C, 0x3A)
  */
 struct mip_3dm_mag_hard_iron_offset {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
@@ -2481,6 +2482,7 @@ struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_apply(const flo
  * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
+ * - 3dm-gx5-45: (0x0C, 0x3A)
  */
 struct mip_3dm_mag_hard_iron_offset_response {
     /** Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. */
@@ -2510,6 +2512,7 @@ mip_error mip_3dm_mag_hard_iron_offset_response_encode(
  * The values come from a calibration of the device as it is installed.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
+ * - 3dm-gx5-35: (0x0C, 0x3B)
  */
 struct mip_3dm_mag_soft_iron_matrix {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
@@ -2551,6 +2554,7 @@ struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_apply(const flo
  * 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
+ * - 3dm-gx5-35: (0x0C, 0x3B)
  */
 struct mip_3dm_mag_soft_iron_matrix_response {
     /**

@@ -2192,7 +2192,8 @@ record! {
     ///
     /// - The values come from a calibration of the device as it is installed.
     ///
-    /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A).
+    /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
+    /// 0x3A).
     pub struct MagHardIronOffset {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2254,7 +2255,8 @@ record! {
     ///
     /// - The values come from a calibration of the device as it is installed.
     ///
-    /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B).
+    /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
+    /// 0x3B).
     pub struct MagSoftIronMatrix {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -4360,7 +4362,8 @@ record! {
     /// Answers [`MagHardIronOffset`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
     /// 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
     ///
-    /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A).
+    /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
+    /// 0x3A).
     #[derive(Default)]
     pub struct MagHardIronOffsetResponse {
         /// Hard iron offset.
@@ -4381,7 +4384,8 @@ record! {
     /// Answers [`MagSoftIronMatrix`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
     /// 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
     ///
-    /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B).
+    /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
+    /// 0x3B).
     #[derive(Default)]
     pub struct MagSoftIronMatrixResponse {
         /// Soft iron matrix in row-major order.
