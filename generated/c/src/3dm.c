@@ -3901,7 +3901,7 @@ struct mip_3dm_capture_gyro_bias mip_3dm_capture_gyro_bias_make(uint16_t averagi
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_mag_hard_iron_offset[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_mag_hard_iron_offset[] = {0, 1, 0, 0, 0, 0, 1};
 
 static void read_mag_hard_iron_offset(struct mip_reader *r, void *value) {
     struct mip_3dm_mag_hard_iron_offset *v = (struct mip_3dm_mag_hard_iron_offset *)value;
@@ -3921,6 +3921,12 @@ static void write_mag_hard_iron_offset(struct mip_writer *w, const void *value) 
                        sizeof(required_mag_hard_iron_offset), v->present);
     mip_write_group(w, 1, 1);
     mip_write_float(w, v->offset, 3);
+}
+
+static bool silent_mag_hard_iron_offset(const void *value) {
+    const struct mip_3dm_mag_hard_iron_offset *v =
+        (const struct mip_3dm_mag_hard_iron_offset *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
 static bool asked_mag_hard_iron_offset_1(const void *value) {
@@ -3943,7 +3949,7 @@ const struct mip_codec mip_3dm_mag_hard_iron_offset_codec = {
     0, /* time-out */
     read_mag_hard_iron_offset,
     write_mag_hard_iron_offset,
-    NULL,
+    silent_mag_hard_iron_offset,
     responses_mag_hard_iron_offset,
     NULL,
 };
@@ -3995,6 +4001,14 @@ struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_default(void) {
     return v;
 }
 
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_apply(const float offset[3]) {
+    struct mip_3dm_mag_hard_iron_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_APPLY;
+    memcpy(v.offset, offset, sizeof(v.offset));
+    return v;
+}
+
 static void read_mag_hard_iron_offset_response(struct mip_reader *r, void *value) {
     struct mip_3dm_mag_hard_iron_offset_response *v =
         (struct mip_3dm_mag_hard_iron_offset_response *)value;
@@ -4032,7 +4046,7 @@ mip_error mip_3dm_mag_hard_iron_offset_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_mag_soft_iron_matrix[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_mag_soft_iron_matrix[] = {0, 1, 0, 0, 0, 0, 1};
 
 static void read_mag_soft_iron_matrix(struct mip_reader *r, void *value) {
     struct mip_3dm_mag_soft_iron_matrix *v = (struct mip_3dm_mag_soft_iron_matrix *)value;
@@ -4052,6 +4066,12 @@ static void write_mag_soft_iron_matrix(struct mip_writer *w, const void *value) 
                        sizeof(required_mag_soft_iron_matrix), v->present);
     mip_write_group(w, 1, 1);
     mip_write_float(w, v->matrix, 9);
+}
+
+static bool silent_mag_soft_iron_matrix(const void *value) {
+    const struct mip_3dm_mag_soft_iron_matrix *v =
+        (const struct mip_3dm_mag_soft_iron_matrix *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
 static bool asked_mag_soft_iron_matrix_1(const void *value) {
@@ -4074,7 +4094,7 @@ const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec = {
     0, /* time-out */
     read_mag_soft_iron_matrix,
     write_mag_soft_iron_matrix,
-    NULL,
+    silent_mag_soft_iron_matrix,
     responses_mag_soft_iron_matrix,
     NULL,
 };
@@ -4123,6 +4143,14 @@ struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_default(void) {
     struct mip_3dm_mag_soft_iron_matrix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_apply(const float matrix[9]) {
+    struct mip_3dm_mag_soft_iron_matrix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_APPLY;
+    memcpy(v.matrix, matrix, sizeof(v.matrix));
     return v;
 }
 

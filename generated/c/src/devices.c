@@ -3,6 +3,522 @@
 /* Device profiles. */
 #include "mip/devices.h"
 
+/* 3DM-CL5-10. */
+
+static const char *const cl5_10_also[] = {
+    "3DM-CL5-IMU",
+};
+
+static const char *const cl5_10_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+const struct mip_device mip_device_cl5_10 = {
+    "3dm-cl5-10",
+    "3DM-CL5-10",
+    "",
+    "Inertial measurement unit.",
+    6279, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    0,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    0,    /* readings */
+    0,    /* acknowledge codes */
+    cl5_10_also,
+    cl5_10_incomplete,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+};
+
+/* 3DM-CL5-15. */
+
+static const char *const cl5_15_also[] = {
+    "3DM-CL5-AR",
+};
+
+static const char *const cl5_15_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field cl5_15_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+};
+
+static const struct mip_device_note cl5_15_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading cl5_15_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_cl5_15 = {
+    "3dm-cl5-15",
+    "3DM-CL5-15",
+    "",
+    "Attitude reference.",
+    6280, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    5,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    cl5_15_also,
+    cl5_15_incomplete,
+    cl5_15_fields,
+    NULL,
+    NULL,
+    NULL,
+    cl5_15_notes,
+    cl5_15_readings,
+    NULL,
+};
+
+/* 3DM-CL5-25. */
+
+static const char *const cl5_25_also[] = {
+    "3DM-CL5-AHRS",
+};
+
+static const char *const cl5_25_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field cl5_25_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+};
+
+static const struct mip_device_note cl5_25_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading cl5_25_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_cl5_25 = {
+    "3dm-cl5-25",
+    "3DM-CL5-25",
+    "",
+    "Attitude and heading reference system.",
+    6281, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    4,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    cl5_25_also,
+    cl5_25_incomplete,
+    cl5_25_fields,
+    NULL,
+    NULL,
+    NULL,
+    cl5_25_notes,
+    cl5_25_readings,
+    NULL,
+};
+
+/* 3DM-CV5-10. */
+
+static const char *const cv5_10_also[] = {
+    "3DM-CV5-IMU",
+};
+
+static const char *const cv5_10_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field cv5_10_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+};
+
+static const struct mip_device_note cv5_10_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "`3dm.device_status_diagnostic_imu_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading cv5_10_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_cv5_10 = {
+    "3dm-cv5-10",
+    "3DM-CV5-10",
+    "",
+    "Inertial measurement unit.",
+    6259, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    3,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    cv5_10_also,
+    cv5_10_incomplete,
+    cv5_10_fields,
+    NULL,
+    NULL,
+    NULL,
+    cv5_10_notes,
+    cv5_10_readings,
+    NULL,
+};
+
+/* 3DM-CV5-15. */
+
+static const char *const cv5_15_also[] = {
+    "3DM-CV5-AR",
+};
+
+static const char *const cv5_15_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field cv5_15_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+};
+
+static const struct mip_device_note cv5_15_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading cv5_15_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_cv5_15 = {
+    "3dm-cv5-15",
+    "3DM-CV5-15",
+    "",
+    "Attitude reference.",
+    6258, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    5,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    cv5_15_also,
+    cv5_15_incomplete,
+    cv5_15_fields,
+    NULL,
+    NULL,
+    NULL,
+    cv5_15_notes,
+    cv5_15_readings,
+    NULL,
+};
+
+/* 3DM-CV5-25. */
+
+static const char *const cv5_25_also[] = {
+    "3DM-CV5-AHRS",
+};
+
+static const char *const cv5_25_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field cv5_25_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+};
+
+static const struct mip_device_note cv5_25_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading cv5_25_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_cv5_25 = {
+    "3dm-cv5-25",
+    "3DM-CV5-25",
+    "",
+    "Attitude and heading reference system.",
+    6257, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    4,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    cv5_25_also,
+    cv5_25_incomplete,
+    cv5_25_fields,
+    NULL,
+    NULL,
+    NULL,
+    cv5_25_notes,
+    cv5_25_readings,
+    NULL,
+};
+
+/* 3DM-CV7-AHRS. */
+
+static const char *const cv7_ahrs_incomplete[] = {
+    "Only single pages of the manual are known, so it has more commands and data.",
+    "The limits are those of firmware 1.0.04 and later.",
+};
+
+static const struct mip_device_field cv7_ahrs_fields[] = {
+    {0x0C, 0x11, "WRSLD", NULL},                                   /* 3dm.data_stream_control */
+    {0x0C, 0x28, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.pps_source_control */
+    {0x0C, 0x38, "WRSLD", NULL},                                   /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", NULL},                                        /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLD", NULL},                                   /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLD", NULL},                                   /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x41, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.gpio_config */
+    {0x0C, 0x50, "WRSLD",
+     "The manual says of what firmware which filter can be set."}, /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x54, "WRSLD",
+     "The manual says of what firmware which filter can be set."}, /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", NULL},                                        /* filter.reset */
+    {0x0D, 0x03, "", NULL},                                        /* filter.set_initial_heading */
+    {0x0D, 0x43, "WRSLD", NULL}, /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD",
+     "MSCL lists what can be chosen on it."}, /* filter.aiding_measurement_enable */
+    {0x13, 0x01, "WRSLD", NULL},              /* aiding.frame_config */
+    {0x13, 0x1F, "WRSLD", NULL},              /* aiding.echo_control */
+    {0x13, 0x31, "", NULL},                   /* aiding.true_heading */
+    {0x13, 0x32, "", NULL},                   /* aiding.magnetic_field */
+    {0x80, 0x04, "", NULL},                   /* sensor.scaled_accel */
+    {0x82, 0x06, "", NULL},                   /* filter_data.gyro_bias */
+};
+
+static const struct mip_device_rate cv7_ahrs_rates[] = {
+    {0x80, 1000},
+    {0x82, 1000},
+};
+
+static const uint32_t cv7_ahrs_baud_rates_1[] = {115200, 230400, 460800, 921600};
+
+static const struct mip_device_port cv7_ahrs_ports[] = {
+    {"Main", 0x01, 4, cv7_ahrs_baud_rates_1, "MIP"},
+};
+
+static const struct mip_device_limit cv7_ahrs_limits[] = {
+    {"event_triggers", 12, "", "Triggers in all."},
+    {"event_gpio_triggers", 4, "", "GPIO triggers."},
+    {"event_threshold_triggers", 8, "", "Threshold triggers."},
+    {"event_combination_triggers", 8, "", "Combination triggers."},
+    {"event_tick_rate", 1000, "Hz", "Rate of the event cycle."},
+};
+
+static const char *const cv7_ahrs_anti_aliasing_cells[] = {
+    "Set",  "Descriptor", "Data",                     /* heading */
+    "0x80", "0x04",       "Scaled accel",             /* row 1 */
+    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
+    "0x80", "0x06",       "Scaled mag",               /* row 3 */
+    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
+    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
+    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
+    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
+};
+
+static const struct mip_device_note cv7_ahrs_notes[] = {
+    {"anti_aliasing", "Anti-aliasing low-pass filter",
+     "Data that `3dm.low_pass_filter` can filter. Up to firmware 1.0.07 there is "
+     "`3dm.imu_low_pass_filter` in its place, for sensor data only.",
+     cv7_ahrs_anti_aliasing_cells, 8, 3},
+    {"gpio_pins", "GPIO pins",
+     "By MSCL, each of the pins 1 to 4 can be a GPIO, take or give pulses (PPS), or stamp events.",
+     NULL, 0, 0},
+};
+
+const struct mip_device mip_device_cv7_ahrs = {
+    "3dm-cv7-ahrs",
+    "3DM-CV7-AHRS",
+    "3dm-cv7",
+    "Attitude and heading reference system.",
+    6286, /* model number */
+    7,    /* generation */
+    0,    /* other names */
+    2,    /* what is not known */
+    19,   /* fields */
+    2,    /* base rates */
+    1,    /* ports */
+    5,    /* limits */
+    2,    /* notes */
+    0,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    cv7_ahrs_incomplete,
+    cv7_ahrs_fields,
+    cv7_ahrs_rates,
+    cv7_ahrs_ports,
+    cv7_ahrs_limits,
+    cv7_ahrs_notes,
+    NULL,
+    NULL,
+};
+
+/* 3DM-CV7-AR. */
+
+static const char *const cv7_ar_incomplete[] = {
+    "Only single pages of the manual are known, so it has more commands and data.",
+    "The limits are those of firmware 1.0.04 and later.",
+};
+
+static const struct mip_device_field cv7_ar_fields[] = {
+    {0x0C, 0x11, "WRSLD", NULL},                                   /* 3dm.data_stream_control */
+    {0x0C, 0x28, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.pps_source_control */
+    {0x0C, 0x38, "WRSLD", NULL},                                   /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", NULL},                                        /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLD", NULL},                                   /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLD", NULL},                                   /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x41, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.gpio_config */
+    {0x0C, 0x50, "WRSLD",
+     "The manual says of what firmware which filter can be set."}, /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x54, "WRSLD",
+     "The manual says of what firmware which filter can be set."}, /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", NULL},                                        /* filter.reset */
+    {0x0D, 0x03, "", NULL},                                        /* filter.set_initial_heading */
+    {0x0D, 0x43, "WRSLD", NULL}, /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD",
+     "MSCL lists what can be chosen on it."}, /* filter.aiding_measurement_enable */
+    {0x13, 0x01, "WRSLD", NULL},              /* aiding.frame_config */
+    {0x13, 0x1F, "WRSLD", NULL},              /* aiding.echo_control */
+    {0x13, 0x31, "", NULL},                   /* aiding.true_heading */
+    {0x13, 0x32, "", NULL},                   /* aiding.magnetic_field */
+    {0x80, 0x04, "", NULL},                   /* sensor.scaled_accel */
+    {0x82, 0x06, "", NULL},                   /* filter_data.gyro_bias */
+};
+
+static const struct mip_device_rate cv7_ar_rates[] = {
+    {0x80, 1000},
+    {0x82, 1000},
+};
+
+static const uint32_t cv7_ar_baud_rates_1[] = {115200, 230400, 460800, 921600};
+
+static const struct mip_device_port cv7_ar_ports[] = {
+    {"Main", 0x01, 4, cv7_ar_baud_rates_1, "MIP"},
+};
+
+static const struct mip_device_limit cv7_ar_limits[] = {
+    {"event_triggers", 12, "", "Triggers in all."},
+    {"event_gpio_triggers", 4, "", "GPIO triggers."},
+    {"event_threshold_triggers", 8, "", "Threshold triggers."},
+    {"event_combination_triggers", 8, "", "Combination triggers."},
+    {"event_tick_rate", 1000, "Hz", "Rate of the event cycle."},
+};
+
+static const char *const cv7_ar_anti_aliasing_cells[] = {
+    "Set",  "Descriptor", "Data",                     /* heading */
+    "0x80", "0x04",       "Scaled accel",             /* row 1 */
+    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
+    "0x80", "0x06",       "Scaled mag",               /* row 3 */
+    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
+    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
+    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
+    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
+};
+
+static const struct mip_device_note cv7_ar_notes[] = {
+    {"anti_aliasing", "Anti-aliasing low-pass filter",
+     "Data that `3dm.low_pass_filter` can filter. Up to firmware 1.0.07 there is "
+     "`3dm.imu_low_pass_filter` in its place, for sensor data only.",
+     cv7_ar_anti_aliasing_cells, 8, 3},
+    {"gpio_pins", "GPIO pins",
+     "By MSCL, each of the pins 1 to 4 can be a GPIO, take or give pulses (PPS), or stamp events.",
+     NULL, 0, 0},
+};
+
+const struct mip_device mip_device_cv7_ar = {
+    "3dm-cv7-ar",
+    "3DM-CV7-AR",
+    "3dm-cv7",
+    "Attitude reference.",
+    6287, /* model number */
+    7,    /* generation */
+    0,    /* other names */
+    2,    /* what is not known */
+    19,   /* fields */
+    2,    /* base rates */
+    1,    /* ports */
+    5,    /* limits */
+    2,    /* notes */
+    0,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    cv7_ar_incomplete,
+    cv7_ar_fields,
+    cv7_ar_rates,
+    cv7_ar_ports,
+    cv7_ar_limits,
+    cv7_ar_notes,
+    NULL,
+    NULL,
+};
+
 /* 3DM-CV7-GNSS/INS. */
 
 static const struct mip_device_field cv7_gnss_ins_fields[] = {
@@ -493,7 +1009,7 @@ const struct mip_device mip_device_cv7_gnss_ins = {
     "Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure "
     "sensor.",
     6292, /* model number */
-    0,    /* generation */
+    7,    /* generation */
     0,    /* other names */
     0,    /* what is not known */
     182,  /* fields */
@@ -514,7 +1030,1080 @@ const struct mip_device mip_device_cv7_gnss_ins = {
     cv7_gnss_ins_ack_codes,
 };
 
+/* 3DM-CV7-INS. */
+
+static const char *const cv7_ins_incomplete[] = {
+    "Only single pages of the manual are known, so it has more commands and data.",
+    "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.",
+};
+
+static const struct mip_device_field cv7_ins_fields[] = {
+    {0x0D, 0x13, "WRSLD", NULL}, /* filter.antenna_offset */
+    {0x0D, 0x20, "WRSLD", NULL}, /* filter.auto_angular_zupt */
+    {0x94, 0x03, "",
+     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.llh_position
+                                                                                         */
+    {0x94, 0x04, "",
+     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.ecef_position
+                                                                                         */
+    {0x94, 0x05, "",
+     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.ned_velocity
+                                                                                         */
+    {0x94, 0x06, "",
+     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.ecef_velocity
+                                                                                         */
+    {0x94, 0x07, "",
+     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.dop
+                                                                                         */
+    {0x94, 0x08, "",
+     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.utc_time
+                                                                                         */
+    {0x94, 0x0B, "",
+     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.fix_info
+                                                                                         */
+    {0x94, 0x10, "",
+     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.clock_info_2
+                                                                                         */
+    {0x94, 0x11, "",
+     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.gps_leap_seconds
+                                                                                         */
+    {0x94, 0x14, "",
+     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.rf_error_detection
+                                                                                         */
+    {0x94, 0x20, "",
+     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.satellite_status
+                                                                                         */
+};
+
+static const struct mip_device_rate cv7_ins_rates[] = {
+    {0x94, 0},
+};
+
+static const struct mip_device_limit cv7_ins_limits[] = {
+    {"antenna_offset", 10, "m", "Greatest distance of the antenna from the device."},
+};
+
+const struct mip_device mip_device_cv7_ins = {
+    "3dm-cv7-ins",
+    "3DM-CV7-INS",
+    "3dm-cv7-ins",
+    "Inertial navigation system without a GNSS receiver of its own.",
+    6291, /* model number */
+    7,    /* generation */
+    0,    /* other names */
+    2,    /* what is not known */
+    13,   /* fields */
+    1,    /* base rates */
+    0,    /* ports */
+    1,    /* limits */
+    0,    /* notes */
+    0,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    cv7_ins_incomplete,
+    cv7_ins_fields,
+    cv7_ins_rates,
+    NULL,
+    cv7_ins_limits,
+    NULL,
+    NULL,
+    NULL,
+};
+
+/* 3DM-CX5-10. */
+
+static const char *const cx5_10_also[] = {
+    "3DM-CX5-IMU",
+};
+
+static const char *const cx5_10_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field cx5_10_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+};
+
+static const struct mip_device_note cx5_10_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "`3dm.device_status_diagnostic_imu_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading cx5_10_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_cx5_10 = {
+    "3dm-cx5-10",
+    "3DM-CX5-10",
+    "",
+    "Inertial measurement unit.",
+    6275, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    3,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    cx5_10_also,
+    cx5_10_incomplete,
+    cx5_10_fields,
+    NULL,
+    NULL,
+    NULL,
+    cx5_10_notes,
+    cx5_10_readings,
+    NULL,
+};
+
+/* 3DM-CX5-15. */
+
+static const char *const cx5_15_also[] = {
+    "3DM-CX5-AR",
+};
+
+static const char *const cx5_15_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field cx5_15_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+};
+
+static const struct mip_device_note cx5_15_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading cx5_15_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_cx5_15 = {
+    "3dm-cx5-15",
+    "3DM-CX5-15",
+    "",
+    "Attitude reference.",
+    6274, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    3,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    cx5_15_also,
+    cx5_15_incomplete,
+    cx5_15_fields,
+    NULL,
+    NULL,
+    NULL,
+    cx5_15_notes,
+    cx5_15_readings,
+    NULL,
+};
+
+/* 3DM-CX5-25. */
+
+static const char *const cx5_25_also[] = {
+    "3DM-CX5-AHRS",
+};
+
+static const char *const cx5_25_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field cx5_25_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+};
+
+static const struct mip_device_note cx5_25_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading cx5_25_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_cx5_25 = {
+    "3dm-cx5-25",
+    "3DM-CX5-25",
+    "",
+    "Attitude and heading reference system.",
+    6273, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    2,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    cx5_25_also,
+    cx5_25_incomplete,
+    cx5_25_fields,
+    NULL,
+    NULL,
+    NULL,
+    cx5_25_notes,
+    cx5_25_readings,
+    NULL,
+};
+
+/* 3DM-CX5-35. */
+
+static const char *const cx5_35_also[] = {
+    "3DM-CX5-GNSS/AHRS",
+};
+
+static const char *const cx5_35_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field cx5_35_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+};
+
+static const struct mip_device_note cx5_35_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_gnss_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading cx5_35_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_cx5_35 = {
+    "3dm-cx5-35",
+    "3DM-CX5-35",
+    "",
+    "Attitude and heading reference with GNSS.",
+    6272, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    2,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    cx5_35_also,
+    cx5_35_incomplete,
+    cx5_35_fields,
+    NULL,
+    NULL,
+    NULL,
+    cx5_35_notes,
+    cx5_35_readings,
+    NULL,
+};
+
+/* 3DM-CX5-45. */
+
+static const char *const cx5_45_also[] = {
+    "3DM-CX5-GNSS/INS",
+};
+
+static const char *const cx5_45_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field cx5_45_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+};
+
+static const struct mip_device_note cx5_45_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_gnss_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading cx5_45_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_cx5_45 = {
+    "3dm-cx5-45",
+    "3DM-CX5-45",
+    "",
+    "Inertial navigation system with GNSS.",
+    6271, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    2,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    cx5_45_also,
+    cx5_45_incomplete,
+    cx5_45_fields,
+    NULL,
+    NULL,
+    NULL,
+    cx5_45_notes,
+    cx5_45_readings,
+    NULL,
+};
+
+/* 3DM-DH3. */
+
+static const char *const dh3_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field dh3_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+};
+
+static const struct mip_device_reading dh3_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_dh3 = {
+    "3dm-dh3",  "3DM-DH3",
+    "",         "Device of generation 3, known by its name and its number.",
+    6219, /* model number */
+    3,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    1,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,       dh3_incomplete,
+    dh3_fields, NULL,
+    NULL,       NULL,
+    NULL,       dh3_readings,
+    NULL,
+};
+
+/* 3DM-GQ4-45. */
+
+static const char *const gq4_45_incomplete[] = {
+    "The contents of the manual are known up to the commands of the set `3dm`. The sets `filter` "
+    "and `system` follow.",
+    "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+};
+
+static const struct mip_device_field gq4_45_fields[] = {
+    {0x01, 0x01, "", NULL},                                        /* base.ping */
+    {0x01, 0x02, "", NULL},                                        /* base.set_idle */
+    {0x01, 0x03, "", NULL},                                        /* base.get_device_info */
+    {0x01, 0x04, "", NULL},                                        /* base.get_device_descriptors */
+    {0x01, 0x05, "", NULL},                                        /* base.built_in_test */
+    {0x01, 0x06, "", NULL},                                        /* base.resume */
+    {0x01, 0x72, "WRA", NULL},                                     /* base.gps_time_update */
+    {0x01, 0x7E, "", NULL},                                        /* base.soft_reset */
+    {0x0C, 0x01, "", NULL},                                        /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", NULL},                                        /* 3dm.poll_gnss_data */
+    {0x0C, 0x03, "", NULL},                                        /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", NULL},                                        /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", NULL},                                        /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", NULL},                                   /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", NULL},                                   /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", NULL},                                   /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", NULL},                                        /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", NULL},                                   /* 3dm.data_stream_control */
+    {0x0C, 0x21, "WRSLD", NULL},                                   /* 3dm.constellation_settings */
+    {0x0C, 0x22, "WRSLD", NULL},                                   /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x30, "SLD", NULL},                                     /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", NULL},                                  /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", NULL},                                  /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", NULL},                                        /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", NULL},                                  /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", NULL},                                  /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", NULL},                                   /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", NULL},                                   /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", NULL},                                   /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", NULL},                                   /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", NULL},                                        /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+    {0x0D, 0x44, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.accel_magnitude_error_adaptive_measurement
+                                                                    */
+    {0x0D, 0x45, "WRSLD",
+     "MSCL lists what can be chosen on it."}, /* filter.mag_magnitude_error_adaptive_measurement */
+};
+
+static const struct mip_device_note gq4_45_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_gq4_45_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading gq4_45_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_gq4_45 = {
+    "3dm-gq4-45",
+    "3DM-GQ4-45",
+    "3dm-gq4-45",
+    "Tactical grade inertial navigation system with GNSS.",
+    6250, /* model number */
+    4,    /* generation */
+    0,    /* other names */
+    2,    /* what is not known */
+    35,   /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    gq4_45_incomplete,
+    gq4_45_fields,
+    NULL,
+    NULL,
+    NULL,
+    gq4_45_notes,
+    gq4_45_readings,
+    NULL,
+};
+
+/* 3DM-GQ7-GNSS/INS. */
+
+static const char *const gq7_also[] = {
+    "3DM-GQ7",
+};
+
+static const char *const gq7_incomplete[] = {
+    "Only single pages of the manual are known, so it has more commands and data.",
+    "The baud rates of the Aux port are not known, nor all of its protocols.",
+};
+
+static const struct mip_device_field gq7_fields[] = {
+    {0x0C, 0x04, "", NULL},      /* 3dm.poll_nmea_data */
+    {0x0C, 0x31, "WRSLD", NULL}, /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x39, "", NULL},      /* 3dm.capture_gyro_bias */
+    {0x0C, 0x41, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.gpio_config */
+    {0x0C, 0x50, "WRSLD",
+     "The manual says of what firmware which filter can be set."}, /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x54, "WRSLD",
+     "The manual says of what firmware which filter can be set."}, /* 3dm.low_pass_filter */
+    {0x0D, 0x05, "", NULL},                                        /* filter.run */
+    {0x0D, 0x15, "WRSLD", NULL},                                   /* filter.gnss_source */
+    {0x0D, 0x1E, "WRSLD", NULL},                                   /* filter.auto_zupt */
+    {0x0D, 0x20, "WRSLD", NULL},                                   /* filter.auto_angular_zupt */
+    {0x0D, 0x43, "WRSLD", NULL}, /* filter.magnetic_declination_source */
+    {0x0D, 0x52, "WRSLD", NULL}, /* filter.initialization_config */
+    {0x0D, 0x64, "WRSLD", NULL}, /* filter.gnss_antenna_calibration_control */
+    {0x91, 0x03, "", NULL},      /* gnss_1.llh_position */
+    {0x91, 0x0B, "", NULL},      /* gnss_1.fix_info */
+    {0x92, 0x0D, "", NULL},      /* gnss_2.hardware_status */
+};
+
+static const struct mip_device_rate gq7_rates[] = {
+    {0x80, 1000}, {0x82, 1000}, {0x91, 2}, {0x92, 2}, {0x93, 0}, {0xA0, 1000},
+};
+
+static const uint32_t gq7_baud_rates_1[] = {115200, 230400, 460800, 921600};
+
+static const struct mip_device_port gq7_ports[] = {
+    {"Main", 0x01, 4, gq7_baud_rates_1, "MIP, NMEA"},
+    {"Aux", 0x02, 0, NULL, "MIP"},
+};
+
+static const char *const gq7_anti_aliasing_cells[] = {
+    "Set",  "Descriptor", "Data",                     /* heading */
+    "0x80", "0x04",       "Scaled accel",             /* row 1 */
+    "0x80", "0x05",       "Scaled gyro",              /* row 2 */
+    "0x80", "0x06",       "Scaled mag",               /* row 3 */
+    "0x80", "0x17",       "Scaled pressure",          /* row 4 */
+    "0x82", "0x1C",       "Compensated acceleration", /* row 5 */
+    "0x82", "0x0E",       "Compensated angular rate", /* row 6 */
+    "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
+};
+
+static const char *const gq7_gpio_pins_cells[] = {
+    "Pin", "Features",           /* heading */
+    "1",   "GPIO, PPS, encoder", /* row 1 */
+    "2",   "GPIO, encoder",      /* row 2 */
+    "3",   "GPIO, PPS",          /* row 3 */
+    "4",   "GPIO",               /* row 4 */
+};
+
+static const struct mip_device_note gq7_notes[] = {
+    {"anti_aliasing", "Anti-aliasing low-pass filter",
+     "Data that `3dm.low_pass_filter` can filter. Up to firmware 1.0.10 there is "
+     "`3dm.imu_low_pass_filter` in its place, for sensor data only.",
+     gq7_anti_aliasing_cells, 8, 3},
+    {"firmware", "Firmware",
+     "The system data set 0xA0 and NMEA on the main port are later than firmware 1.0.10.", NULL, 0,
+     0},
+    {"gpio_pins", "GPIO pins", "Features of each pin, by MSCL.", gq7_gpio_pins_cells, 5, 2},
+    {"nmea_output", "NMEA output",
+     "Sentences are GGA, GLL, GSV, RMC, VTG, HDT, ZDA, and the proprietary PMSRA and PMSRR.", NULL,
+     0, 0},
+};
+
+const struct mip_device mip_device_gq7 = {
+    "3dm-gq7",  "3DM-GQ7-GNSS/INS",
+    "3dm-gq7",  "Inertial navigation system with two GNSS receivers.",
+    6284, /* model number */
+    7,    /* generation */
+    1,    /* other names */
+    2,    /* what is not known */
+    16,   /* fields */
+    6,    /* base rates */
+    2,    /* ports */
+    0,    /* limits */
+    4,    /* notes */
+    0,    /* readings */
+    0,    /* acknowledge codes */
+    gq7_also,   gq7_incomplete,
+    gq7_fields, gq7_rates,
+    gq7_ports,  NULL,
+    gq7_notes,  NULL,
+    NULL,
+};
+
+/* 3DM-GV7-AHRS. */
+
+static const char *const gv7_ahrs_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+const struct mip_device mip_device_gv7_ahrs = {
+    "3dm-gv7-ahrs",
+    "3DM-GV7-AHRS",
+    "",
+    "Attitude and heading reference system.",
+    6288, /* model number */
+    7,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    0,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    0,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    gv7_ahrs_incomplete,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+};
+
+/* 3DM-GV7-AR. */
+
+static const char *const gv7_ar_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+const struct mip_device mip_device_gv7_ar = {
+    "3dm-gv7-ar",
+    "3DM-GV7-AR",
+    "",
+    "Attitude reference.",
+    6289, /* model number */
+    7,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    0,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    0,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    gv7_ar_incomplete,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+};
+
+/* 3DM-GV7-INS. */
+
+static const char *const gv7_ins_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+const struct mip_device mip_device_gv7_ins = {
+    "3dm-gv7-ins",
+    "3DM-GV7-INS",
+    "",
+    "Inertial navigation system.",
+    6290, /* model number */
+    7,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    0,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    0,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    gv7_ins_incomplete,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+};
+
+/* 3DM-GX3-15. */
+
+static const char *const gx3_15_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field gx3_15_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+};
+
+static const struct mip_device_reading gx3_15_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_gx3_15 = {
+    "3dm-gx3-15",
+    "3DM-GX3-15",
+    "",
+    "Device of generation 3, known by its name and its number.",
+    6227, /* model number */
+    3,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    1,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    gx3_15_incomplete,
+    gx3_15_fields,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    gx3_15_readings,
+    NULL,
+};
+
+/* 3DM-GX3-25. */
+
+static const char *const gx3_25_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field gx3_25_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+};
+
+static const struct mip_device_reading gx3_25_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_gx3_25 = {
+    "3dm-gx3-25",
+    "3DM-GX3-25",
+    "",
+    "Device of generation 3, known by its name and its number.",
+    6223, /* model number */
+    3,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    1,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    gx3_25_incomplete,
+    gx3_25_fields,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    gx3_25_readings,
+    NULL,
+};
+
+/* 3DM-GX3-35. */
+
+static const char *const gx3_35_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field gx3_35_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+};
+
+static const struct mip_device_reading gx3_35_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_gx3_35 = {
+    "3dm-gx3-35",
+    "3DM-GX3-35",
+    "",
+    "Device of generation 3, known by its name and its number.",
+    6225, /* model number */
+    3,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    1,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    gx3_35_incomplete,
+    gx3_35_fields,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    gx3_35_readings,
+    NULL,
+};
+
+/* 3DM-GX3-45. */
+
+static const char *const gx3_45_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field gx3_45_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0D, 0x10, "WRSLD",
+     "MSCL lists what can be chosen on it."}, /* filter.vehicle_dynamics_mode */
+    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+    {0x0D, 0x44, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.accel_magnitude_error_adaptive_measurement
+                                                                    */
+    {0x0D, 0x45, "WRSLD",
+     "MSCL lists what can be chosen on it."}, /* filter.mag_magnitude_error_adaptive_measurement */
+};
+
+static const struct mip_device_reading gx3_45_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_gx3_45 = {
+    "3dm-gx3-45",
+    "3DM-GX3-45",
+    "",
+    "Device of generation 3, known by its name and its number.",
+    6228, /* model number */
+    3,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    6,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    gx3_45_incomplete,
+    gx3_45_fields,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    gx3_45_readings,
+    NULL,
+};
+
+/* 3DM-GX4-15. */
+
+static const char *const gx4_15_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field gx4_15_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
+    {0x0D, 0x44, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.accel_magnitude_error_adaptive_measurement
+                                                                    */
+    {0x0D, 0x45, "WRSLD",
+     "MSCL lists what can be chosen on it."}, /* filter.mag_magnitude_error_adaptive_measurement */
+};
+
+static const struct mip_device_note gx4_15_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "`3dm.device_status_diagnostic_gx4_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading gx4_15_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_gx4_15 = {
+    "3dm-gx4-15",
+    "3DM-GX4-15",
+    "",
+    "Device of generation 4, known by its name and its number.",
+    6233, /* model number */
+    4,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    5,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    gx4_15_incomplete,
+    gx4_15_fields,
+    NULL,
+    NULL,
+    NULL,
+    gx4_15_notes,
+    gx4_15_readings,
+    NULL,
+};
+
+/* 3DM-GX4-25. */
+
+static const char *const gx4_25_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field gx4_25_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+    {0x0D, 0x44, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.accel_magnitude_error_adaptive_measurement
+                                                                    */
+    {0x0D, 0x45, "WRSLD",
+     "MSCL lists what can be chosen on it."}, /* filter.mag_magnitude_error_adaptive_measurement */
+};
+
+static const struct mip_device_note gx4_25_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "`3dm.device_status_diagnostic_gx4_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading gx4_25_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_gx4_25 = {
+    "3dm-gx4-25",
+    "3DM-GX4-25",
+    "",
+    "Device of generation 4, known by its name and its number.",
+    6234, /* model number */
+    4,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    6,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    gx4_25_incomplete,
+    gx4_25_fields,
+    NULL,
+    NULL,
+    NULL,
+    gx4_25_notes,
+    gx4_25_readings,
+    NULL,
+};
+
+/* 3DM-GX4-45. */
+
+static const char *const gx4_45_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field gx4_45_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+    {0x0D, 0x44, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.accel_magnitude_error_adaptive_measurement
+                                                                    */
+    {0x0D, 0x45, "WRSLD",
+     "MSCL lists what can be chosen on it."}, /* filter.mag_magnitude_error_adaptive_measurement */
+};
+
+static const struct mip_device_note gx4_45_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_gnss_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading gx4_45_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_gx4_45 = {
+    "3dm-gx4-45",
+    "3DM-GX4-45",
+    "",
+    "Device of generation 4, known by its name and its number.",
+    6236, /* model number */
+    4,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    6,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,
+    gx4_45_incomplete,
+    gx4_45_fields,
+    NULL,
+    NULL,
+    NULL,
+    gx4_45_notes,
+    gx4_45_readings,
+    NULL,
+};
+
+/* 3DM-GX5-10. */
+
+static const char *const gx5_10_also[] = {
+    "3DM-GX5-IMU",
+};
+
+static const char *const gx5_10_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field gx5_10_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+};
+
+static const struct mip_device_note gx5_10_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "`3dm.device_status_diagnostic_imu_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading gx5_10_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_gx5_10 = {
+    "3dm-gx5-10",
+    "3DM-GX5-10",
+    "",
+    "Inertial measurement unit.",
+    6255, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    3,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    gx5_10_also,
+    gx5_10_incomplete,
+    gx5_10_fields,
+    NULL,
+    NULL,
+    NULL,
+    gx5_10_notes,
+    gx5_10_readings,
+    NULL,
+};
+
 /* 3DM-GX5-15. */
+
+static const char *const gx5_15_also[] = {
+    "3DM-GX5-AR",
+};
 
 static const struct mip_device_field gx5_15_fields[] = {
     {0x01, 0x01, "", NULL},       /* base.ping */
@@ -664,8 +2253,8 @@ const struct mip_device mip_device_gx5_15 = {
     "3dm-gx5-15",
     "Vertical reference unit with an inertial sensor, a pressure sensor and an estimation filter.",
     6254, /* model number */
-    0,    /* generation */
-    0,    /* other names */
+    5,    /* generation */
+    1,    /* other names */
     0,    /* what is not known */
     73,   /* fields */
     2,    /* base rates */
@@ -674,7 +2263,7 @@ const struct mip_device mip_device_gx5_15 = {
     6,    /* notes */
     7,    /* readings */
     6,    /* acknowledge codes */
-    NULL,
+    gx5_15_also,
     NULL,
     gx5_15_fields,
     gx5_15_rates,
@@ -685,10 +2274,772 @@ const struct mip_device mip_device_gx5_15 = {
     gx5_15_ack_codes,
 };
 
+/* 3DM-GX5-25. */
+
+static const char *const gx5_25_also[] = {
+    "3DM-GX5-AHRS",
+};
+
+static const char *const gx5_25_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field gx5_25_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+};
+
+static const struct mip_device_note gx5_25_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading gx5_25_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_gx5_25 = {
+    "3dm-gx5-25",
+    "3DM-GX5-25",
+    "",
+    "Attitude and heading reference system.",
+    6253, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    4,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    1,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    gx5_25_also,
+    gx5_25_incomplete,
+    gx5_25_fields,
+    NULL,
+    NULL,
+    NULL,
+    gx5_25_notes,
+    gx5_25_readings,
+    NULL,
+};
+
+/* 3DM-GX5-35. */
+
+static const char *const gx5_35_also[] = {
+    "3DM-GX5-GNSS/AHRS",
+};
+
+static const char *const gx5_35_incomplete[] = {
+    "Only single pages of the manual are known, so it has more commands and data.",
+};
+
+static const struct mip_device_field gx5_35_fields[] = {
+    {0x01, 0x01, "", NULL}, /* base.ping */
+    {0x01, 0x02, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},             /* base.set_idle */
+    {0x01, 0x03, "", NULL}, /* base.get_device_info */
+    {0x01, 0x04, "", NULL}, /* base.get_device_descriptors */
+    {0x01, 0x05, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* base.built_in_test */
+    {0x01, 0x06, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},                /* base.resume */
+    {0x01, 0x07, "", NULL},    /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", NULL}, /* base.gps_time_update */
+    {0x01, 0x7E, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},             /* base.soft_reset */
+    {0x0C, 0x01, "", NULL}, /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* 3dm.poll_gnss_data */
+    {0x0C, 0x06, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},                   /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", NULL},       /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", NULL},  /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", NULL},  /* 3dm.gnss_message_format */
+    {0x0C, 0x11, "WRSLD", NULL},  /* 3dm.data_stream_control */
+    {0x0C, 0x21, "WRSLD", NULL},  /* 3dm.constellation_settings */
+    {0x0C, 0x22, "WRSLD", NULL},  /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x23, "WRSLD", NULL},  /* 3dm.gnss_assisted_fix */
+    {0x0C, 0x24, "WR", NULL},     /* 3dm.gnss_time_assistance */
+    {0x0C, 0x30, "SLD", NULL},    /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", NULL}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},             /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", NULL}, /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},                   /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", NULL}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},                  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", NULL}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", NULL},      /* 3dm.device_status */
+    {0x7F, 0x10, "WRSLD", NULL}, /* system.comm_mode */
+    {0x80, 0x04, "", NULL},      /* sensor.scaled_accel */
+    {0x80, 0x05, "", NULL},      /* sensor.scaled_gyro */
+    {0x80, 0x06, "", NULL},      /* sensor.scaled_mag */
+    {0x80, 0x07, "", NULL},      /* sensor.delta_theta */
+    {0x80, 0x08, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* sensor.delta_velocity */
+    {0x80, 0x09, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* sensor.comp_quaternion */
+    {0x80, 0x0C, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* sensor.comp_euler_angles */
+    {0x80, 0x10, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},             /* sensor.north_vector */
+    {0x80, 0x11, "", NULL}, /* sensor.up_vector */
+    {0x80, 0x12, "", NULL}, /* sensor.gps_timestamp */
+    {0x80, 0x17, "", NULL}, /* sensor.scaled_pressure */
+    {0x81, 0x03, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.llh_position */
+    {0x81, 0x04, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.ecef_position */
+    {0x81, 0x05, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},             /* gnss_data.ned_velocity */
+    {0x81, 0x06, "", NULL}, /* gnss_data.ecef_velocity */
+    {0x81, 0x07, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.dop */
+    {0x81, 0x08, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.utc_time */
+    {0x81, 0x09, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.gps_time */
+    {0x81, 0x0A, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.clock_info */
+    {0x81, 0x0B, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.fix_info */
+    {0x81, 0x0C, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.sv_info */
+    {0x81, 0x0D, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},             /* gnss_data.hardware_status */
+    {0x81, 0x0E, "", NULL}, /* gnss_data.dgps_info */
+    {0x81, 0x0F, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.dgps_channel */
+};
+
+static const struct mip_device_rate gx5_35_rates[] = {
+    {0x80, 500},
+    {0x81, 4},
+};
+
+static const struct mip_device_limit gx5_35_limits[] = {
+    {"reserved_gnss_channels", 32, "", "Sum of the channels that constellations reserve."},
+};
+
+static const struct mip_device_note gx5_35_notes[] = {
+    {"receiver", "Receiver",
+     "The GNSS receiver is a u-blox M8M. GLONASS and BeiDou exclude each other.", NULL, 0, 0},
+    {"streams", "Streams",
+     "The manual lists the selectors of the sensor and the filter stream, though the device has no "
+     "filter.",
+     NULL, 0, 0},
+    {"device_status", "Device status",
+     "It answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_gnss_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading gx5_35_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+    {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
+};
+
+const struct mip_device mip_device_gx5_35 = {
+    "3dm-gx5-35",
+    "3DM-GX5-35",
+    "3dm-gx5-35",
+    "Attitude and heading reference with GNSS.",
+    6252, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    57,   /* fields */
+    2,    /* base rates */
+    0,    /* ports */
+    1,    /* limits */
+    3,    /* notes */
+    3,    /* readings */
+    0,    /* acknowledge codes */
+    gx5_35_also,
+    gx5_35_incomplete,
+    gx5_35_fields,
+    gx5_35_rates,
+    NULL,
+    gx5_35_limits,
+    gx5_35_notes,
+    gx5_35_readings,
+    NULL,
+};
+
+/* 3DM-GX5-45. */
+
+static const char *const gx5_45_also[] = {
+    "3DM-GX5-GNSS/INS",
+};
+
+static const char *const gx5_45_incomplete[] = {
+    "Only single pages of the manual are known, so it has more commands and data.",
+    "Of the filter data four fields are listed, and the manual has 27 or more.",
+};
+
+static const struct mip_device_field gx5_45_fields[] = {
+    {0x01, 0x01, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* base.ping */
+    {0x01, 0x02, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},             /* base.set_idle */
+    {0x01, 0x03, "", NULL}, /* base.get_device_info */
+    {0x01, 0x04, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* base.get_device_descriptors */
+    {0x01, 0x05, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* base.built_in_test */
+    {0x01, 0x06, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* base.resume */
+    {0x01, 0x07, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},             /* base.gps_time_update */
+    {0x01, 0x7E, "", NULL}, /* base.soft_reset */
+    {0x0C, 0x01, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},                  /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", NULL},      /* 3dm.poll_gnss_data */
+    {0x0C, 0x03, "", NULL},      /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", NULL},      /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", NULL},      /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", NULL}, /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", NULL}, /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", NULL}, /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", NULL},      /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* 3dm.data_stream_control */
+    {0x0C, 0x21, "WRSLD",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* 3dm.constellation_settings */
+    {0x0C, 0x22, "WRSLD",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x23, "WRSLD",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* 3dm.gnss_assisted_fix */
+    {0x0C, 0x24, "WR",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},                /* 3dm.gnss_time_assistance */
+    {0x0C, 0x30, "SLD", NULL}, /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},                   /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", NULL}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},                  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", NULL}, /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},             /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", NULL}, /* 3dm.device_status */
+    {0x0D, 0x01, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* filter.reset */
+    {0x0D, 0x02, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},                  /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", NULL},      /* filter.set_initial_heading */
+    {0x0D, 0x10, "WRSLD", NULL}, /* filter.vehicle_dynamics_mode */
+    {0x0D, 0x11, "WRSLD", NULL}, /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x12, "WRSLD", NULL}, /* filter.sensor_to_vehicle_offset */
+    {0x0D, 0x13, "WRSLD", NULL}, /* filter.antenna_offset */
+    {0x0D, 0x14, "WRSLD", NULL}, /* filter.estimation_control */
+    {0x0D, 0x15, "WRSLD", NULL}, /* filter.gnss_source */
+    {0x0D, 0x16, "", NULL},      /* filter.external_gnss_update */
+    {0x0D, 0x17, "", NULL},      /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", NULL}, /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", NULL}, /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", NULL}, /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", NULL}, /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD", NULL}, /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD", NULL}, /* filter.gyro_bias_model */
+    {0x0D, 0x1E, "WRSLD", NULL}, /* filter.auto_zupt */
+    {0x0D, 0x1F, "", NULL},      /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", NULL}, /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WSLD", NULL},  /* filter.tare_orientation */
+    {0x0D, 0x22, "", NULL},      /* filter.commanded_zupt */
+    {0x0D, 0x23, "", NULL},      /* filter.commanded_angular_zupt */
+    {0x0D, 0x27, "WS", NULL},    /* filter.mag_capture_auto_calibration */
+    {0x0D, 0x28, "WRSLD", NULL}, /* filter.gravity_noise */
+    {0x0D, 0x29, "WRSLD", NULL}, /* filter.pressure_altitude_noise */
+    {0x0D, 0x2B, "WRSLD", NULL}, /* filter.hard_iron_offset_noise */
+    {0x0D, 0x2C, "WRSLD", NULL}, /* filter.soft_iron_matrix_noise */
+    {0x0D, 0x42, "WRSLD", NULL}, /* filter.mag_noise */
+    {0x0D, 0x43, "WRSLD", NULL}, /* filter.magnetic_declination_source */
+    {0x0D, 0x44, "WRSLD", NULL}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD", NULL}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0D, 0x46, "WRSLD", NULL}, /* filter.mag_dip_angle_error_adaptive_measurement */
+    {0x0D, 0x47, "WRSLD", NULL}, /* filter.altitude_aiding */
+    {0x0D, 0x4B, "WRSLD", NULL}, /* filter.pitch_roll_aiding */
+    {0x0D, 0x53, "WRSLD",
+     "MSCL lists what can be chosen on it."}, /* filter.adaptive_filter_options */
+    {0x7F, 0x10, "WRSLD", NULL},              /* system.comm_mode */
+    {0x80, 0x04, "", NULL},                   /* sensor.scaled_accel */
+    {0x80, 0x05, "", NULL},                   /* sensor.scaled_gyro */
+    {0x80, 0x06, "", NULL},                   /* sensor.scaled_mag */
+    {0x80, 0x07, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* sensor.delta_theta */
+    {0x80, 0x08, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* sensor.delta_velocity */
+    {0x80, 0x09, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* sensor.comp_quaternion */
+    {0x80, 0x0C, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* sensor.comp_euler_angles */
+    {0x80, 0x10, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* sensor.north_vector */
+    {0x80, 0x11, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* sensor.up_vector */
+    {0x80, 0x12, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* sensor.gps_timestamp */
+    {0x80, 0x17, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* sensor.scaled_pressure */
+    {0x81, 0x03, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.llh_position */
+    {0x81, 0x04, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.ecef_position */
+    {0x81, 0x05, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.ned_velocity */
+    {0x81, 0x06, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.ecef_velocity */
+    {0x81, 0x07, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.dop */
+    {0x81, 0x08, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.utc_time */
+    {0x81, 0x09, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.gps_time */
+    {0x81, 0x0A, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."}, /* gnss_data.clock_info */
+    {0x81, 0x0B, "",
+     "The numbers of the sections leave room for it, and the manual of a sister device has it "
+     "there."},             /* gnss_data.fix_info */
+    {0x81, 0x0C, "", NULL}, /* gnss_data.sv_info */
+    {0x81, 0x0D, "", NULL}, /* gnss_data.hardware_status */
+    {0x81, 0x0E, "", NULL}, /* gnss_data.dgps_info */
+    {0x81, 0x0F, "", NULL}, /* gnss_data.dgps_channel */
+    {0x82, 0x04, "", NULL}, /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", NULL}, /* filter_data.euler_angles */
+    {0x82, 0x0E, "", NULL}, /* filter_data.comp_angular_rate */
+    {0x82, 0x14, "", NULL}, /* filter_data.heading_update_state */
+};
+
+static const struct mip_device_rate gx5_45_rates[] = {
+    {0x80, 500},
+    {0x81, 4},
+    {0x82, 500},
+};
+
+static const uint32_t gx5_45_baud_rates_1[] = {9600, 19200, 115200, 230400, 460800, 921600};
+
+static const struct mip_device_port gx5_45_ports[] = {
+    {"UART 1", 0x00, 6, gx5_45_baud_rates_1, "MIP"},
+    {"USB", 0x00, 0, NULL, "MIP"},
+};
+
+static const struct mip_device_limit gx5_45_limits[] = {
+    {"baud_rate_delay", 250, "ms",
+     "Time from the acknowledge of a new baud rate until commands are answered at that rate."},
+    {"rtcm_chunk", 253, "byte", "Most bytes of RTCM in one field."},
+};
+
+static const struct mip_device_note gx5_45_notes[] = {
+    {"rtcm", "RTCM input",
+     "A command of which only the name and the descriptor 0x20 of the set `3dm` are known takes "
+     "RTCM 2.3. The receiver uses the messages 1, 2, 3 and 9.",
+     NULL, 0, 0},
+    {"functions", "Functions that the specification does not define",
+     "The manual has a read of `3dm.device_settings`, which is answered with the settings of all "
+     "commands.",
+     NULL, 0, 0},
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_gnss_response`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading gx5_45_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_gx5_45 = {
+    "3dm-gx5-45",
+    "3DM-GX5-45",
+    "3dm-gx5-45",
+    "Inertial navigation system with GNSS, magnetometer and pressure sensor.",
+    6251, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    2,    /* what is not known */
+    100,  /* fields */
+    3,    /* base rates */
+    2,    /* ports */
+    2,    /* limits */
+    3,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    gx5_45_also,
+    gx5_45_incomplete,
+    gx5_45_fields,
+    gx5_45_rates,
+    gx5_45_ports,
+    gx5_45_limits,
+    gx5_45_notes,
+    gx5_45_readings,
+    NULL,
+};
+
+/* 3DM-MV5-AR. */
+
+static const char *const mv5_ar_also[] = {
+    "3DM-MV5-15",
+};
+
+static const char *const mv5_ar_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+static const struct mip_device_field mv5_ar_fields[] = {
+    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+};
+
+static const struct mip_device_reading mv5_ar_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_mv5_ar = {
+    "3dm-mv5-ar",
+    "3DM-MV5-AR",
+    "",
+    "Device of generation 5, known by its name and its number.",
+    6243, /* model number */
+    5,    /* generation */
+    1,    /* other names */
+    1,    /* what is not known */
+    1,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    mv5_ar_also,
+    mv5_ar_incomplete,
+    mv5_ar_fields,
+    NULL,
+    NULL,
+    NULL,
+    NULL,
+    mv5_ar_readings,
+    NULL,
+};
+
+/* 3DM-RQ1-45-LT. */
+
+static const char *const rq1_45_lt_also[] = {
+    "3DM-RQ1-45_LT",
+};
+
+static const char *const rq1_45_lt_incomplete[] = {
+    "The contents of the manual are known up to `filter.set_initial_heading`. The set `system` "
+    "follows.",
+    "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+};
+
+static const struct mip_device_field rq1_45_lt_fields[] = {
+    {0x01, 0x01, "", NULL},                                        /* base.ping */
+    {0x01, 0x02, "", NULL},                                        /* base.set_idle */
+    {0x01, 0x03, "", NULL},                                        /* base.get_device_info */
+    {0x01, 0x04, "", NULL},                                        /* base.get_device_descriptors */
+    {0x01, 0x05, "", NULL},                                        /* base.built_in_test */
+    {0x01, 0x06, "", NULL},                                        /* base.resume */
+    {0x01, 0x7E, "", NULL},                                        /* base.soft_reset */
+    {0x0C, 0x01, "", NULL},                                        /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", NULL},                                        /* 3dm.poll_gnss_data */
+    {0x0C, 0x03, "", NULL},                                        /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", NULL},                                        /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", NULL},                                        /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", NULL},                                   /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", NULL},                                   /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", NULL},                                   /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", NULL},                                        /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", NULL},                                   /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", NULL},                                     /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", NULL},                                  /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", NULL},                                  /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", NULL},                                        /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", NULL},                                  /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", NULL},                                  /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", NULL},                                   /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", NULL},                                   /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", NULL},                                   /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x64, "", NULL},                                        /* 3dm.device_status */
+    {0x0D, 0x01, "", NULL},                                        /* filter.reset */
+    {0x0D, 0x02, "", NULL},                                        /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", NULL},                                        /* filter.set_initial_heading */
+    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+    {0x0D, 0x44, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.accel_magnitude_error_adaptive_measurement
+                                                                    */
+    {0x0D, 0x45, "WRSLD",
+     "MSCL lists what can be chosen on it."}, /* filter.mag_magnitude_error_adaptive_measurement */
+};
+
+static const struct mip_device_note rq1_45_lt_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_rq1_45_response`.",
+     NULL, 0, 0},
+    {"absent", "What it has not",
+     "By the contents of the manual, neither `base.gps_time_update` nor "
+     "`3dm.complementary_filter`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading rq1_45_lt_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_rq1_45_lt = {
+    "3dm-rq1-45-lt",
+    "3DM-RQ1-45-LT",
+    "3dm-rq1-45",
+    "Ruggedized tactical grade inertial navigation system with GPS.",
+    6232, /* model number */
+    4,    /* generation */
+    1,    /* other names */
+    2,    /* what is not known */
+    34,   /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    2,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    rq1_45_lt_also,
+    rq1_45_lt_incomplete,
+    rq1_45_lt_fields,
+    NULL,
+    NULL,
+    NULL,
+    rq1_45_lt_notes,
+    rq1_45_lt_readings,
+    NULL,
+};
+
+/* 3DM-RQ1-45-ST. */
+
+static const char *const rq1_45_st_also[] = {
+    "3DM-RQ1-45_ST",
+};
+
+static const char *const rq1_45_st_incomplete[] = {
+    "The contents of the manual are known up to `filter.set_initial_heading`. The set `system` "
+    "follows.",
+    "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+};
+
+static const struct mip_device_field rq1_45_st_fields[] = {
+    {0x01, 0x01, "", NULL},                                        /* base.ping */
+    {0x01, 0x02, "", NULL},                                        /* base.set_idle */
+    {0x01, 0x03, "", NULL},                                        /* base.get_device_info */
+    {0x01, 0x04, "", NULL},                                        /* base.get_device_descriptors */
+    {0x01, 0x05, "", NULL},                                        /* base.built_in_test */
+    {0x01, 0x06, "", NULL},                                        /* base.resume */
+    {0x01, 0x7E, "", NULL},                                        /* base.soft_reset */
+    {0x0C, 0x01, "", NULL},                                        /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", NULL},                                        /* 3dm.poll_gnss_data */
+    {0x0C, 0x03, "", NULL},                                        /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", NULL},                                        /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", NULL},                                        /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", NULL},                                   /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", NULL},                                   /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", NULL},                                   /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", NULL},                                        /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", NULL},                                   /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", NULL},                                     /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", NULL},                                  /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", NULL},                                  /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", NULL},                                        /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", NULL},                                  /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", NULL},                                  /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", NULL},                                   /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", NULL},                                   /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", NULL},                                   /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x64, "", NULL},                                        /* 3dm.device_status */
+    {0x0D, 0x01, "", NULL},                                        /* filter.reset */
+    {0x0D, 0x02, "", NULL},                                        /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", NULL},                                        /* filter.set_initial_heading */
+    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+    {0x0D, 0x44, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.accel_magnitude_error_adaptive_measurement
+                                                                    */
+    {0x0D, 0x45, "WRSLD",
+     "MSCL lists what can be chosen on it."}, /* filter.mag_magnitude_error_adaptive_measurement */
+};
+
+static const struct mip_device_note rq1_45_st_notes[] = {
+    {"device_status", "Device status",
+     "By MSCL, it answers with `3dm.device_status_basic_response` and "
+     "`3dm.device_status_diagnostic_rq1_45_response`.",
+     NULL, 0, 0},
+    {"absent", "What it has not",
+     "By the contents of the manual, neither `base.gps_time_update` nor "
+     "`3dm.complementary_filter`.",
+     NULL, 0, 0},
+};
+
+static const struct mip_device_reading rq1_45_st_readings[] = {
+    {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
+    {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
+};
+
+const struct mip_device mip_device_rq1_45_st = {
+    "3dm-rq1-45-st",
+    "3DM-RQ1-45-ST",
+    "3dm-rq1-45",
+    "Ruggedized tactical grade inertial navigation system with GPS.",
+    6239, /* model number */
+    4,    /* generation */
+    1,    /* other names */
+    2,    /* what is not known */
+    34,   /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    2,    /* notes */
+    2,    /* readings */
+    0,    /* acknowledge codes */
+    rq1_45_st_also,
+    rq1_45_st_incomplete,
+    rq1_45_st_fields,
+    NULL,
+    NULL,
+    NULL,
+    rq1_45_st_notes,
+    rq1_45_st_readings,
+    NULL,
+};
+
+/* 3DM-RTK. */
+
+static const char *const rtk_incomplete[] = {
+    "No manual is known. The SDK has its name and number only.",
+};
+
+const struct mip_device mip_device_rtk = {
+    "3dm-rtk", "3DM-RTK",      "",   "Modem for GNSS corrections.",
+    6285, /* model number */
+    7,    /* generation */
+    0,    /* other names */
+    1,    /* what is not known */
+    0,    /* fields */
+    0,    /* base rates */
+    0,    /* ports */
+    0,    /* limits */
+    0,    /* notes */
+    0,    /* readings */
+    0,    /* acknowledge codes */
+    NULL,      rtk_incomplete, NULL, NULL,
+    NULL,      NULL,           NULL, NULL,
+    NULL,
+};
+
 /* All of them. */
 
 const struct mip_device *const mip_devices[] = {
-    &mip_device_cv7_gnss_ins,
-    &mip_device_gx5_15,
+    &mip_device_cl5_10,       &mip_device_cl5_15,  &mip_device_cl5_25,    &mip_device_cv5_10,
+    &mip_device_cv5_15,       &mip_device_cv5_25,  &mip_device_cv7_ahrs,  &mip_device_cv7_ar,
+    &mip_device_cv7_gnss_ins, &mip_device_cv7_ins, &mip_device_cx5_10,    &mip_device_cx5_15,
+    &mip_device_cx5_25,       &mip_device_cx5_35,  &mip_device_cx5_45,    &mip_device_dh3,
+    &mip_device_gq4_45,       &mip_device_gq7,     &mip_device_gv7_ahrs,  &mip_device_gv7_ar,
+    &mip_device_gv7_ins,      &mip_device_gx3_15,  &mip_device_gx3_25,    &mip_device_gx3_35,
+    &mip_device_gx3_45,       &mip_device_gx4_15,  &mip_device_gx4_25,    &mip_device_gx4_45,
+    &mip_device_gx5_10,       &mip_device_gx5_15,  &mip_device_gx5_25,    &mip_device_gx5_35,
+    &mip_device_gx5_45,       &mip_device_mv5_ar,  &mip_device_rq1_45_lt, &mip_device_rq1_45_st,
+    &mip_device_rtk,
 };
-const size_t mip_device_count = 2;
+const size_t mip_device_count = 37;

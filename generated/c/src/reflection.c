@@ -464,10 +464,13 @@ static const struct mip_names names_filter_dynamics_mode = {
 };
 
 static const struct mip_named_bits bits_filter_estimated_states[] = {
-    {"gyro_bias", 0, 1, NULL},
+    {"gyro_bias", 0, 1, NULL},         {"accel_bias", 1, 1, NULL},
+    {"gyro_scale_factor", 2, 1, NULL}, {"accel_scale_factor", 3, 1, NULL},
+    {"antenna_offset", 4, 1, NULL},    {"auto_hard_iron", 5, 1, NULL},
+    {"auto_soft_iron", 6, 1, NULL},
 };
 static const struct mip_names names_filter_estimated_states = {
-    "filter.estimated_states", NULL, bits_filter_estimated_states, 1, 2,
+    "filter.estimated_states", NULL, bits_filter_estimated_states, 7, 2,
 };
 
 static const struct mip_named_value values_filter_gnss_aiding_source[] = {
@@ -490,10 +493,16 @@ static const struct mip_names names_filter_heading_type = {
 
 static const struct mip_named_value values_filter_heading_update_source[] = {
     {"none", 0},
+    {"mag", 1},
+    {"gnss_velocity", 2},
     {"external", 3},
+    {"gnss_velocity_and_mag", 4},
+    {"gnss_velocity_and_external", 5},
+    {"mag_and_external", 6},
+    {"all", 7},
 };
 static const struct mip_names names_filter_heading_update_source = {
-    "filter.heading_update_source", values_filter_heading_update_source, NULL, 2, 1,
+    "filter.heading_update_source", values_filter_heading_update_source, NULL, 8, 1,
 };
 
 static const struct mip_named_bits bits_filter_tare_axes[] = {
@@ -814,10 +823,12 @@ static const struct mip_names names_filter_data_valid_flags = {
 };
 
 static const struct mip_named_bits bits_filter_data_heading_source_flags[] = {
+    {"mag", 0, 1, NULL},
+    {"gnss_velocity", 1, 1, NULL},
     {"external", 2, 1, NULL},
 };
 static const struct mip_names names_filter_data_heading_source_flags = {
-    "filter_data.heading_source_flags", NULL, bits_filter_data_heading_source_flags, 1, 2,
+    "filter_data.heading_source_flags", NULL, bits_filter_data_heading_source_flags, 3, 2,
 };
 
 static const struct mip_named_bits bits_filter_data_gnss_aiding_status[] = {
@@ -2229,7 +2240,33 @@ static const struct mip_record record_3dm_factory_streaming = {
 };
 
 static const struct mip_reading readings_3dm_data_stream_control_descriptor_set[] = {
+    {"3dm-cl5-15", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cl5-25", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cv5-10", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cv5-15", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cv5-25", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cx5-10", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cx5-15", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cx5-25", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cx5-35", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cx5-45", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-dh3", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gq4-45", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx3-15", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx3-25", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx3-35", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx3-45", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx4-15", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx4-25", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx4-45", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx5-10", 0, 0, &names_3dm_legacy_data_stream},
     {"3dm-gx5-15", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx5-25", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx5-35", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx5-45", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-mv5-ar", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-rq1-45-lt", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-rq1-45-st", 0, 0, &names_3dm_legacy_data_stream},
 };
 static const struct mip_parameter parameters_3dm_data_stream_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2237,7 +2274,7 @@ static const struct mip_parameter parameters_3dm_data_stream_control[] = {
      NULL, 0},
     {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_data_stream_control, descriptor_set), 0, NULL,
-     readings_3dm_data_stream_control_descriptor_set, NULL, NULL, 1},
+     readings_3dm_data_stream_control_descriptor_set, NULL, NULL, 27},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_3dm_data_stream_control, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -2567,7 +2604,7 @@ static const struct mip_record record_3dm_mag_hard_iron_offset = {
     2,
     sizeof(struct mip_3dm_mag_hard_iron_offset),
 };
-static const uint8_t required_3dm_mag_hard_iron_offset[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_3dm_mag_hard_iron_offset[] = {0, 1, 0, 0, 0, 0, 1};
 
 static const struct mip_parameter parameters_3dm_mag_soft_iron_matrix[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2581,7 +2618,7 @@ static const struct mip_record record_3dm_mag_soft_iron_matrix = {
     2,
     sizeof(struct mip_3dm_mag_soft_iron_matrix),
 };
-static const uint8_t required_3dm_mag_soft_iron_matrix[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_3dm_mag_soft_iron_matrix[] = {0, 1, 0, 0, 0, 0, 1};
 
 static const struct mip_parameter parameters_3dm_coning_sculling_enable[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2837,12 +2874,38 @@ static const struct mip_record record_3dm_get_gnss_base_rate_response = {
 };
 
 static const struct mip_reading readings_3dm_data_stream_control_response_descriptor_set[] = {
+    {"3dm-cl5-15", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cl5-25", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cv5-10", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cv5-15", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cv5-25", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cx5-10", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cx5-15", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cx5-25", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cx5-35", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cx5-45", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-dh3", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gq4-45", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx3-15", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx3-25", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx3-35", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx3-45", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx4-15", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx4-25", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx4-45", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx5-10", 0, 0, &names_3dm_legacy_data_stream},
     {"3dm-gx5-15", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx5-25", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx5-35", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-gx5-45", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-mv5-ar", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-rq1-45-lt", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-rq1-45-st", 0, 0, &names_3dm_legacy_data_stream},
 };
 static const struct mip_parameter parameters_3dm_data_stream_control_response[] = {
     {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_data_stream_control_response, descriptor_set), 0, NULL,
-     readings_3dm_data_stream_control_response_descriptor_set, NULL, NULL, 1},
+     readings_3dm_data_stream_control_response_descriptor_set, NULL, NULL, 27},
     {"enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_data_stream_control_response, enabled), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -6185,6 +6248,7 @@ static const struct mip_record record_sensor_up_vector = {
 
 static const struct mip_reading readings_sensor_gps_timestamp_valid_flags[] = {
     {"3dm-gx5-15", 0, 0, &names_gx5_sensor_gps_timestamp_flags},
+    {"3dm-gx5-35", 0, 0, &names_gx5_sensor_gps_timestamp_flags},
 };
 static const struct mip_parameter parameters_sensor_gps_timestamp[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6193,7 +6257,7 @@ static const struct mip_parameter parameters_sensor_gps_timestamp[] = {
      ONE(struct mip_sensor_gps_timestamp, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_sensor_gps_timestamp, valid_flags), 0, &names_sensor_gps_timestamp_flags,
-     readings_sensor_gps_timestamp_valid_flags, NULL, NULL, 1},
+     readings_sensor_gps_timestamp_valid_flags, NULL, NULL, 2},
 };
 static const struct mip_record record_sensor_gps_timestamp = {
     parameters_sensor_gps_timestamp,

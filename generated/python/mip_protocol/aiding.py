@@ -117,7 +117,7 @@ _FRAME_CONFIG_RESPONSE_2 = codec.Block("ffff", *["rotation"] * 4)
 class FrameConfigResponse(Response):
     """Frame configuration response (0x13,0x81).
 
-    Answers `FrameConfig`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -191,7 +191,7 @@ _ECHO_CONTROL_RESPONSE_0 = codec.Block("B", "mode")
 class EchoControlResponse(Response):
     """Echo control response (0x13,0x9F).
 
-    Answers `EchoControl`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `EchoControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -240,7 +240,7 @@ class FrameConfig(Command):
     Where and how an external sensor is mounted on the vehicle.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FrameConfigResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the
     rotation R and the translation t. The rotation does not matter for GNSS positions and
@@ -415,7 +415,7 @@ class EchoControl(Command):
     How the device answers aiding measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EchoControlResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     The manual does not give the layout of the responses that carry the data back.
 
@@ -898,7 +898,7 @@ class TrueHeading(Command):
     A measured heading relative to true north.
 
     Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is
-    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     In mode `response` of `EchoControl`, the device sends the data back in a response of unknown
     layout.
@@ -954,7 +954,7 @@ class MagneticField(Command):
     A magnetic field measured by an external magnetometer.
 
     Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-GNSS/INS.
+    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     The magnetometer must be calibrated. In mode `response` of `EchoControl`, the device sends the
     data back in a response of unknown layout.

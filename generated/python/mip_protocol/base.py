@@ -86,7 +86,8 @@ class GpsTimeField(codec.OpenEnum):
 class GetDeviceInfoResponse(Response):
     """Get device information response (0x01,0x81).
 
-    Answers `GetDeviceInfo`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GetDeviceInfo`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -114,7 +115,8 @@ class GetDeviceInfoResponse(Response):
 class GetDeviceDescriptorsResponse(Response):
     """Get device descriptors response (0x01,0x82).
 
-    Answers `GetDeviceDescriptors`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GetDeviceDescriptors`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
+    3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -151,7 +153,8 @@ _BUILT_IN_TEST_RESPONSE_0 = codec.Block("I", "result")
 class BuiltInTestResponse(Response):
     """Built-in test response (0x01,0x83).
 
-    Answers `BuiltInTest`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `BuiltInTest`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
     - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -173,6 +176,8 @@ class BuiltInTestResponse(Response):
     """Failure flags, defined by each device. Zero means that every test passed.
 
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7BuiltInTest`.
+    - On the 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values that are
+      not known.
     - On the 3DM-GX5-15: values of `types.Gx5BuiltInTest`.
     """
 
@@ -198,7 +203,7 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     The current week number.
 
     Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.WEEK_NUMBER`. Supported by
-    3DM-GX5-15.
+    3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -233,7 +238,8 @@ class GpsTimeUpdateTowResponse(Response):
 
     The current time of week.
 
-    Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.TOW`. Supported by 3DM-GX5-15.
+    Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.TOW`. Supported by 3DM-GQ4-45,
+    3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -263,7 +269,8 @@ class GpsTimeUpdateTowResponse(Response):
 class GetExtendedDescriptorsResponse(Response):
     """Get device descriptors (extended) response (0x01,0x86).
 
-    Answers `GetExtendedDescriptors`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GetExtendedDescriptors`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May
+    be supported by 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -372,7 +379,8 @@ class Ping(Command):
 
     Asks whether a device is there and answers commands.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
 
     A device that is not in a normal operating mode may refuse the command.
 
@@ -399,7 +407,8 @@ class SetIdle(Command):
 
     Stops all data streams, and wakes a sleeping device, so that it can be set up.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+    supported by 3DM-GX5-35 and 3DM-GX5-45.
 
     The resume command restores the previous mode. While idle the device sends no NMEA sentences
     either.
@@ -427,7 +436,8 @@ class GetDeviceInfo(Command):
 
     Gets the firmware version and the identity strings of the device.
 
-    Answered by `GetDeviceInfoResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answered by `GetDeviceInfoResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
+    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -453,7 +463,8 @@ class GetDeviceDescriptors(Command):
 
     Gets the command and data descriptors that the device supports.
 
-    Answered by `GetDeviceDescriptorsResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answered by `GetDeviceDescriptorsResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+    3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
 
     If the list contains the descriptor of `GetExtendedDescriptors`, that command gives more.
 
@@ -482,8 +493,9 @@ class BuiltInTest(Command):
     Runs the self test of the device and gets its result.
 
     Answered by `BuiltInTestResponse`. The device may take 10 s to answer. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: How long the test takes at most. The manual of the
-    3DM-CV7 says several seconds; 10 s leaves room for that.
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    3DM-GX5-35 and 3DM-GX5-45. Uncertain: How long the test takes at most. The manual of the 3DM-CV7
+    says several seconds; 10 s leaves room for that.
 
     The test interrupts normal operation for up to several seconds; no data is available meanwhile.
     The device must be at rest; acceleration, rotation or vibration cause false failures. The
@@ -515,7 +527,8 @@ class Resume(Command):
 
     Ends idle mode and returns the device to the mode that it was in before.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+    supported by 3DM-GX5-35 and 3DM-GX5-45.
 
     If the device was not idle, it enters its default mode (3DM-GX5-15).
 
@@ -542,7 +555,8 @@ class GetExtendedDescriptors(Command):
 
     Gets the supported descriptors that did not fit into the reply of get device descriptors.
 
-    Answered by `GetExtendedDescriptorsResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answered by `GetExtendedDescriptorsResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
+    3DM-GX5-35. May be supported by 3DM-GX5-45.
 
     Only supported if `GetDeviceDescriptors` lists it.
 
@@ -713,8 +727,8 @@ class GpsTimeUpdate(Command):
     Sets the week number or the time of week of the external (GPS) time.
 
     Functions: `write`, `read` and `apply`. Answered by `GpsTimeUpdateWeekNumberResponse` or
-    `GpsTimeUpdateTowResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
-    3DM-CV7-GNSS/INS: `write` only.
+    `GpsTimeUpdateTowResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
+    3DM-GX5-35. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: `write` only.
 
     Send it once for the time of week and once for the week number after the PPS is locked. The PPS
     supplies the fraction of the second; send the whole second that began at its last edge. Send it
@@ -816,7 +830,8 @@ class SoftReset(Command):
 
     Acknowledges the command, then resets the device at once.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
 
     - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
     - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)

@@ -5,6 +5,410 @@ from __future__ import annotations
 from . import filter_data, mip_3dm, types
 from .profile import Device, DeviceInfo, Limit, Note, Port, model_number
 
+CL5_10 = Device(
+    id="3dm-cl5-10",
+    title="3DM-CL5-10",
+    description="Inertial measurement unit.",
+    model_number=6279,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={},
+    readings={},
+    ack_codes=frozenset([]),
+    perhaps={},
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=("3DM-CL5-IMU",),
+    generation=5,
+    manual=None,
+)
+"""Inertial measurement unit. Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual of
+it is known. This profile is incomplete: No manual is known. The SDK has its name and number only.
+Uncertain: MSCL does not list it among the devices with streams or a device status.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CL5_15 = Device(
+    id="3dm-cl5-15",
+    title="3DM-CL5-15",
+    description="Attitude reference.",
+    model_number=6280,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
+        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=("3DM-CL5-AR",),
+    generation=5,
+    manual=None,
+)
+"""Attitude reference. Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual of it is
+known. This profile is incomplete: No manual is known. The SDK has its name and number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CL5_25 = Device(
+    id="3dm-cl5-25",
+    title="3DM-CL5-25",
+    description="Attitude and heading reference system.",
+    model_number=6281,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=("3DM-CL5-AHRS",),
+    generation=5,
+    manual=None,
+)
+"""Attitude and heading reference system. Also called 3DM-CL5-AHRS. Generation 5. Model number 6281.
+No manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
+number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CV5_10 = Device(
+    id="3dm-cv5-10",
+    title="3DM-CV5-10",
+    description="Inertial measurement unit.",
+    model_number=6259,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
+        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=("3DM-CV5-IMU",),
+    generation=5,
+    manual=None,
+)
+"""Inertial measurement unit. Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual of
+it is known. This profile is incomplete: No manual is known. The SDK has its name and number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CV5_15 = Device(
+    id="3dm-cv5-15",
+    title="3DM-CV5-15",
+    description="Attitude reference.",
+    model_number=6258,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
+        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=("3DM-CV5-AR",),
+    generation=5,
+    manual=None,
+)
+"""Attitude reference. Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual of it is
+known. This profile is incomplete: No manual is known. The SDK has its name and number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CV5_25 = Device(
+    id="3dm-cv5-25",
+    title="3DM-CV5-25",
+    description="Attitude and heading reference system.",
+    model_number=6257,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=("3DM-CV5-AHRS",),
+    generation=5,
+    manual=None,
+)
+"""Attitude and heading reference system. Also called 3DM-CV5-AHRS. Generation 5. Model number 6257.
+No manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
+number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CV7_AHRS = Device(
+    id="3dm-cv7-ahrs",
+    title="3DM-CV7-AHRS",
+    description="Attitude and heading reference system.",
+    model_number=6286,
+    fields=frozenset(
+        {
+            (0x0C, 0x11),  # 3dm.data_stream_control
+            (0x0C, 0x38),  # 3dm.gyro_bias
+            (0x0C, 0x39),  # 3dm.capture_gyro_bias
+            (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+            (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+            (0x0D, 0x01),  # filter.reset
+            (0x0D, 0x03),  # filter.set_initial_heading
+            (0x0D, 0x43),  # filter.magnetic_declination_source
+            (0x13, 0x01),  # aiding.frame_config
+            (0x13, 0x1F),  # aiding.echo_control
+            (0x13, 0x31),  # aiding.true_heading
+            (0x13, 0x32),  # aiding.magnetic_field
+            (0x80, 0x04),  # sensor.scaled_accel
+            (0x82, 0x06),  # filter_data.gyro_bias
+        }
+    ),
+    functions={(0x0C, 0x38): "WRSLD", (0x0C, 0x3A): "WRSLD", (0x0C, 0x3B): "WRSLD"},
+    base_rates={0x80: 1000, 0x82: 1000},
+    ports=(Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP",)),),
+    limits={
+        "event_triggers": Limit(12, None, "Triggers in all."),
+        "event_gpio_triggers": Limit(4, None, "GPIO triggers."),
+        "event_threshold_triggers": Limit(8, None, "Threshold triggers."),
+        "event_combination_triggers": Limit(8, None, "Combination triggers."),
+        "event_tick_rate": Limit(1000, "Hz", "Rate of the event cycle."),
+    },
+    notes={
+        "anti_aliasing": Note(
+            "Anti-aliasing low-pass filter",
+            "Data that `3dm.low_pass_filter` can filter. Up to firmware 1.0.07 there is `3dm.imu_low_pass_filter` in its place, for sensor data only.",
+            (
+                ("Set", "Descriptor", "Data"),
+                ("0x80", "0x04", "Scaled accel"),
+                ("0x80", "0x05", "Scaled gyro"),
+                ("0x80", "0x06", "Scaled mag"),
+                ("0x80", "0x17", "Scaled pressure"),
+                ("0x82", "0x1C", "Compensated acceleration"),
+                ("0x82", "0x0E", "Compensated angular rate"),
+                ("0x82", "0x0D", "Linear acceleration"),
+            ),
+        ),
+        "gpio_pins": Note(
+            "GPIO pins",
+            "By MSCL, each of the pins 1 to 4 can be a GPIO, take or give pulses (PPS), or stamp events.",
+            (),
+        ),
+    },
+    readings={},
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x28): "MSCL lists what can be chosen on it.",  # 3dm.pps_source_control
+        (0x0C, 0x41): "MSCL lists what can be chosen on it.",  # 3dm.gpio_config
+        (
+            0x0C,
+            0x50,
+        ): "The manual says of what firmware which filter can be set.",  # 3dm.imu_low_pass_filter
+        (
+            0x0C,
+            0x54,
+        ): "The manual says of what firmware which filter can be set.",  # 3dm.low_pass_filter
+        (0x0D, 0x50): "MSCL lists what can be chosen on it.",  # filter.aiding_measurement_enable
+    },
+    incomplete=(
+        "Only single pages of the manual are known, so it has more commands and data.",
+        "The limits are those of firmware 1.0.04 and later.",
+    ),
+    also=(),
+    generation=7,
+    manual="3dm-cv7",
+)
+"""Attitude and heading reference system. Generation 7. Model number 6286. Manual: MicroStrain
+3DM-CV7 Documentation (AHRS and AR), online, known from single pages. This profile is incomplete:
+Only single pages of the manual are known, so it has more commands and data. This profile is
+incomplete: The limits are those of firmware 1.0.04 and later. Uncertain: MSCL offers the values
+`none` and `manual` of `filter.MagneticDeclinationSource` only; the manual has `wmm` too.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CV7_AR = Device(
+    id="3dm-cv7-ar",
+    title="3DM-CV7-AR",
+    description="Attitude reference.",
+    model_number=6287,
+    fields=frozenset(
+        {
+            (0x0C, 0x11),  # 3dm.data_stream_control
+            (0x0C, 0x38),  # 3dm.gyro_bias
+            (0x0C, 0x39),  # 3dm.capture_gyro_bias
+            (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+            (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+            (0x0D, 0x01),  # filter.reset
+            (0x0D, 0x03),  # filter.set_initial_heading
+            (0x0D, 0x43),  # filter.magnetic_declination_source
+            (0x13, 0x01),  # aiding.frame_config
+            (0x13, 0x1F),  # aiding.echo_control
+            (0x13, 0x31),  # aiding.true_heading
+            (0x13, 0x32),  # aiding.magnetic_field
+            (0x80, 0x04),  # sensor.scaled_accel
+            (0x82, 0x06),  # filter_data.gyro_bias
+        }
+    ),
+    functions={(0x0C, 0x38): "WRSLD", (0x0C, 0x3A): "WRSLD", (0x0C, 0x3B): "WRSLD"},
+    base_rates={0x80: 1000, 0x82: 1000},
+    ports=(Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP",)),),
+    limits={
+        "event_triggers": Limit(12, None, "Triggers in all."),
+        "event_gpio_triggers": Limit(4, None, "GPIO triggers."),
+        "event_threshold_triggers": Limit(8, None, "Threshold triggers."),
+        "event_combination_triggers": Limit(8, None, "Combination triggers."),
+        "event_tick_rate": Limit(1000, "Hz", "Rate of the event cycle."),
+    },
+    notes={
+        "anti_aliasing": Note(
+            "Anti-aliasing low-pass filter",
+            "Data that `3dm.low_pass_filter` can filter. Up to firmware 1.0.07 there is `3dm.imu_low_pass_filter` in its place, for sensor data only.",
+            (
+                ("Set", "Descriptor", "Data"),
+                ("0x80", "0x04", "Scaled accel"),
+                ("0x80", "0x05", "Scaled gyro"),
+                ("0x80", "0x06", "Scaled mag"),
+                ("0x80", "0x17", "Scaled pressure"),
+                ("0x82", "0x1C", "Compensated acceleration"),
+                ("0x82", "0x0E", "Compensated angular rate"),
+                ("0x82", "0x0D", "Linear acceleration"),
+            ),
+        ),
+        "gpio_pins": Note(
+            "GPIO pins",
+            "By MSCL, each of the pins 1 to 4 can be a GPIO, take or give pulses (PPS), or stamp events.",
+            (),
+        ),
+    },
+    readings={},
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x28): "MSCL lists what can be chosen on it.",  # 3dm.pps_source_control
+        (0x0C, 0x41): "MSCL lists what can be chosen on it.",  # 3dm.gpio_config
+        (
+            0x0C,
+            0x50,
+        ): "The manual says of what firmware which filter can be set.",  # 3dm.imu_low_pass_filter
+        (
+            0x0C,
+            0x54,
+        ): "The manual says of what firmware which filter can be set.",  # 3dm.low_pass_filter
+        (0x0D, 0x50): "MSCL lists what can be chosen on it.",  # filter.aiding_measurement_enable
+    },
+    incomplete=(
+        "Only single pages of the manual are known, so it has more commands and data.",
+        "The limits are those of firmware 1.0.04 and later.",
+    ),
+    also=(),
+    generation=7,
+    manual="3dm-cv7",
+)
+"""Attitude reference. Generation 7. Model number 6287. Manual: MicroStrain 3DM-CV7 Documentation
+(AHRS and AR), online, known from single pages. This profile is incomplete: Only single pages of the
+manual are known, so it has more commands and data. This profile is incomplete: The limits are those
+of firmware 1.0.04 and later. Uncertain: MSCL offers the values `none` and `manual` of
+`filter.MagneticDeclinationSource` only; the manual has `wmm` too.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
 CV7_GNSS_INS = Device(
     id="3dm-cv7-gnss-ins",
     title="3DM-CV7-GNSS/INS",
@@ -196,7 +600,13 @@ CV7_GNSS_INS = Device(
             (0xFF, 0xD8),  # shared.external_time_delta
         }
     ),
-    functions={(0x01, 0x72): "W", (0x0C, 0x37): "WRSLD", (0x0C, 0x38): "WRSLD"},
+    functions={
+        (0x01, 0x72): "W",
+        (0x0C, 0x37): "WRSLD",
+        (0x0C, 0x38): "WRSLD",
+        (0x0C, 0x3A): "WRSLD",
+        (0x0C, 0x3B): "WRSLD",
+    },
     base_rates={0x80: 1000, 0x82: 1000, 0x91: 5, 0x92: 5, 0x93: 0, 0x94: 0, 0xA0: 1000},
     ports=(
         Port("Main", 1, (), ("MIP", "NMEA", "RTCM", "SPARTN")),
@@ -401,11 +811,913 @@ CV7_GNSS_INS = Device(
     perhaps={},
     incomplete=(),
     also=(),
-    generation=None,
+    generation=7,
     manual="3dm-cv7-gnss-ins",
 )
 """Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure sensor.
-Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
+Generation 7. Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
+
+- mip-sdk-4: Device models
+"""
+
+CV7_INS = Device(
+    id="3dm-cv7-ins",
+    title="3DM-CV7-INS",
+    description="Inertial navigation system without a GNSS receiver of its own.",
+    model_number=6291,
+    fields=frozenset(
+        {
+            (0x0D, 0x13),  # filter.antenna_offset
+            (0x0D, 0x20),  # filter.auto_angular_zupt
+        }
+    ),
+    functions={},
+    base_rates={0x94: 0},
+    ports=(),
+    limits={"antenna_offset": Limit(10, "m", "Greatest distance of the antenna from the device.")},
+    notes={},
+    readings={},
+    ack_codes=frozenset([]),
+    perhaps={
+        (
+            0x94,
+            0x03,
+        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.llh_position
+        (
+            0x94,
+            0x04,
+        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.ecef_position
+        (
+            0x94,
+            0x05,
+        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.ned_velocity
+        (
+            0x94,
+            0x06,
+        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.ecef_velocity
+        (
+            0x94,
+            0x07,
+        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.dop
+        (
+            0x94,
+            0x08,
+        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.utc_time
+        (
+            0x94,
+            0x0B,
+        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.fix_info
+        (
+            0x94,
+            0x10,
+        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.clock_info_2
+        (
+            0x94,
+            0x11,
+        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.gps_leap_seconds
+        (
+            0x94,
+            0x14,
+        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.rf_error_detection
+        (
+            0x94,
+            0x20,
+        ): "A test site of the vendor lists it for this device; the firmware is not known.",  # gnss_external.satellite_status
+    },
+    incomplete=(
+        "Only single pages of the manual are known, so it has more commands and data.",
+        "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.",
+    ),
+    also=(),
+    generation=7,
+    manual="3dm-cv7-ins",
+)
+"""Inertial navigation system without a GNSS receiver of its own. Generation 7. Model number 6291.
+Manual: MicroStrain 3DM-CV7-INS Documentation, online, known from single pages. This profile is
+incomplete: Only single pages of the manual are known, so it has more commands and data. This
+profile is incomplete: It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF. Uncertain: The
+set 0x95 is named by a test site of the vendor only. Uncertain: The base rate of the set 0x94 is
+inferred from the 3DM-CV7-GNSS/INS.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CX5_10 = Device(
+    id="3dm-cx5-10",
+    title="3DM-CX5-10",
+    description="Inertial measurement unit.",
+    model_number=6275,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
+        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=("3DM-CX5-IMU",),
+    generation=5,
+    manual=None,
+)
+"""Inertial measurement unit. Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual of
+it is known. This profile is incomplete: No manual is known. The SDK has its name and number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CX5_15 = Device(
+    id="3dm-cx5-15",
+    title="3DM-CX5-15",
+    description="Attitude reference.",
+    model_number=6274,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
+        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=("3DM-CX5-AR",),
+    generation=5,
+    manual=None,
+)
+"""Attitude reference. Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual of it is
+known. This profile is incomplete: No manual is known. The SDK has its name and number only.
+Uncertain: MSCL does not list it among those for which it limits the choices of the filter.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CX5_25 = Device(
+    id="3dm-cx5-25",
+    title="3DM-CX5-25",
+    description="Attitude and heading reference system.",
+    model_number=6273,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=("3DM-CX5-AHRS",),
+    generation=5,
+    manual=None,
+)
+"""Attitude and heading reference system. Also called 3DM-CX5-AHRS. Generation 5. Model number 6273.
+No manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
+number only. Uncertain: MSCL does not list it among those for which it limits the choices of the
+filter.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CX5_35 = Device(
+    id="3dm-cx5-35",
+    title="3DM-CX5-35",
+    description="Attitude and heading reference with GNSS.",
+    model_number=6272,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=("3DM-CX5-GNSS/AHRS",),
+    generation=5,
+    manual=None,
+)
+"""Attitude and heading reference with GNSS. Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model
+number 6272. No manual of it is known. This profile is incomplete: No manual is known. The SDK has
+its name and number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+CX5_45 = Device(
+    id="3dm-cx5-45",
+    title="3DM-CX5-45",
+    description="Inertial navigation system with GNSS.",
+    model_number=6271,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=("3DM-CX5-GNSS/INS",),
+    generation=5,
+    manual=None,
+)
+"""Inertial navigation system with GNSS. Also called 3DM-CX5-GNSS/INS. Generation 5. Model number
+6271. No manual of it is known. This profile is incomplete: No manual is known. The SDK has its name
+and number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+DH3 = Device(
+    id="3dm-dh3",
+    title="3DM-DH3",
+    description="Device of generation 3, known by its name and its number.",
+    model_number=6219,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={},
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it."  # 3dm.data_stream_control
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=(),
+    generation=3,
+    manual=None,
+)
+"""Device of generation 3, known by its name and its number. Generation 3. Model number 6219. No
+manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
+number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GQ4_45 = Device(
+    id="3dm-gq4-45",
+    title="3DM-GQ4-45",
+    description="Tactical grade inertial navigation system with GNSS.",
+    model_number=6250,
+    fields=frozenset(
+        {
+            (0x01, 0x01),  # base.ping
+            (0x01, 0x02),  # base.set_idle
+            (0x01, 0x03),  # base.get_device_info
+            (0x01, 0x04),  # base.get_device_descriptors
+            (0x01, 0x05),  # base.built_in_test
+            (0x01, 0x06),  # base.resume
+            (0x01, 0x72),  # base.gps_time_update
+            (0x01, 0x7E),  # base.soft_reset
+            (0x0C, 0x01),  # 3dm.poll_imu_data
+            (0x0C, 0x02),  # 3dm.poll_gnss_data
+            (0x0C, 0x03),  # 3dm.poll_filter_data
+            (0x0C, 0x06),  # 3dm.get_imu_base_rate
+            (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+            (0x0C, 0x08),  # 3dm.imu_message_format
+            (0x0C, 0x09),  # 3dm.gnss_message_format
+            (0x0C, 0x0A),  # 3dm.filter_message_format
+            (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+            (0x0C, 0x11),  # 3dm.data_stream_control
+            (0x0C, 0x21),  # 3dm.constellation_settings
+            (0x0C, 0x22),  # 3dm.gnss_sbas_settings
+            (0x0C, 0x30),  # 3dm.device_settings
+            (0x0C, 0x37),  # 3dm.accel_bias
+            (0x0C, 0x38),  # 3dm.gyro_bias
+            (0x0C, 0x39),  # 3dm.capture_gyro_bias
+            (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+            (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+            (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+            (0x0C, 0x40),  # 3dm.uart_baud_rate
+            (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+            (0x0C, 0x51),  # 3dm.complementary_filter
+            (0x0C, 0x64),  # 3dm.device_status
+        }
+    ),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gq4_45_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        (
+            0x0D,
+            0x44,
+        ): "MSCL lists what can be chosen on it.",  # filter.accel_magnitude_error_adaptive_measurement
+        (
+            0x0D,
+            0x45,
+        ): "MSCL lists what can be chosen on it.",  # filter.mag_magnitude_error_adaptive_measurement
+    },
+    incomplete=(
+        "The contents of the manual are known up to the commands of the set `3dm`. The sets `filter` and `system` follow.",
+        "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+    ),
+    also=(),
+    generation=4,
+    manual="3dm-gq4-45",
+)
+"""Tactical grade inertial navigation system with GNSS. Generation 4. Model number 6250. Manual:
+LORD 3DM-GQ4-45 Data Communications Protocol, of September 26, 2015, known from its contents. This
+profile is incomplete: The contents of the manual are known up to the commands of the set `3dm`. The
+sets `filter` and `system` follow. This profile is incomplete: It has the data sets 0x80, 0x81 and
+0x82, of which no field is known. Uncertain: It may take raw RTCM by a command of which the layout
+is not known.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GQ7 = Device(
+    id="3dm-gq7",
+    title="3DM-GQ7-GNSS/INS",
+    description="Inertial navigation system with two GNSS receivers.",
+    model_number=6284,
+    fields=frozenset(
+        {
+            (0x0C, 0x04),  # 3dm.poll_nmea_data
+            (0x0C, 0x31),  # 3dm.sensor_to_vehicle_transform_euler
+            (0x0C, 0x39),  # 3dm.capture_gyro_bias
+            (0x0D, 0x05),  # filter.run
+            (0x0D, 0x15),  # filter.gnss_source
+            (0x0D, 0x1E),  # filter.auto_zupt
+            (0x0D, 0x20),  # filter.auto_angular_zupt
+            (0x0D, 0x43),  # filter.magnetic_declination_source
+            (0x0D, 0x52),  # filter.initialization_config
+            (0x0D, 0x64),  # filter.gnss_antenna_calibration_control
+            (0x91, 0x03),  # gnss_1.llh_position
+            (0x91, 0x0B),  # gnss_1.fix_info
+            (0x92, 0x0D),  # gnss_2.hardware_status
+        }
+    ),
+    functions={},
+    base_rates={0x80: 1000, 0x82: 1000, 0x91: 2, 0x92: 2, 0x93: 0, 0xA0: 1000},
+    ports=(
+        Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP", "NMEA")),
+        Port("Aux", 2, (), ("MIP",)),
+    ),
+    limits={},
+    notes={
+        "anti_aliasing": Note(
+            "Anti-aliasing low-pass filter",
+            "Data that `3dm.low_pass_filter` can filter. Up to firmware 1.0.10 there is `3dm.imu_low_pass_filter` in its place, for sensor data only.",
+            (
+                ("Set", "Descriptor", "Data"),
+                ("0x80", "0x04", "Scaled accel"),
+                ("0x80", "0x05", "Scaled gyro"),
+                ("0x80", "0x06", "Scaled mag"),
+                ("0x80", "0x17", "Scaled pressure"),
+                ("0x82", "0x1C", "Compensated acceleration"),
+                ("0x82", "0x0E", "Compensated angular rate"),
+                ("0x82", "0x0D", "Linear acceleration"),
+            ),
+        ),
+        "firmware": Note(
+            "Firmware",
+            "The system data set 0xA0 and NMEA on the main port are later than firmware 1.0.10.",
+            (),
+        ),
+        "gpio_pins": Note(
+            "GPIO pins",
+            "Features of each pin, by MSCL.",
+            (
+                ("Pin", "Features"),
+                ("1", "GPIO, PPS, encoder"),
+                ("2", "GPIO, encoder"),
+                ("3", "GPIO, PPS"),
+                ("4", "GPIO"),
+            ),
+        ),
+        "nmea_output": Note(
+            "NMEA output",
+            "Sentences are GGA, GLL, GSV, RMC, VTG, HDT, ZDA, and the proprietary PMSRA and PMSRR.",
+            (),
+        ),
+    },
+    readings={},
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x41): "MSCL lists what can be chosen on it.",  # 3dm.gpio_config
+        (
+            0x0C,
+            0x50,
+        ): "The manual says of what firmware which filter can be set.",  # 3dm.imu_low_pass_filter
+        (
+            0x0C,
+            0x54,
+        ): "The manual says of what firmware which filter can be set.",  # 3dm.low_pass_filter
+    },
+    incomplete=(
+        "Only single pages of the manual are known, so it has more commands and data.",
+        "The baud rates of the Aux port are not known, nor all of its protocols.",
+    ),
+    also=("3DM-GQ7",),
+    generation=7,
+    manual="3dm-gq7",
+)
+"""Inertial navigation system with two GNSS receivers. Also called 3DM-GQ7. Generation 7. Model
+number 6284. Manual: MicroStrain 3DM-GQ7 Documentation, online, known from single pages. This
+profile is incomplete: Only single pages of the manual are known, so it has more commands and data.
+This profile is incomplete: The baud rates of the Aux port are not known, nor all of its protocols.
+Uncertain: The values of `filter.MagneticDeclinationSource` are those that MSCL offers. Uncertain:
+By MSCL, firmware from 1.0 on and below 1.1 has only the values `all_internal` and `external` of
+`filter.GnssSource`.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GV7_AHRS = Device(
+    id="3dm-gv7-ahrs",
+    title="3DM-GV7-AHRS",
+    description="Attitude and heading reference system.",
+    model_number=6288,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={},
+    readings={},
+    ack_codes=frozenset([]),
+    perhaps={},
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=(),
+    generation=7,
+    manual=None,
+)
+"""Attitude and heading reference system. Generation 7. Model number 6288. No manual of it is known.
+This profile is incomplete: No manual is known. The SDK has its name and number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GV7_AR = Device(
+    id="3dm-gv7-ar",
+    title="3DM-GV7-AR",
+    description="Attitude reference.",
+    model_number=6289,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={},
+    readings={},
+    ack_codes=frozenset([]),
+    perhaps={},
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=(),
+    generation=7,
+    manual=None,
+)
+"""Attitude reference. Generation 7. Model number 6289. No manual of it is known. This profile is
+incomplete: No manual is known. The SDK has its name and number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GV7_INS = Device(
+    id="3dm-gv7-ins",
+    title="3DM-GV7-INS",
+    description="Inertial navigation system.",
+    model_number=6290,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={},
+    readings={},
+    ack_codes=frozenset([]),
+    perhaps={},
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=(),
+    generation=7,
+    manual=None,
+)
+"""Inertial navigation system. Generation 7. Model number 6290. No manual of it is known. This
+profile is incomplete: No manual is known. The SDK has its name and number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GX3_15 = Device(
+    id="3dm-gx3-15",
+    title="3DM-GX3-15",
+    description="Device of generation 3, known by its name and its number.",
+    model_number=6227,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={},
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it."  # 3dm.data_stream_control
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=(),
+    generation=3,
+    manual=None,
+)
+"""Device of generation 3, known by its name and its number. Generation 3. Model number 6227. No
+manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
+number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GX3_25 = Device(
+    id="3dm-gx3-25",
+    title="3DM-GX3-25",
+    description="Device of generation 3, known by its name and its number.",
+    model_number=6223,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={},
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it."  # 3dm.data_stream_control
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=(),
+    generation=3,
+    manual=None,
+)
+"""Device of generation 3, known by its name and its number. Generation 3. Model number 6223. No
+manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
+number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GX3_35 = Device(
+    id="3dm-gx3-35",
+    title="3DM-GX3-35",
+    description="Device of generation 3, known by its name and its number.",
+    model_number=6225,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={},
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it."  # 3dm.data_stream_control
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=(),
+    generation=3,
+    manual=None,
+)
+"""Device of generation 3, known by its name and its number. Generation 3. Model number 6225. No
+manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
+number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GX3_45 = Device(
+    id="3dm-gx3-45",
+    title="3DM-GX3-45",
+    description="Device of generation 3, known by its name and its number.",
+    model_number=6228,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={},
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0D, 0x10): "MSCL lists what can be chosen on it.",  # filter.vehicle_dynamics_mode
+        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        (
+            0x0D,
+            0x44,
+        ): "MSCL lists what can be chosen on it.",  # filter.accel_magnitude_error_adaptive_measurement
+        (
+            0x0D,
+            0x45,
+        ): "MSCL lists what can be chosen on it.",  # filter.mag_magnitude_error_adaptive_measurement
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=(),
+    generation=3,
+    manual=None,
+)
+"""Device of generation 3, known by its name and its number. Generation 3. Model number 6228. No
+manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
+number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GX4_15 = Device(
+    id="3dm-gx4-15",
+    title="3DM-GX4-15",
+    description="Device of generation 4, known by its name and its number.",
+    model_number=6233,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_gx4_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
+        (
+            0x0D,
+            0x44,
+        ): "MSCL lists what can be chosen on it.",  # filter.accel_magnitude_error_adaptive_measurement
+        (
+            0x0D,
+            0x45,
+        ): "MSCL lists what can be chosen on it.",  # filter.mag_magnitude_error_adaptive_measurement
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=(),
+    generation=4,
+    manual=None,
+)
+"""Device of generation 4, known by its name and its number. Generation 4. Model number 6233. No
+manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
+number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GX4_25 = Device(
+    id="3dm-gx4-25",
+    title="3DM-GX4-25",
+    description="Device of generation 4, known by its name and its number.",
+    model_number=6234,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_gx4_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        (
+            0x0D,
+            0x44,
+        ): "MSCL lists what can be chosen on it.",  # filter.accel_magnitude_error_adaptive_measurement
+        (
+            0x0D,
+            0x45,
+        ): "MSCL lists what can be chosen on it.",  # filter.mag_magnitude_error_adaptive_measurement
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=(),
+    generation=4,
+    manual=None,
+)
+"""Device of generation 4, known by its name and its number. Generation 4. Model number 6234. No
+manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
+number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GX4_45 = Device(
+    id="3dm-gx4-45",
+    title="3DM-GX4-45",
+    description="Device of generation 4, known by its name and its number.",
+    model_number=6236,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        (
+            0x0D,
+            0x44,
+        ): "MSCL lists what can be chosen on it.",  # filter.accel_magnitude_error_adaptive_measurement
+        (
+            0x0D,
+            0x45,
+        ): "MSCL lists what can be chosen on it.",  # filter.mag_magnitude_error_adaptive_measurement
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=(),
+    generation=4,
+    manual=None,
+)
+"""Device of generation 4, known by its name and its number. Generation 4. Model number 6236. No
+manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
+number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GX5_10 = Device(
+    id="3dm-gx5-10",
+    title="3DM-GX5-10",
+    description="Inertial measurement unit.",
+    model_number=6255,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
+        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=("3DM-GX5-IMU",),
+    generation=5,
+    manual=None,
+)
+"""Inertial measurement unit. Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual of
+it is known. This profile is incomplete: No manual is known. The SDK has its name and number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
 """
 
 GX5_15 = Device(
@@ -557,16 +1869,822 @@ GX5_15 = Device(
     ack_codes=frozenset([0, 1, 2, 3, 4, 5]),
     perhaps={},
     incomplete=(),
-    also=(),
-    generation=None,
+    also=("3DM-GX5-AR",),
+    generation=5,
     manual="3dm-gx5-15",
 )
-"""Vertical reference unit with an inertial sensor, a pressure sensor and an estimation filter.
-Model number 6254. Manual: LORD Sensing 3DM-GX5-15 Data Communications Protocol, 8500-0067 rev. E.
+"""Vertical reference unit with an inertial sensor, a pressure sensor and an estimation filter. Also
+called 3DM-GX5-AR. Generation 5. Model number 6254. Manual: LORD Sensing 3DM-GX5-15 Data
+Communications Protocol, 8500-0067 rev. E.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GX5_25 = Device(
+    id="3dm-gx5-25",
+    title="3DM-GX5-25",
+    description="Attitude and heading reference system.",
+    model_number=6253,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            (),
+        )
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
+        (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
+        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=("3DM-GX5-AHRS",),
+    generation=5,
+    manual=None,
+)
+"""Attitude and heading reference system. Also called 3DM-GX5-AHRS. Generation 5. Model number 6253.
+No manual of it is known. This profile is incomplete: No manual is known. The SDK has its name and
+number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GX5_35 = Device(
+    id="3dm-gx5-35",
+    title="3DM-GX5-35",
+    description="Attitude and heading reference with GNSS.",
+    model_number=6252,
+    fields=frozenset(
+        {
+            (0x01, 0x01),  # base.ping
+            (0x01, 0x03),  # base.get_device_info
+            (0x01, 0x04),  # base.get_device_descriptors
+            (0x01, 0x07),  # base.get_extended_descriptors
+            (0x01, 0x72),  # base.gps_time_update
+            (0x0C, 0x01),  # 3dm.poll_imu_data
+            (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+            (0x0C, 0x08),  # 3dm.imu_message_format
+            (0x0C, 0x09),  # 3dm.gnss_message_format
+            (0x0C, 0x11),  # 3dm.data_stream_control
+            (0x0C, 0x21),  # 3dm.constellation_settings
+            (0x0C, 0x22),  # 3dm.gnss_sbas_settings
+            (0x0C, 0x23),  # 3dm.gnss_assisted_fix
+            (0x0C, 0x24),  # 3dm.gnss_time_assistance
+            (0x0C, 0x30),  # 3dm.device_settings
+            (0x0C, 0x37),  # 3dm.accel_bias
+            (0x0C, 0x39),  # 3dm.capture_gyro_bias
+            (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+            (0x0C, 0x51),  # 3dm.complementary_filter
+            (0x0C, 0x64),  # 3dm.device_status
+            (0x7F, 0x10),  # system.comm_mode
+            (0x80, 0x04),  # sensor.scaled_accel
+            (0x80, 0x05),  # sensor.scaled_gyro
+            (0x80, 0x06),  # sensor.scaled_mag
+            (0x80, 0x07),  # sensor.delta_theta
+            (0x80, 0x11),  # sensor.up_vector
+            (0x80, 0x12),  # sensor.gps_timestamp
+            (0x80, 0x17),  # sensor.scaled_pressure
+            (0x81, 0x06),  # gnss_data.ecef_velocity
+            (0x81, 0x0E),  # gnss_data.dgps_info
+        }
+    ),
+    functions={},
+    base_rates={0x80: 500, 0x81: 4},
+    ports=(),
+    limits={
+        "reserved_gnss_channels": Limit(
+            32, None, "Sum of the channels that constellations reserve."
+        )
+    },
+    notes={
+        "receiver": Note(
+            "Receiver",
+            "The GNSS receiver is a u-blox M8M. GLONASS and BeiDou exclude each other.",
+            (),
+        ),
+        "streams": Note(
+            "Streams",
+            "The manual lists the selectors of the sensor and the filter stream, though the device has no filter.",
+            (),
+        ),
+        "device_status": Note(
+            "Device status",
+            "It answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            (),
+        ),
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+        "sensor.gps_timestamp.valid_flags": types.Gx5SensorGpsTimestampFlags,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (
+            0x01,
+            0x02,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.set_idle
+        (
+            0x01,
+            0x05,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.built_in_test
+        (
+            0x01,
+            0x06,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.resume
+        (
+            0x01,
+            0x7E,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.soft_reset
+        (
+            0x0C,
+            0x02,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.poll_gnss_data
+        (
+            0x0C,
+            0x06,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.get_imu_base_rate
+        (
+            0x0C,
+            0x38,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.gyro_bias
+        (
+            0x0C,
+            0x3A,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.mag_hard_iron_offset
+        (
+            0x0C,
+            0x3E,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.coning_sculling_enable
+        (
+            0x0C,
+            0x40,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.uart_baud_rate
+        (
+            0x0C,
+            0x50,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.imu_low_pass_filter
+        (
+            0x80,
+            0x08,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.delta_velocity
+        (
+            0x80,
+            0x09,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.comp_orientation_matrix
+        (
+            0x80,
+            0x0A,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.comp_quaternion
+        (
+            0x80,
+            0x0C,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.comp_euler_angles
+        (
+            0x80,
+            0x10,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.north_vector
+        (
+            0x81,
+            0x03,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.llh_position
+        (
+            0x81,
+            0x04,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.ecef_position
+        (
+            0x81,
+            0x05,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.ned_velocity
+        (
+            0x81,
+            0x07,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.dop
+        (
+            0x81,
+            0x08,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.utc_time
+        (
+            0x81,
+            0x09,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.gps_time
+        (
+            0x81,
+            0x0A,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.clock_info
+        (
+            0x81,
+            0x0B,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.fix_info
+        (
+            0x81,
+            0x0C,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.sv_info
+        (
+            0x81,
+            0x0D,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.hardware_status
+        (
+            0x81,
+            0x0F,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.dgps_channel
+    },
+    incomplete=("Only single pages of the manual are known, so it has more commands and data.",),
+    also=("3DM-GX5-GNSS/AHRS",),
+    generation=5,
+    manual="3dm-gx5-35",
+)
+"""Attitude and heading reference with GNSS. Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model
+number 6252. Manual: LORD 3DM-GX5-35 DCP Manual, revision unknown, known from single pages. This
+profile is incomplete: Only single pages of the manual are known, so it has more commands and data.
+Uncertain: The base rates are those that the manual gives for all 3DM-GX5.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+GX5_45 = Device(
+    id="3dm-gx5-45",
+    title="3DM-GX5-45",
+    description="Inertial navigation system with GNSS, magnetometer and pressure sensor.",
+    model_number=6251,
+    fields=frozenset(
+        {
+            (0x01, 0x03),  # base.get_device_info
+            (0x01, 0x7E),  # base.soft_reset
+            (0x0C, 0x02),  # 3dm.poll_gnss_data
+            (0x0C, 0x03),  # 3dm.poll_filter_data
+            (0x0C, 0x06),  # 3dm.get_imu_base_rate
+            (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+            (0x0C, 0x08),  # 3dm.imu_message_format
+            (0x0C, 0x09),  # 3dm.gnss_message_format
+            (0x0C, 0x0A),  # 3dm.filter_message_format
+            (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+            (0x0C, 0x30),  # 3dm.device_settings
+            (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+            (0x0C, 0x40),  # 3dm.uart_baud_rate
+            (0x0C, 0x64),  # 3dm.device_status
+            (0x0D, 0x03),  # filter.set_initial_heading
+            (0x0D, 0x10),  # filter.vehicle_dynamics_mode
+            (0x0D, 0x11),  # filter.sensor_to_vehicle_rotation_euler
+            (0x0D, 0x12),  # filter.sensor_to_vehicle_offset
+            (0x0D, 0x13),  # filter.antenna_offset
+            (0x0D, 0x14),  # filter.estimation_control
+            (0x0D, 0x15),  # filter.gnss_source
+            (0x0D, 0x16),  # filter.external_gnss_update
+            (0x0D, 0x17),  # filter.external_heading_update
+            (0x0D, 0x18),  # filter.heading_source
+            (0x0D, 0x19),  # filter.auto_initialization_control
+            (0x0D, 0x1A),  # filter.accel_noise
+            (0x0D, 0x1B),  # filter.gyro_noise
+            (0x0D, 0x1C),  # filter.accel_bias_model
+            (0x0D, 0x1D),  # filter.gyro_bias_model
+            (0x0D, 0x1E),  # filter.auto_zupt
+            (0x0D, 0x1F),  # filter.external_heading_update_with_time
+            (0x0D, 0x20),  # filter.auto_angular_zupt
+            (0x0D, 0x21),  # filter.tare_orientation
+            (0x0D, 0x22),  # filter.commanded_zupt
+            (0x0D, 0x23),  # filter.commanded_angular_zupt
+            (0x0D, 0x27),  # filter.mag_capture_auto_calibration
+            (0x0D, 0x28),  # filter.gravity_noise
+            (0x0D, 0x29),  # filter.pressure_altitude_noise
+            (0x0D, 0x2B),  # filter.hard_iron_offset_noise
+            (0x0D, 0x2C),  # filter.soft_iron_matrix_noise
+            (0x0D, 0x42),  # filter.mag_noise
+            (0x0D, 0x43),  # filter.magnetic_declination_source
+            (0x0D, 0x44),  # filter.accel_magnitude_error_adaptive_measurement
+            (0x0D, 0x45),  # filter.mag_magnitude_error_adaptive_measurement
+            (0x0D, 0x46),  # filter.mag_dip_angle_error_adaptive_measurement
+            (0x0D, 0x47),  # filter.altitude_aiding
+            (0x0D, 0x4B),  # filter.pitch_roll_aiding
+            (0x7F, 0x10),  # system.comm_mode
+            (0x80, 0x04),  # sensor.scaled_accel
+            (0x80, 0x05),  # sensor.scaled_gyro
+            (0x80, 0x06),  # sensor.scaled_mag
+            (0x81, 0x0C),  # gnss_data.sv_info
+            (0x81, 0x0D),  # gnss_data.hardware_status
+            (0x81, 0x0E),  # gnss_data.dgps_info
+            (0x81, 0x0F),  # gnss_data.dgps_channel
+            (0x82, 0x04),  # filter_data.attitude_dcm
+            (0x82, 0x05),  # filter_data.euler_angles
+            (0x82, 0x0E),  # filter_data.comp_angular_rate
+            (0x82, 0x14),  # filter_data.heading_update_state
+        }
+    ),
+    functions={(0x0D, 0x21): "WSLD"},
+    base_rates={0x80: 500, 0x81: 4, 0x82: 500},
+    ports=(
+        Port("UART 1", None, (9600, 19200, 115200, 230400, 460800, 921600), ("MIP",)),
+        Port("USB", None, (), ("MIP",)),
+    ),
+    limits={
+        "baud_rate_delay": Limit(
+            250,
+            "ms",
+            "Time from the acknowledge of a new baud rate until commands are answered at that rate.",
+        ),
+        "rtcm_chunk": Limit(253, "byte", "Most bytes of RTCM in one field."),
+    },
+    notes={
+        "rtcm": Note(
+            "RTCM input",
+            "A command of which only the name and the descriptor 0x20 of the set `3dm` are known takes RTCM 2.3. The receiver uses the messages 1, 2, 3 and 9.",
+            (),
+        ),
+        "functions": Note(
+            "Functions that the specification does not define",
+            "The manual has a read of `3dm.device_settings`, which is answered with the settings of all commands.",
+            (),
+        ),
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            (),
+        ),
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (
+            0x01,
+            0x01,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.ping
+        (
+            0x01,
+            0x02,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.set_idle
+        (
+            0x01,
+            0x04,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.get_device_descriptors
+        (
+            0x01,
+            0x05,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.built_in_test
+        (
+            0x01,
+            0x06,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.resume
+        (
+            0x01,
+            0x07,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.get_extended_descriptors
+        (
+            0x01,
+            0x72,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # base.gps_time_update
+        (
+            0x0C,
+            0x01,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.poll_imu_data
+        (
+            0x0C,
+            0x11,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.data_stream_control
+        (
+            0x0C,
+            0x21,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.constellation_settings
+        (
+            0x0C,
+            0x22,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.gnss_sbas_settings
+        (
+            0x0C,
+            0x23,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.gnss_assisted_fix
+        (
+            0x0C,
+            0x24,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.gnss_time_assistance
+        (
+            0x0C,
+            0x37,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.accel_bias
+        (
+            0x0C,
+            0x38,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.gyro_bias
+        (
+            0x0C,
+            0x39,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.capture_gyro_bias
+        (
+            0x0C,
+            0x3B,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.mag_soft_iron_matrix
+        (
+            0x0C,
+            0x3E,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.coning_sculling_enable
+        (
+            0x0C,
+            0x50,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.imu_low_pass_filter
+        (
+            0x0C,
+            0x51,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # 3dm.complementary_filter
+        (
+            0x0D,
+            0x01,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # filter.reset
+        (
+            0x0D,
+            0x02,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # filter.set_initial_attitude
+        (0x0D, 0x53): "MSCL lists what can be chosen on it.",  # filter.adaptive_filter_options
+        (
+            0x80,
+            0x07,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.delta_theta
+        (
+            0x80,
+            0x08,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.delta_velocity
+        (
+            0x80,
+            0x09,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.comp_orientation_matrix
+        (
+            0x80,
+            0x0A,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.comp_quaternion
+        (
+            0x80,
+            0x0C,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.comp_euler_angles
+        (
+            0x80,
+            0x10,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.north_vector
+        (
+            0x80,
+            0x11,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.up_vector
+        (
+            0x80,
+            0x12,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.gps_timestamp
+        (
+            0x80,
+            0x17,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # sensor.scaled_pressure
+        (
+            0x81,
+            0x03,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.llh_position
+        (
+            0x81,
+            0x04,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.ecef_position
+        (
+            0x81,
+            0x05,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.ned_velocity
+        (
+            0x81,
+            0x06,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.ecef_velocity
+        (
+            0x81,
+            0x07,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.dop
+        (
+            0x81,
+            0x08,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.utc_time
+        (
+            0x81,
+            0x09,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.gps_time
+        (
+            0x81,
+            0x0A,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.clock_info
+        (
+            0x81,
+            0x0B,
+        ): "The numbers of the sections leave room for it, and the manual of a sister device has it there.",  # gnss_data.fix_info
+    },
+    incomplete=(
+        "Only single pages of the manual are known, so it has more commands and data.",
+        "Of the filter data four fields are listed, and the manual has 27 or more.",
+    ),
+    also=("3DM-GX5-GNSS/INS",),
+    generation=5,
+    manual="3dm-gx5-45",
+)
+"""Inertial navigation system with GNSS, magnetometer and pressure sensor. Also called
+3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Manual: LORD 3DM-GX5-45 DCP Manual, 8500-0064
+rev. C, known from single pages. This profile is incomplete: Only single pages of the manual are
+known, so it has more commands and data. This profile is incomplete: Of the filter data four fields
+are listed, and the manual has 27 or more. Uncertain: The base rates are those that the manuals of
+the 3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5. Uncertain: An example in the manual has a
+base rate of 100 Hz for the sensor data. Uncertain: The manual prints the length of
+`mip_3dm.DeviceStatusBasicWithoutStateResponse`, and offsets of
+`mip_3dm.DeviceStatusDiagnosticGx4Response`, against MSCL.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+MV5_AR = Device(
+    id="3dm-mv5-ar",
+    title="3DM-MV5-AR",
+    description="Device of generation 5, known by its name and its number.",
+    model_number=6243,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={},
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0C, 0x11): "MSCL lists what can be chosen on it."  # 3dm.data_stream_control
+    },
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=("3DM-MV5-15",),
+    generation=5,
+    manual=None,
+)
+"""Device of generation 5, known by its name and its number. Also called 3DM-MV5-15. Generation 5.
+Model number 6243. No manual of it is known. This profile is incomplete: No manual is known. The SDK
+has its name and number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+RQ1_45_LT = Device(
+    id="3dm-rq1-45-lt",
+    title="3DM-RQ1-45-LT",
+    description="Ruggedized tactical grade inertial navigation system with GPS.",
+    model_number=6232,
+    fields=frozenset(
+        {
+            (0x01, 0x01),  # base.ping
+            (0x01, 0x02),  # base.set_idle
+            (0x01, 0x03),  # base.get_device_info
+            (0x01, 0x04),  # base.get_device_descriptors
+            (0x01, 0x05),  # base.built_in_test
+            (0x01, 0x06),  # base.resume
+            (0x01, 0x7E),  # base.soft_reset
+            (0x0C, 0x01),  # 3dm.poll_imu_data
+            (0x0C, 0x02),  # 3dm.poll_gnss_data
+            (0x0C, 0x03),  # 3dm.poll_filter_data
+            (0x0C, 0x06),  # 3dm.get_imu_base_rate
+            (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+            (0x0C, 0x08),  # 3dm.imu_message_format
+            (0x0C, 0x09),  # 3dm.gnss_message_format
+            (0x0C, 0x0A),  # 3dm.filter_message_format
+            (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+            (0x0C, 0x11),  # 3dm.data_stream_control
+            (0x0C, 0x30),  # 3dm.device_settings
+            (0x0C, 0x37),  # 3dm.accel_bias
+            (0x0C, 0x38),  # 3dm.gyro_bias
+            (0x0C, 0x39),  # 3dm.capture_gyro_bias
+            (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+            (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+            (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+            (0x0C, 0x40),  # 3dm.uart_baud_rate
+            (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+            (0x0C, 0x64),  # 3dm.device_status
+            (0x0D, 0x01),  # filter.reset
+            (0x0D, 0x02),  # filter.set_initial_attitude
+            (0x0D, 0x03),  # filter.set_initial_heading
+        }
+    ),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_rq1_45_response`.",
+            (),
+        ),
+        "absent": Note(
+            "What it has not",
+            "By the contents of the manual, neither `base.gps_time_update` nor `3dm.complementary_filter`.",
+            (),
+        ),
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        (
+            0x0D,
+            0x44,
+        ): "MSCL lists what can be chosen on it.",  # filter.accel_magnitude_error_adaptive_measurement
+        (
+            0x0D,
+            0x45,
+        ): "MSCL lists what can be chosen on it.",  # filter.mag_magnitude_error_adaptive_measurement
+    },
+    incomplete=(
+        "The contents of the manual are known up to `filter.set_initial_heading`. The set `system` follows.",
+        "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+    ),
+    also=("3DM-RQ1-45_LT",),
+    generation=4,
+    manual="3dm-rq1-45",
+)
+"""Ruggedized tactical grade inertial navigation system with GPS. Also called 3DM-RQ1-45_LT.
+Generation 4. Model number 6232. Manual: LORD 3DM-RQ1-45 Data Communications Protocol, of June 25,
+2013, known from its contents. This profile is incomplete: The contents of the manual are known up
+to `filter.SetInitialHeading`. The set `system` follows. This profile is incomplete: It has the data
+sets 0x80, 0x81 and 0x82, of which no field is known. Uncertain: The SDK writes the name with an
+underscore before LT and ST.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+RQ1_45_ST = Device(
+    id="3dm-rq1-45-st",
+    title="3DM-RQ1-45-ST",
+    description="Ruggedized tactical grade inertial navigation system with GPS.",
+    model_number=6239,
+    fields=frozenset(
+        {
+            (0x01, 0x01),  # base.ping
+            (0x01, 0x02),  # base.set_idle
+            (0x01, 0x03),  # base.get_device_info
+            (0x01, 0x04),  # base.get_device_descriptors
+            (0x01, 0x05),  # base.built_in_test
+            (0x01, 0x06),  # base.resume
+            (0x01, 0x7E),  # base.soft_reset
+            (0x0C, 0x01),  # 3dm.poll_imu_data
+            (0x0C, 0x02),  # 3dm.poll_gnss_data
+            (0x0C, 0x03),  # 3dm.poll_filter_data
+            (0x0C, 0x06),  # 3dm.get_imu_base_rate
+            (0x0C, 0x07),  # 3dm.get_gnss_base_rate
+            (0x0C, 0x08),  # 3dm.imu_message_format
+            (0x0C, 0x09),  # 3dm.gnss_message_format
+            (0x0C, 0x0A),  # 3dm.filter_message_format
+            (0x0C, 0x0B),  # 3dm.get_filter_base_rate
+            (0x0C, 0x11),  # 3dm.data_stream_control
+            (0x0C, 0x30),  # 3dm.device_settings
+            (0x0C, 0x37),  # 3dm.accel_bias
+            (0x0C, 0x38),  # 3dm.gyro_bias
+            (0x0C, 0x39),  # 3dm.capture_gyro_bias
+            (0x0C, 0x3A),  # 3dm.mag_hard_iron_offset
+            (0x0C, 0x3B),  # 3dm.mag_soft_iron_matrix
+            (0x0C, 0x3E),  # 3dm.coning_sculling_enable
+            (0x0C, 0x40),  # 3dm.uart_baud_rate
+            (0x0C, 0x50),  # 3dm.imu_low_pass_filter
+            (0x0C, 0x64),  # 3dm.device_status
+            (0x0D, 0x01),  # filter.reset
+            (0x0D, 0x02),  # filter.set_initial_attitude
+            (0x0D, 0x03),  # filter.set_initial_heading
+        }
+    ),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={
+        "device_status": Note(
+            "Device status",
+            "By MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_rq1_45_response`.",
+            (),
+        ),
+        "absent": Note(
+            "What it has not",
+            "By the contents of the manual, neither `base.gps_time_update` nor `3dm.complementary_filter`.",
+            (),
+        ),
+    },
+    readings={
+        "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
+        "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
+    },
+    ack_codes=frozenset([]),
+    perhaps={
+        (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
+        (0x0D, 0x18): "MSCL lists what can be chosen on it.",  # filter.heading_source
+        (
+            0x0D,
+            0x44,
+        ): "MSCL lists what can be chosen on it.",  # filter.accel_magnitude_error_adaptive_measurement
+        (
+            0x0D,
+            0x45,
+        ): "MSCL lists what can be chosen on it.",  # filter.mag_magnitude_error_adaptive_measurement
+    },
+    incomplete=(
+        "The contents of the manual are known up to `filter.set_initial_heading`. The set `system` follows.",
+        "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+    ),
+    also=("3DM-RQ1-45_ST",),
+    generation=4,
+    manual="3dm-rq1-45",
+)
+"""Ruggedized tactical grade inertial navigation system with GPS. Also called 3DM-RQ1-45_ST.
+Generation 4. Model number 6239. Manual: LORD 3DM-RQ1-45 Data Communications Protocol, of June 25,
+2013, known from its contents. This profile is incomplete: The contents of the manual are known up
+to `filter.SetInitialHeading`. The set `system` follows. This profile is incomplete: It has the data
+sets 0x80, 0x81 and 0x82, of which no field is known. Uncertain: The SDK writes the name with an
+underscore before LT and ST.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
+"""
+
+RTK = Device(
+    id="3dm-rtk",
+    title="3DM-RTK",
+    description="Modem for GNSS corrections.",
+    model_number=6285,
+    fields=frozenset({}),
+    functions={},
+    base_rates={},
+    ports=(),
+    limits={},
+    notes={},
+    readings={},
+    ack_codes=frozenset([]),
+    perhaps={},
+    incomplete=("No manual is known. The SDK has its name and number only.",),
+    also=(),
+    generation=7,
+    manual=None,
+)
+"""Modem for GNSS corrections. Generation 7. Model number 6285. No manual of it is known. This
+profile is incomplete: No manual is known. The SDK has its name and number only.
+
+- mip-sdk-4: Device models
+- mscl: MIP node features
 """
 
 #: All devices by id.
-DEVICES: dict[str, Device] = {"3dm-cv7-gnss-ins": CV7_GNSS_INS, "3dm-gx5-15": GX5_15}
+DEVICES: dict[str, Device] = {
+    "3dm-cl5-10": CL5_10,
+    "3dm-cl5-15": CL5_15,
+    "3dm-cl5-25": CL5_25,
+    "3dm-cv5-10": CV5_10,
+    "3dm-cv5-15": CV5_15,
+    "3dm-cv5-25": CV5_25,
+    "3dm-cv7-ahrs": CV7_AHRS,
+    "3dm-cv7-ar": CV7_AR,
+    "3dm-cv7-gnss-ins": CV7_GNSS_INS,
+    "3dm-cv7-ins": CV7_INS,
+    "3dm-cx5-10": CX5_10,
+    "3dm-cx5-15": CX5_15,
+    "3dm-cx5-25": CX5_25,
+    "3dm-cx5-35": CX5_35,
+    "3dm-cx5-45": CX5_45,
+    "3dm-dh3": DH3,
+    "3dm-gq4-45": GQ4_45,
+    "3dm-gq7": GQ7,
+    "3dm-gv7-ahrs": GV7_AHRS,
+    "3dm-gv7-ar": GV7_AR,
+    "3dm-gv7-ins": GV7_INS,
+    "3dm-gx3-15": GX3_15,
+    "3dm-gx3-25": GX3_25,
+    "3dm-gx3-35": GX3_35,
+    "3dm-gx3-45": GX3_45,
+    "3dm-gx4-15": GX4_15,
+    "3dm-gx4-25": GX4_25,
+    "3dm-gx4-45": GX4_45,
+    "3dm-gx5-10": GX5_10,
+    "3dm-gx5-15": GX5_15,
+    "3dm-gx5-25": GX5_25,
+    "3dm-gx5-35": GX5_35,
+    "3dm-gx5-45": GX5_45,
+    "3dm-mv5-ar": MV5_AR,
+    "3dm-rq1-45-lt": RQ1_45_LT,
+    "3dm-rq1-45-st": RQ1_45_ST,
+    "3dm-rtk": RTK,
+}
 
 
 def find(name: str) -> Device | None:
@@ -596,6 +2714,41 @@ __all__ = [
     "find",
     "identify",
     "model_number",
+    "CL5_10",
+    "CL5_15",
+    "CL5_25",
+    "CV5_10",
+    "CV5_15",
+    "CV5_25",
+    "CV7_AHRS",
+    "CV7_AR",
     "CV7_GNSS_INS",
+    "CV7_INS",
+    "CX5_10",
+    "CX5_15",
+    "CX5_25",
+    "CX5_35",
+    "CX5_45",
+    "DH3",
+    "GQ4_45",
+    "GQ7",
+    "GV7_AHRS",
+    "GV7_AR",
+    "GV7_INS",
+    "GX3_15",
+    "GX3_25",
+    "GX3_35",
+    "GX3_45",
+    "GX4_15",
+    "GX4_25",
+    "GX4_45",
+    "GX5_10",
     "GX5_15",
+    "GX5_25",
+    "GX5_35",
+    "GX5_45",
+    "MV5_AR",
+    "RQ1_45_LT",
+    "RQ1_45_ST",
+    "RTK",
 ]

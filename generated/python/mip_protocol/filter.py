@@ -37,10 +37,26 @@ class DynamicsMode(codec.OpenEnum):
 
 @codec.open_flag(16)
 class EstimatedStates(IntFlag):
-    """States that the filter estimates."""
+    """States that the filter estimates.
+
+    - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
+    - mip-sdk-4: Estimation Control (0x0D,0x14)
+    """
 
     GYRO_BIAS = 1 << 0
     """Estimate the gyroscope bias (recommended). Bit 0."""
+    ACCEL_BIAS = 1 << 1
+    """Estimate the accelerometer bias. Bit 1."""
+    GYRO_SCALE_FACTOR = 1 << 2
+    """Estimate the scale factor of the gyroscope. Bit 2."""
+    ACCEL_SCALE_FACTOR = 1 << 3
+    """Estimate the scale factor of the accelerometer. Bit 3."""
+    ANTENNA_OFFSET = 1 << 4
+    """Estimate the offset of the GNSS antenna. Bit 4."""
+    AUTO_HARD_IRON = 1 << 5
+    """Estimate the hard iron offset of the magnetometer. Bit 5."""
+    AUTO_SOFT_IRON = 1 << 6
+    """Estimate the soft iron matrix of the magnetometer. Bit 6."""
 
 
 class GnssAidingSource(codec.OpenEnum):
@@ -66,12 +82,29 @@ class HeadingType(codec.OpenEnum):
 
 
 class HeadingUpdateSource(codec.OpenEnum):
-    """Where the filter takes heading updates from."""
+    """Where the filter takes heading updates from.
+
+    - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
+    - 3dm-gx5-45: (0x0D, 0x18)
+    - mip-sdk-4: Heading Source (0x0D,0x18)
+    """
 
     NONE = 0
     """No heading updates."""
+    MAG = 1
+    """The magnetometer."""
+    GNSS_VELOCITY = 2
+    """The velocity that the GNSS receiver measures."""
     EXTERNAL = 3
     """The heading messages that the user sends."""
+    GNSS_VELOCITY_AND_MAG = 4
+    """GNSS velocity and magnetometer."""
+    GNSS_VELOCITY_AND_EXTERNAL = 5
+    """GNSS velocity and the messages of the user."""
+    MAG_AND_EXTERNAL = 6
+    """Magnetometer and the messages of the user."""
+    ALL = 7
+    """All three."""
 
 
 @codec.open_flag(8)
@@ -274,7 +307,8 @@ _VEHICLE_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
 class VehicleDynamicsModeResponse(Response):
     """Vehicle dynamics mode response (0x0D,0x80).
 
-    Answers `VehicleDynamicsMode`. Known from the MicroStrain MIP SDK only.
+    Answers `VehicleDynamicsMode`. Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45. Known
+    from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -306,7 +340,7 @@ _SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0 = codec.Block("fff", "roll", "pitch
 class SensorToVehicleRotationEulerResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
-    Answers `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15.
+    Answers `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -344,7 +378,8 @@ _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 class SensorToVehicleOffsetResponse(Response):
     """Sensor to vehicle offset response (0x0D,0x82).
 
-    Answers `SensorToVehicleOffset`. Known from the MicroStrain MIP SDK only.
+    Answers `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
@@ -378,7 +413,7 @@ _ANTENNA_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 class AntennaOffsetResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
-    Answers `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -412,7 +447,9 @@ _ESTIMATION_CONTROL_RESPONSE_0 = codec.Block("H", "flags")
 class EstimationControlResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
-    Answers `EstimationControl`. Supported by 3DM-GX5-15.
+    Answers `EstimationControl`. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -444,7 +481,7 @@ _GNSS_SOURCE_RESPONSE_0 = codec.Block("B", "source")
 class GnssSourceResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
-    Answers `GnssSource`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssSource`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -476,7 +513,9 @@ _HEADING_SOURCE_RESPONSE_0 = codec.Block("B", "source")
 class HeadingSourceResponse(Response):
     """Heading update control response (0x0D,0x87).
 
-    Answers `HeadingSource`. Supported by 3DM-GX5-15.
+    Answers `HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -509,7 +548,7 @@ class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
     Also called `auto_init_control_response`. Answers `AutoInitializationControl`. Supported by
-    3DM-GX5-15.
+    3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -541,7 +580,7 @@ _ACCEL_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class AccelNoiseResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
-    Answers `AccelNoise`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AccelNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -574,7 +613,7 @@ _GYRO_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class GyroNoiseResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
-    Answers `GyroNoise`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GyroNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -607,7 +646,7 @@ _ACCEL_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] *
 class AccelBiasModelResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
-    Answers `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -646,7 +685,7 @@ _GYRO_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 
 class GyroBiasModelResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
-    Answers `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -686,7 +725,8 @@ _AUTO_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 class AutoZuptResponse(Response):
     """Automatic zero velocity update response (0x0D,0x8D).
 
-    Answers `AutoZupt`. Known from the MicroStrain MIP SDK only.
+    Answers `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the MicroStrain MIP
+    SDK only.
 
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
@@ -721,7 +761,8 @@ _AUTO_ANGULAR_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 class AutoAngularZuptResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
-    Answers `AutoAngularZupt`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AutoAngularZupt`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS,
+    3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -800,7 +841,7 @@ _GRAVITY_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class GravityNoiseResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
-    Answers `GravityNoise`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GravityNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -833,7 +874,8 @@ _PRESSURE_ALTITUDE_NOISE_RESPONSE_0 = codec.Block("f", "noise")
 class PressureAltitudeNoiseResponse(Response):
     """Pressure altitude noise response (0x0D,0x94).
 
-    Answers `PressureAltitudeNoise`. Known from the MicroStrain MIP SDK only.
+    Answers `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
     """
@@ -865,7 +907,7 @@ _HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class HardIronOffsetNoiseResponse(Response):
     """Hard iron offset noise response (0x0D,0x96).
 
-    Answers `HardIronOffsetNoise`. Known from the MicroStrain MIP SDK only.
+    Answers `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -897,7 +939,7 @@ _SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block("fffffffff", *["noise"] * 9)
 class SoftIronMatrixNoiseResponse(Response):
     """Soft iron matrix noise response (0x0D,0x97).
 
-    Answers `SoftIronMatrixNoise`. Known from the MicroStrain MIP SDK only.
+    Answers `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -997,7 +1039,7 @@ _MAG_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class MagNoiseResponse(Response):
     """Magnetometer noise response (0x0D,0xB1).
 
-    Answers `MagNoise`. Known from the MicroStrain MIP SDK only.
+    Answers `MagNoise`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -1029,7 +1071,8 @@ _MAGNETIC_DECLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "declinati
 class MagneticDeclinationSourceResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
-    Answers `MagneticDeclinationSource`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `MagneticDeclinationSource`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
@@ -1073,7 +1116,9 @@ _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
-    Answers `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15.
+    Answers `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be
+    supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -1150,7 +1195,9 @@ _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
 
-    Answers `MagMagnitudeErrorAdaptiveMeasurement`. Known from the MicroStrain MIP SDK only.
+    Answers `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. May be supported by
+    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
@@ -1228,7 +1275,8 @@ _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
 
-    Answers `MagDipAngleErrorAdaptiveMeasurement`. Known from the MicroStrain MIP SDK only.
+    Answers `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -1284,7 +1332,7 @@ _ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "selector")
 class AltitudeAidingResponse(Response):
     """Altitude aiding response (0x0D,0xB7).
 
-    Answers `AltitudeAiding`. Known from the MicroStrain MIP SDK only.
+    Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
@@ -1316,7 +1364,7 @@ _PITCH_ROLL_AIDING_RESPONSE_0 = codec.Block("B", "aiding")
 class PitchRollAidingResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
-    Answers `PitchRollAiding`. Supported by 3DM-GX5-15.
+    Answers `PitchRollAiding`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -1494,7 +1542,8 @@ _AIDING_MEASUREMENT_ENABLE_RESPONSE_0 = codec.Block("HB", "aiding_source", "enab
 class AidingMeasurementEnableResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
-    Answers `AidingMeasurementEnable`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `AidingMeasurementEnable`. Supported by 3DM-CV7-GNSS/INS. May be supported by
+    3DM-CV7-AHRS and 3DM-CV7-AR.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -1583,7 +1632,7 @@ class InitializationConfigResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
     Also called `initialization_configuration_response`. Answers `InitializationConfig`. Supported
-    by 3DM-CV7-GNSS/INS.
+    by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -1667,7 +1716,7 @@ _ADAPTIVE_FILTER_OPTIONS_RESPONSE_0 = codec.Block("BH", "level", "time_limit")
 class AdaptiveFilterOptionsResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
-    Answers `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -1934,7 +1983,7 @@ class GnssAntennaCalibrationControlResponse(Response):
     """GNSS antenna offset calibration response (0x0D,0xE4).
 
     Also called `gnss_antenna_cal_control_response`. Answers `GnssAntennaCalibrationControl`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -1971,7 +2020,8 @@ class Reset(Command):
 
     Puts the filter back into its initialization state.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
 
     If automatic initialization is off, the attitude or heading must be set before the filter runs
     again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
@@ -2003,7 +2053,7 @@ class SetInitialAttitude(Command):
 
     Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
 
-    Supported by 3DM-GX5-15.
+    Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
 
     Accepted only in the initialization state.
 
@@ -2046,7 +2096,8 @@ class SetInitialHeading(Command):
 
     Gives the filter its initial heading; pitch and roll come from the accelerometers.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
+    and 3DM-RQ1-45-ST.
 
     3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
     magnetometer aiding is on, the given heading is ignored.
@@ -2081,7 +2132,7 @@ class Run(Command):
 
     Starts a filter that was set up to wait for this command.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     The filter waits in its initialization state if `wait_for_run_command` of `InitializationConfig`
     is set.
@@ -2114,8 +2165,8 @@ class VehicleDynamicsMode(Command):
     Kind of vehicle that the filter is tuned for.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `VehicleDynamicsModeResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    `VehicleDynamicsModeResponse`. Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45. Known
+    from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -2130,7 +2181,11 @@ class VehicleDynamicsMode(Command):
     function: FunctionSelector
     """What to do with the setting."""
     mode: DynamicsMode | None = None
-    """Kind of vehicle. Required for `write`."""
+    """Kind of vehicle. Required for `write`.
+
+    - On the 3DM-GX3-45: only `DynamicsMode.PORTABLE`, `DynamicsMode.AUTOMOTIVE` and
+      `DynamicsMode.AIRBORNE`.
+    """
 
     @classmethod
     def write(cls, mode: DynamicsMode) -> VehicleDynamicsMode:
@@ -2211,7 +2266,7 @@ class SensorToVehicleRotationEuler(Command):
     Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationEulerResponse`. Supported by 3DM-GX5-15.
+    `SensorToVehicleRotationEulerResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
@@ -2328,7 +2383,7 @@ class SensorToVehicleOffset(Command):
     Origin of the vehicle frame, as seen from the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleOffsetResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    `SensorToVehicleOffsetResponse`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
     only. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
     from the name.
 
@@ -2425,7 +2480,7 @@ class AntennaOffset(Command):
     Position of the GNSS antenna relative to the origin of the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AntennaOffsetResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
 
     7-series devices expect the vehicle frame, 5-series devices the sensor frame. On the 3DM-CV7 it
     is for GNSS data that come as NMEA; data that come by the aiding commands use
@@ -2521,7 +2576,9 @@ class EstimationControl(Command):
     Which states the filter estimates.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `EstimationControlResponse`. Supported by 3DM-GX5-15.
+    `EstimationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
+    3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -2536,7 +2593,17 @@ class EstimationControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     flags: EstimatedStates | None = None
-    """States to estimate. Required for `write`."""
+    """States to estimate. Required for `write`.
+
+    - On the 3DM-CL5-15, 3DM-CV5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only
+      `EstimatedStates.GYRO_BIAS`.
+    - On the 3DM-CL5-25, 3DM-CV5-25 and 3DM-GX5-25: only `EstimatedStates.GYRO_BIAS`,
+      `EstimatedStates.AUTO_HARD_IRON` and `EstimatedStates.AUTO_SOFT_IRON`.
+    - On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+      `EstimatedStates.GYRO_BIAS`, `EstimatedStates.ACCEL_BIAS`,
+      `EstimatedStates.GYRO_SCALE_FACTOR`, `EstimatedStates.ACCEL_SCALE_FACTOR` and
+      `EstimatedStates.ANTENNA_OFFSET`.
+    """
 
     @classmethod
     def write(cls, flags: EstimatedStates) -> EstimationControl:
@@ -2611,7 +2678,7 @@ class GnssSource(Command):
     Which GNSS receiver aids the filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSourceResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     A change while the filter runs may put it back into initialization until the new source gives
     data.
@@ -2711,7 +2778,7 @@ class ExternalGnssUpdate(Command):
 
     Gives the filter one position and velocity of a GNSS receiver that the user provides.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 
     Refused unless `GnssSource` selects the external source. The highest rate depends on the device.
 
@@ -2786,7 +2853,7 @@ class ExternalHeadingUpdate(Command):
 
     Gives the filter one measurement of the heading of the sensor frame in the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
     `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per second. If
@@ -2839,7 +2906,9 @@ class HeadingSource(Command):
     Source of the heading that aids the filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HeadingSourceResponse`.
-    Supported by 3DM-GX5-15.
+    Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
+    3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -2854,7 +2923,18 @@ class HeadingSource(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: HeadingUpdateSource | None = None
-    """Source of the heading. Required for `write`."""
+    """Source of the heading. Required for `write`.
+
+    - On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only `HeadingUpdateSource.NONE` and
+      `HeadingUpdateSource.EXTERNAL`.
+    - On the 3DM-CL5-25, 3DM-CV5-25, 3DM-GX4-25 and 3DM-GX5-25: only `HeadingUpdateSource.NONE`,
+      `HeadingUpdateSource.MAG` and `HeadingUpdateSource.EXTERNAL`.
+    - On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only `HeadingUpdateSource.NONE`,
+      `HeadingUpdateSource.MAG`, `HeadingUpdateSource.GNSS_VELOCITY` and
+      `HeadingUpdateSource.EXTERNAL`.
+    - On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `HeadingUpdateSource.NONE`,
+      `HeadingUpdateSource.GNSS_VELOCITY` and `HeadingUpdateSource.EXTERNAL`.
+    """
 
     @classmethod
     def write(cls, source: HeadingUpdateSource) -> HeadingSource:
@@ -2929,7 +3009,7 @@ class AutoInitializationControl(Command):
     Whether the filter initializes by itself when the device starts.
 
     Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `AutoInitializationControlResponse`. Supported by 3DM-GX5-15.
+    Answered by `AutoInitializationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     It needs a valid heading source.
 
@@ -3021,7 +3101,7 @@ class AccelNoise(Command):
     Standard deviation of the accelerometer noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelNoiseResponse`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     The factory values suit most laboratory conditions.
 
@@ -3116,7 +3196,7 @@ class GyroNoise(Command):
     Standard deviation of the gyroscope noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroNoiseResponse`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     The factory values suit most laboratory conditions.
 
@@ -3212,7 +3292,7 @@ class AccelBiasModel(Command):
     Parameters of the model by which the accelerometer bias drifts.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -3318,7 +3398,7 @@ class GyroBiasModel(Command):
     Parameters of the model by which the gyroscope bias drifts.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -3424,8 +3504,8 @@ class AutoZupt(Command):
 
     Lets the filter take the device as standing still while its GNSS speed is small.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`. No
-    device profile lists it. Known from the MicroStrain MIP SDK only.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
+    Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 
     The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
 
@@ -3527,7 +3607,7 @@ class ExternalHeadingUpdateWithTime(Command):
 
     Gives the filter one measurement of the heading of the sensor frame with its GPS time.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     Better than `ExternalHeadingUpdate` where the heading changes quickly; the time must be
     accurate. Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5
@@ -3590,7 +3670,7 @@ class AutoAngularZupt(Command):
     Lets the filter take the device as not rotating while its angular rate is small.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoAngularZuptResponse`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     The update applies while the magnitude of the angular rate vector is at or below the threshold.
 
@@ -3696,7 +3776,8 @@ class TareOrientation(Command):
     Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `TareOrientationResponse`.
-    Supported by 3DM-GX5-15. On the 3DM-GX5-15: `write`, `save`, `load` and `default` only.
+    Supported by 3DM-GX5-15 and 3DM-GX5-45. On the 3DM-GX5-15: `write`, `save`, `load` and `default`
+    only. On the 3DM-GX5-45: `write`, `save`, `load` and `default` only.
 
     Refused while the filter has no valid attitude.
 
@@ -3783,7 +3864,7 @@ class CommandedZupt(Command):
 
     Tells the filter once that the device stands still.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 
     The highest rate depends on the device.
 
@@ -3809,7 +3890,7 @@ class CommandedAngularZupt(Command):
 
     Tells the filter once that the device is not rotating.
 
-    Supported by 3DM-GX5-15.
+    Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     At most 10 per second.
 
@@ -3977,7 +4058,7 @@ class MagCaptureAutoCalibration(Command):
 
     Makes the automatic magnetometer calibration part of the fixed one.
 
-    Also called `mag_capture_auto_cal`. Functions: `write` and `save`. No device profile lists it.
+    Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Supported by 3DM-GX5-45.
     Known from the MicroStrain MIP SDK only.
 
     A write combines the automatic calibration with `mip_3dm.MagHardIronOffset` and
@@ -4030,7 +4111,7 @@ class GravityNoise(Command):
     Standard deviation of the gravity noise that the filter assumes (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GravityNoiseResponse`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     The factory values suit most laboratory conditions.
 
@@ -4125,7 +4206,7 @@ class PressureAltitudeNoise(Command):
     Standard deviation of the noise of the pressure altitude model that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `PressureAltitudeNoiseResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    `PressureAltitudeNoiseResponse`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
     only.
 
     A small value follows the pressure faster, and takes weather and draughts for changes of height.
@@ -4218,8 +4299,7 @@ class HardIronOffsetNoise(Command):
     Standard deviation of the noise of the estimated hard iron offset (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `HardIronOffsetNoiseResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    `HardIronOffsetNoiseResponse`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -4311,8 +4391,7 @@ class SoftIronMatrixNoise(Command):
     Standard deviation of the noise of the estimated soft iron matrix (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SoftIronMatrixNoiseResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    `SoftIronMatrixNoiseResponse`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -4493,8 +4572,8 @@ class MagNoise(Command):
 
     Standard deviation of the magnetometer noise that the filter assumes.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`. No
-    device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
+    Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it
     process noise, although the noise is that of a measurement.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
@@ -4588,7 +4667,8 @@ class MagneticDeclinationSource(Command):
     Source of the local declination of the magnetic field.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagneticDeclinationSourceResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `MagneticDeclinationSourceResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     Without a good declination source, keep automatic magnetometer calibration off.
 
@@ -4605,7 +4685,10 @@ class MagneticDeclinationSource(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: MagParameterSource | None = None
-    """Source of the declination. Required for `write`."""
+    """Source of the declination. Required for `write`.
+
+    - On the 3DM-GQ7-GNSS/INS: only `MagParameterSource.WMM` and `MagParameterSource.MANUAL`.
+    """
     declination: float | None = None
     """Declination; used only if `source` is manual. Unit: rad. Required for `write`."""
 
@@ -4705,7 +4788,9 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command):
     How far the filter trusts gravity measurements whose magnitude is not that of gravity.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-15.
+    `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be
+    supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST.
 
     Also called accelerometer magnitude error adaptive measurement. All parameters after the
     selector keep their values if they are left out. Filter and limits take effect only with
@@ -4725,7 +4810,12 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command):
     function: FunctionSelector
     """What to do with the setting."""
     adaptive_measurement: AdaptiveMeasurementSelector | None = None
-    """Kind of adaptation. Required for `write`."""
+    """Kind of adaptation. Required for `write`.
+
+    - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+      3DM-RQ1-45-ST: only `AdaptiveMeasurementSelector.DISABLED` and
+      `AdaptiveMeasurementSelector.FIXED`.
+    """
     frequency: float | None = None
     """Cut-off frequency of the low-pass filter. Unit: Hz. Optional."""
     low_limit: float | None = None
@@ -4907,9 +4997,10 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
     How far the filter trusts a magnetic field whose magnitude is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagMagnitudeErrorAdaptiveMeasurementResponse`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only. Uncertain: Whether the parameters behind the selector may be left out
-    on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
+    `MagMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. May be supported by
+    3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Known from the MicroStrain MIP SDK only. Uncertain: Whether the parameters behind the selector
+    may be left out on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
 
     The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
     limits. High limits suit high dynamics but let disturbances of the field through; low limits can
@@ -4928,7 +5019,12 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
     function: FunctionSelector
     """What to do with the setting."""
     adaptive_measurement: AdaptiveMeasurementSelector | None = None
-    """Kind of adaptation. Required for `write`."""
+    """Kind of adaptation. Required for `write`.
+
+    - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+      3DM-RQ1-45-ST: only `AdaptiveMeasurementSelector.DISABLED` and
+      `AdaptiveMeasurementSelector.FIXED`.
+    """
     frequency: float | None = None
     """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
     low_limit: float | None = None
@@ -5118,7 +5214,7 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
     How far the filter trusts a magnetic field whose dip angle is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagDipAngleErrorAdaptiveMeasurementResponse`. No device profile lists it. Known from the
+    `MagDipAngleErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. Known from the
     MicroStrain MIP SDK only.
 
     It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` or
@@ -5279,7 +5375,7 @@ class AltitudeAiding(Command):
     What aids the altitude beside GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 
     GNSS stays the main source of altitude; the aid improves it and bridges outages. Weather and
     place shift the pressure altitude, at times by more than 40 m.
@@ -5372,7 +5468,7 @@ class PitchRollAiding(Command):
     What aids pitch and roll while the motion is gentle.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PitchRollAidingResponse`.
-    Supported by 3DM-GX5-15.
+    Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -5875,7 +5971,8 @@ class AidingMeasurementEnable(Command):
     Enables or disables one source of aiding measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AidingMeasurementEnableResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `AidingMeasurementEnableResponse`. Supported by 3DM-CV7-GNSS/INS. May be supported by
+    3DM-CV7-AHRS and 3DM-CV7-AR.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -5890,7 +5987,12 @@ class AidingMeasurementEnable(Command):
     function: FunctionSelector
     """What to do with the setting."""
     aiding_source: AidingSource | None = None
-    """The source; `all` is for save, load and default."""
+    """The source; `all` is for save, load and default.
+
+    - On the 3DM-CV7-AHRS: only `AidingSource.MAG`, `AidingSource.EXTERNAL_HEADING` and
+      `AidingSource.ALL`.
+    - On the 3DM-CV7-AR: only `AidingSource.EXTERNAL_HEADING` and `AidingSource.ALL`.
+    """
     enable: bool | None = None
     """Whether the filter uses the source. Required for `write`."""
 
@@ -6125,7 +6227,8 @@ class InitializationConfig(Command):
     Sources and values of the initial attitude, position and velocity of the filter.
 
     Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `InitializationConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `default`. Answered by `InitializationConfigResponse`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GQ7-GNSS/INS.
 
     Single precision resolves the latitude and longitude of the initial position to about a metre
     only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment
@@ -6355,7 +6458,7 @@ class AdaptiveFilterOptions(Command):
     How the filter adapts to measurements that do not fit its model.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AdaptiveFilterOptionsResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `AdaptiveFilterOptionsResponse`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -6370,7 +6473,10 @@ class AdaptiveFilterOptions(Command):
     function: FunctionSelector
     """What to do with the setting."""
     level: AdaptiveLevel | None = None
-    """Strength of the adaptation. Default: 2. Required for `write`."""
+    """Strength of the adaptation. Default: 2. Required for `write`.
+
+    - On the 3DM-GX5-45: only `AdaptiveLevel.OFF` and `AdaptiveLevel.MODERATE`.
+    """
     time_limit: int | None = None
     """Longest time for which measurements are rejected before the filter recovers. Unit: ms.
     Required for `write`.
@@ -7159,7 +7265,8 @@ class GnssAntennaCalibrationControl(Command):
     Lets the filter track the error of the antenna offset.
 
     Also called `gnss_antenna_cal_control`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `GnssAntennaCalibrationControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `default`. Answered by `GnssAntennaCalibrationControlResponse`. Supported by 3DM-CV7-GNSS/INS
+    and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration

@@ -25,8 +25,16 @@ class ValidFlags(IntFlag):
 
 @codec.open_flag(16)
 class HeadingSourceFlags(IntFlag):
-    """Sources of heading updates; 0 if heading updates are disabled."""
+    """Sources of heading updates; 0 if heading updates are disabled.
 
+    - 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14)
+    - 3dm-gx5-45: 5.3.27 Heading Update Source State (0x82, 0x14)
+    """
+
+    MAG = 1 << 0
+    """The magnetometer. Bit 0."""
+    GNSS_VELOCITY = 1 << 1
+    """The velocity that the GNSS receiver measures. Bit 1."""
     EXTERNAL = 1 << 2
     """Heading messages that the user sends. Bit 2."""
 
@@ -466,7 +474,7 @@ class AttitudeDcm(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     The matrix turns NED vectors into vehicle vectors: `v_vehicle = dcm * v_ned`.
 
@@ -508,7 +516,7 @@ class EulerAngles(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as Euler angles.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     The rotations apply in the order yaw, pitch, roll (3-2-1).
 
@@ -554,7 +562,7 @@ class GyroBias(Data):
 
     Estimated bias of the gyroscope.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
     - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -903,7 +911,7 @@ class CompAngularRate(Data):
 
     Angular rate without the estimated bias.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
     - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -1183,7 +1191,7 @@ class HeadingUpdateState(Data):
 
     The last heading that updated the filter and where it came from.
 
-    Supported by 3DM-GX5-15.
+    Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     The valid bit means that the source gave data within the last 2 seconds.
 
@@ -1204,7 +1212,10 @@ class HeadingUpdateState(Data):
     set.
     """
     source: HeadingSourceFlags
-    """Sources of the heading."""
+    """Sources of the heading.
+
+    - On the 3DM-GX5-15: only `HeadingSourceFlags.EXTERNAL`.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 

@@ -688,7 +688,7 @@ class LlhPosition(Data):
 
     GNSS position as latitude, longitude and height.
 
-    Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
     """
@@ -1165,7 +1165,7 @@ class FixInfo(Data):
 
     Type of the position fix and what it is made of.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
     """

@@ -186,7 +186,7 @@ class HardwareStatus(gnss_1.HardwareStatus):
     State of the receiver and of its antenna.
 
     Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`. Supported by
-    3DM-CV7-GNSS/INS.
+    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
     """

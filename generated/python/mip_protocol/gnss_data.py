@@ -19,8 +19,8 @@ class LlhPosition(gnss_1.LlhPosition):
 
     GNSS position as latitude, longitude and height.
 
-    Has the layout of `gnss_1.LlhPosition`. Also called `pos_llh`. No device profile lists it. Known
-    from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.LlhPosition`. Also called `pos_llh`. May be supported by 3DM-GX5-35
+    and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Data (0x81)
     """
@@ -36,8 +36,8 @@ class EcefPosition(gnss_1.EcefPosition):
 
     GNSS position in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`. No device profile lists it.
-    Known from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`. May be supported by 3DM-GX5-35
+    and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Data (0x81)
     """
@@ -53,8 +53,8 @@ class NedVelocity(gnss_1.NedVelocity):
 
     GNSS velocity in the local level frame.
 
-    Has the layout of `gnss_1.NedVelocity`. Also called `vel_ned`. No device profile lists it. Known
-    from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.NedVelocity`. Also called `vel_ned`. May be supported by 3DM-GX5-35
+    and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Data (0x81)
     """
@@ -70,7 +70,8 @@ class EcefVelocity(gnss_1.EcefVelocity):
 
     GNSS velocity in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`. No device profile lists it.
+    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`. Supported by 3DM-GX5-35. May be
+    supported by 3DM-GX5-45.
 
     - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
     """
@@ -86,8 +87,8 @@ class Dop(gnss_1.Dop):
 
     Dilution of precision of the satellite geometry.
 
-    Has the layout of `gnss_1.Dop`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Has the layout of `gnss_1.Dop`. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Data (0x81)
     """
@@ -103,8 +104,8 @@ class UtcTime(gnss_1.UtcTime):
 
     Coordinated universal time as the receiver knows it.
 
-    Has the layout of `gnss_1.UtcTime`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Has the layout of `gnss_1.UtcTime`. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from
+    the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Data (0x81)
     """
@@ -120,8 +121,8 @@ class GpsTime(gnss_1.GpsTime):
 
     GPS time as the receiver knows it.
 
-    Has the layout of `gnss_1.GpsTime`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Has the layout of `gnss_1.GpsTime`. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from
+    the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Data (0x81)
     """
@@ -137,8 +138,8 @@ class ClockInfo(gnss_1.ClockInfo):
 
     Bias and drift of the receiver clock.
 
-    Has the layout of `gnss_1.ClockInfo`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Has the layout of `gnss_1.ClockInfo`. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from
+    the MicroStrain MIP SDK only.
 
     Clock info 2 replaces it and tells more.
 
@@ -156,8 +157,8 @@ class FixInfo(gnss_1.FixInfo):
 
     Type of the position fix and what it is made of.
 
-    Has the layout of `gnss_1.FixInfo`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Has the layout of `gnss_1.FixInfo`. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from
+    the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Data (0x81)
     """
@@ -173,8 +174,9 @@ class SvInfo(gnss_1.SvInfo):
 
     One satellite that is tracked.
 
-    Has the layout of `gnss_1.SvInfo`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only. Uncertain: Whether a packet holds one of these fields or several.
+    Has the layout of `gnss_1.SvInfo`. Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35.
+    Known from the MicroStrain MIP SDK only. Uncertain: Whether a packet holds one of these fields
+    or several.
 
     The satellites come as one field each, in packets apart from other GNSS data.
 
@@ -192,8 +194,8 @@ class HardwareStatus(gnss_1.HardwareStatus):
 
     State of the receiver and of its antenna.
 
-    Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`. No device profile lists it.
-    Known from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`. Supported by 3DM-GX5-45. May
+    be supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Data (0x81)
     """
@@ -209,11 +211,11 @@ class DgpsInfo(gnss_1.DgpsInfo):
 
     State of the differential corrections.
 
-    Has the layout of `gnss_1.DgpsInfo`. No device profile lists it. Uncertain: The layout is that
-    of a manual of the 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the
-    valid flags. Uncertain: The SDK has another one, u8, three floats and u16, which is that of
-    `gnss_1.DgpsChannel` and does not agree with its own valid flags (age, base station id, base
-    station status, number of channels).
+    Has the layout of `gnss_1.DgpsInfo`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: The
+    layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of the vendor. It
+    agrees with the valid flags. Uncertain: The SDK has another one, u8, three floats and u16, which
+    is that of `gnss_1.DgpsChannel` and does not agree with its own valid flags (age, base station
+    id, base station status, number of channels).
 
     - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
     - mip-sdk-4: Dgps Info (0x81,0x0E)
@@ -230,8 +232,8 @@ class DgpsChannel(gnss_1.DgpsChannel):
 
     Differential correction for one satellite.
 
-    Has the layout of `gnss_1.DgpsChannel`. No device profile lists it. Known from the MicroStrain
-    MIP SDK only.
+    Has the layout of `gnss_1.DgpsChannel`. Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35.
+    Known from the MicroStrain MIP SDK only.
 
     The active satellites come as one field each, all in one packet.
 

@@ -22,6 +22,7 @@ class LlhPosition(gnss_1.LlhPosition):
     GNSS position as latitude, longitude and height.
 
     Has the layout of `gnss_1.LlhPosition`. Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
+    May be supported by 3DM-CV7-INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03)
     """
@@ -37,8 +38,8 @@ class EcefPosition(gnss_1.EcefPosition):
 
     GNSS position in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`. No device profile lists it.
-    Known from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`. May be supported by
+    3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -55,6 +56,7 @@ class NedVelocity(gnss_1.NedVelocity):
     GNSS velocity in the local level frame.
 
     Has the layout of `gnss_1.NedVelocity`. Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
+    May be supported by 3DM-CV7-INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05)
     """
@@ -70,8 +72,8 @@ class EcefVelocity(gnss_1.EcefVelocity):
 
     GNSS velocity in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`. No device profile lists it.
-    Known from the MicroStrain MIP SDK only.
+    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`. May be supported by
+    3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -87,8 +89,8 @@ class Dop(gnss_1.Dop):
 
     Dilution of precision of the satellite geometry.
 
-    Has the layout of `gnss_1.Dop`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Has the layout of `gnss_1.Dop`. May be supported by 3DM-CV7-INS. Known from the MicroStrain MIP
+    SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -104,7 +106,8 @@ class UtcTime(gnss_1.UtcTime):
 
     Coordinated universal time as the receiver knows it.
 
-    Has the layout of `gnss_1.UtcTime`. Supported by 3DM-CV7-GNSS/INS.
+    Has the layout of `gnss_1.UtcTime`. Supported by 3DM-CV7-GNSS/INS. May be supported by
+    3DM-CV7-INS.
 
     - 3dm-cv7-gnss-ins: UTC Time (0x94,0x08)
     """
@@ -156,7 +159,8 @@ class FixInfo(gnss_1.FixInfo):
 
     Type of the position fix and what it is made of.
 
-    Has the layout of `gnss_1.FixInfo`. Supported by 3DM-CV7-GNSS/INS.
+    Has the layout of `gnss_1.FixInfo`. Supported by 3DM-CV7-GNSS/INS. May be supported by
+    3DM-CV7-INS.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B)
     """
@@ -247,8 +251,8 @@ class ClockInfo2(gnss_1.ClockInfo2):
 
     Bias and drift of the receiver clock.
 
-    Has the layout of `gnss_1.ClockInfo2`. No device profile lists it. Known from the MicroStrain
-    MIP SDK only.
+    Has the layout of `gnss_1.ClockInfo2`. May be supported by 3DM-CV7-INS. Known from the
+    MicroStrain MIP SDK only.
 
     It supersedes clock info.
 
@@ -266,7 +270,7 @@ class GpsLeapSeconds(gnss_1.GpsLeapSeconds):
 
     Difference between GPS time and UTC.
 
-    Has the layout of `gnss_1.GpsLeapSeconds`. No device profile lists it. Known from the
+    Has the layout of `gnss_1.GpsLeapSeconds`. May be supported by 3DM-CV7-INS. Known from the
     MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
@@ -321,7 +325,7 @@ class RfErrorDetection(gnss_1.RfErrorDetection):
 
     Jamming and spoofing as the receiver detects them in one band.
 
-    Has the layout of `gnss_1.RfErrorDetection`. No device profile lists it. Known from the
+    Has the layout of `gnss_1.RfErrorDetection`. May be supported by 3DM-CV7-INS. Known from the
     MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss4 Data (0x94)
@@ -338,7 +342,8 @@ class SatelliteStatus(gnss_1.SatelliteStatus):
 
     Where one satellite stands, and its health.
 
-    Has the layout of `gnss_1.SatelliteStatus`. Supported by 3DM-CV7-GNSS/INS.
+    Has the layout of `gnss_1.SatelliteStatus`. Supported by 3DM-CV7-GNSS/INS. May be supported by
+    3DM-CV7-INS.
 
     An epoch is sent as one field for each satellite; index and count number the fields.
 

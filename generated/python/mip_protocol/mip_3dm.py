@@ -369,7 +369,8 @@ _IMU_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 class ImuMessageFormatResponse(Response):
     """IMU Message Format response (0x0C,0x80).
 
-    Answers `ImuMessageFormat`. Supported by 3DM-GX5-15.
+    Answers `ImuMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -407,7 +408,8 @@ _GNSS_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 class GnssMessageFormatResponse(Response):
     """GNSS Message Format response (0x0C,0x81).
 
-    Answers `GnssMessageFormat`.
+    Answers `GnssMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST.
 
     - mip-sdk-4: Gnss Message Format (0x0C,0x09)
     - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -449,7 +451,8 @@ _FILTER_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 class FilterMessageFormatResponse(Response):
     """Estimation Filter Message Format response (0x0C,0x82).
 
-    Answers `FilterMessageFormat`. Supported by 3DM-GX5-15.
+    Answers `FilterMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
+    and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -489,7 +492,8 @@ _GET_IMU_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetImuBaseRateResponse(Response):
     """Get IMU Data Base Rate response (0x0C,0x83).
 
-    Also called `imu_get_base_rate_response`. Answers `GetImuBaseRate`. Supported by 3DM-GX5-15.
+    Also called `imu_get_base_rate_response`. Answers `GetImuBaseRate`. Supported by 3DM-GQ4-45,
+    3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -521,8 +525,9 @@ _GET_GNSS_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetGnssBaseRateResponse(Response):
     """Get GNSS Data Base Rate response (0x0C,0x84).
 
-    Also called `gnss_get_base_rate_response`. Answers `GetGnssBaseRate`. Known from the MicroStrain
-    MIP SDK only.
+    Also called `gnss_get_base_rate_response`. Answers `GetGnssBaseRate`. Supported by 3DM-GQ4-45,
+    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -555,7 +560,11 @@ class DataStreamControlResponse(Response):
     """Data Stream Control response (0x0C,0x85).
 
     Also called `datastream_control_response`. Answers `DataStreamControl`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT
+    and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+    3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15,
+    3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25,
+    3DM-GX5-45 and 3DM-MV5-AR.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -565,12 +574,49 @@ class DataStreamControlResponse(Response):
     DESCRIPTOR = 0x85
     NAME = "3dm.data_stream_control_response"
     ROLE = "response"
-    READINGS = {"descriptor_set": ("device", {"3dm-gx5-15": LegacyDataStream})}
+    READINGS = {
+        "descriptor_set": (
+            "device",
+            {
+                "3dm-cl5-15": LegacyDataStream,
+                "3dm-cl5-25": LegacyDataStream,
+                "3dm-cv5-10": LegacyDataStream,
+                "3dm-cv5-15": LegacyDataStream,
+                "3dm-cv5-25": LegacyDataStream,
+                "3dm-cx5-10": LegacyDataStream,
+                "3dm-cx5-15": LegacyDataStream,
+                "3dm-cx5-25": LegacyDataStream,
+                "3dm-cx5-35": LegacyDataStream,
+                "3dm-cx5-45": LegacyDataStream,
+                "3dm-dh3": LegacyDataStream,
+                "3dm-gq4-45": LegacyDataStream,
+                "3dm-gx3-15": LegacyDataStream,
+                "3dm-gx3-25": LegacyDataStream,
+                "3dm-gx3-35": LegacyDataStream,
+                "3dm-gx3-45": LegacyDataStream,
+                "3dm-gx4-15": LegacyDataStream,
+                "3dm-gx4-25": LegacyDataStream,
+                "3dm-gx4-45": LegacyDataStream,
+                "3dm-gx5-10": LegacyDataStream,
+                "3dm-gx5-15": LegacyDataStream,
+                "3dm-gx5-25": LegacyDataStream,
+                "3dm-gx5-35": LegacyDataStream,
+                "3dm-gx5-45": LegacyDataStream,
+                "3dm-mv5-ar": LegacyDataStream,
+                "3dm-rq1-45-lt": LegacyDataStream,
+                "3dm-rq1-45-st": LegacyDataStream,
+            },
+        )
+    }
 
     descriptor_set: int
     """Stream of the command.
 
-    - On the 3DM-GX5-15: values of `LegacyDataStream`.
+    - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
+      3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
+      3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25,
+      3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
+      `LegacyDataStream`.
     """
     enabled: bool
     """Whether the stream is sent."""
@@ -595,8 +641,9 @@ _UART_BAUD_RATE_RESPONSE_0 = codec.Block("I", "baud")
 class UartBaudRateResponse(Response):
     """UART Baud Rate response (0x0C,0x87).
 
-    Also called `uart_baudrate_response`. Answers `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GX5-15.
+    Also called `uart_baudrate_response`. Answers `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    3DM-GX5-35.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -630,7 +677,7 @@ class GetFilterBaseRateResponse(Response):
     """Get Estimation Filter Data Base Rate response (0x0C,0x8A).
 
     Also called `filter_get_base_rate_response`. Answers `GetFilterBaseRate`. Supported by
-    3DM-GX5-15.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -665,7 +712,8 @@ class ImuLowPassFilterResponse(Response):
     """Advanced Low-Pass Filter Settings response (0x0C,0x8B).
 
     Also called `imu_lowpass_filter_response`. Answers `ImuLowPassFilter`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -839,7 +887,10 @@ class DeviceStatusBasicResponse(Response):
     State and timer.
 
     Answers `DeviceStatus`. Told from `DeviceStatusBasicWithoutStateResponse` by the size of its
-    data. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GX5-15.
+    data. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45,
+    3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -898,7 +949,10 @@ class DeviceStatusBasicWithoutStateResponse(Response):
     Timer alone.
 
     Answers `DeviceStatus`. Told from `DeviceStatusBasicResponse` by the size of its data. Sent if
-    `status_selector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GX5-15. Uncertain: MSCL has
+    `status_selector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
+    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15,
+    3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain: MSCL has
     it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The manual
     of the 3DM-GX5-45 prints it too, but for the model number of another device; MSCL has the layout
     with a state for that device.
@@ -975,7 +1029,10 @@ class DeviceStatusDiagnosticResponse(Response):
     Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
-    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-15.
+    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
+    3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1122,10 +1179,13 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
-    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-15.
-    Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and -45 of the GX5 and CX5; its length is
-    that of a manual. Uncertain: MSCL names the values only; the descriptions follow from the names,
-    and times in ms from the system timer.
+    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
+    3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
+    Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is that
+    of a manual. Uncertain: MSCL names the values only; the descriptions follow from the names, and
+    times in ms from the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1315,7 +1375,10 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
-    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-15.
+    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
+    3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
     Uncertain: No manual is known that prints it. Uncertain: MSCL names the values only; the
     descriptions follow from the names, and times in ms from the system timer.
 
@@ -1522,7 +1585,10 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
-    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-15.
+    data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
+    3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+    3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
     Uncertain: No manual is known that prints it. Uncertain: MSCL names the values only; the
     descriptions follow from the names, and times in ms from the system timer.
 
@@ -1724,7 +1790,10 @@ class DeviceStatusDiagnosticGx4Response(Response):
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticRq1_45Response` and `DeviceStatusDiagnosticImuResponse` by the size of
     its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by
-    3DM-GX5-15. Uncertain: No manual is known that prints it for these devices; the offsets 49 to 69
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and
+    3DM-GX5-25. Uncertain: No manual is known that prints it for these devices; the offsets 49 to 69
     of that of the 3DM-GX5-45 agree. Uncertain: MSCL names the values only; the descriptions follow
     from the names, and times in ms from the system timer.
 
@@ -1896,7 +1965,10 @@ class DeviceStatusDiagnosticImuResponse(Response):
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticRq1_45Response` and `DeviceStatusDiagnosticGx4Response` by the size of
     its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by
-    3DM-GX5-15. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no manual is
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and
+    3DM-GX5-25. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no manual is
     known that prints it. Uncertain: MSCL names the values only; the descriptions follow from the
     names, and times in ms from the system timer. Uncertain: The units of the ranges are open.
 
@@ -2046,7 +2118,9 @@ _COMPLEMENTARY_FILTER_RESPONSE_0 = codec.Block(
 class ComplementaryFilterResponse(Response):
     """Complementary Filter Configuration response (0x0C,0x97).
 
-    Answers `ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
+    3DM-GX5-35. May be supported by 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15,
+    3DM-GX5-10 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -2095,7 +2169,8 @@ _ACCEL_BIAS_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
 class AccelBiasResponse(Response):
     """Accelerometer Bias Configuration response (0x0C,0x9A).
 
-    Answers `AccelBias`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AccelBias`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -2131,7 +2206,8 @@ class GyroBiasResponse(Response):
     The bias in use.
 
     Also called `capture_gyro_bias_response`. Answers `GyroBias` and `CaptureGyroBias`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
+    3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -2164,9 +2240,11 @@ _MAG_HARD_IRON_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 class MagHardIronOffsetResponse(Response):
     """Magnetometer Hard Iron Offset response (0x0C,0x9C).
 
-    Answers `MagHardIronOffset`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `MagHardIronOffset`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
+    - 3dm-gx5-45: (0x0C, 0x3A)
     """
 
     SET = 0x0C
@@ -2196,9 +2274,11 @@ _MAG_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block("fffffffff", *["matrix"] * 9)
 class MagSoftIronMatrixResponse(Response):
     """Magnetometer Soft Iron Matrix response (0x0C,0x9D).
 
-    Answers `MagSoftIronMatrix`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `MagSoftIronMatrix`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
+    - 3dm-gx5-35: (0x0C, 0x3B)
     """
 
     SET = 0x0C
@@ -2230,7 +2310,8 @@ _CONING_SCULLING_ENABLE_RESPONSE_0 = codec.Block("B", "enable")
 class ConingScullingEnableResponse(Response):
     """Coning and Sculling Enable response (0x0C,0x9E).
 
-    Answers `ConingScullingEnable`. Supported by 3DM-GX5-15.
+    Answers `ConingScullingEnable`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -2266,7 +2347,8 @@ class ConstellationSettingsResponse(Response):
 
     Tracking channels of the receiver and the setting of each constellation.
 
-    Answers `ConstellationSettings`.
+    Answers `ConstellationSettings`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported by
+    3DM-GX5-45.
 
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
@@ -2318,7 +2400,8 @@ _GNSS_SBAS_SETTINGS_RESPONSE_0 = codec.Block(
 class GnssSbasSettingsResponse(Response):
     """GNSS SBAS Settings response (0x0C,0xA1).
 
-    Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May be
+    supported by 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -2368,7 +2451,8 @@ _GNSS_ASSISTED_FIX_RESPONSE_0 = codec.Block("BB", "option", "flags")
 class GnssAssistedFixResponse(Response):
     """GNSS Assisted Fix response (0x0C,0xA2).
 
-    Answers `GnssAssistedFix`. Known from the MicroStrain MIP SDK only.
+    Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from
+    the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
@@ -2403,7 +2487,8 @@ _GNSS_TIME_ASSISTANCE_RESPONSE_0 = codec.Block("dHf", "tow", "week_number", "acc
 class GnssTimeAssistanceResponse(Response):
     """GNSS Time Assistance response (0x0C,0xA3).
 
-    Answers `GnssTimeAssistance`. Known from the MicroStrain MIP SDK only.
+    Answers `GnssTimeAssistance`. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known
+    from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
     """
@@ -2442,6 +2527,7 @@ class PpsSourceControlResponse(Response):
     """PPS Source Control response (0x0C,0xA8).
 
     Also called `pps_source_response`. Answers `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
+    May be supported by 3DM-CV7-AHRS and 3DM-CV7-AR.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -2474,7 +2560,7 @@ class SensorToVehicleTransformEulerResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
 
     Also called `sensor_2_vehicle_transform_euler_response`. Answers
-    `SensorToVehicleTransformEuler`. Supported by 3DM-CV7-GNSS/INS.
+    `SensorToVehicleTransformEuler`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -2880,7 +2966,8 @@ _GPIO_CONFIG_RESPONSE_0 = codec.Block("BBBB", "pin", "feature", "behavior", "pin
 class GpioConfigResponse(Response):
     """GPIO Configuration response (0x0C,0xC1).
 
-    Answers `GpioConfig`. Supported by 3DM-CV7-GNSS/INS.
+    Answers `GpioConfig`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -3105,6 +3192,7 @@ class LowPassFilterResponse(Response):
     """Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
 
     Also called `lowpass_filter_response`. Answers `LowPassFilter`. Supported by 3DM-CV7-GNSS/INS.
+    May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
@@ -3153,7 +3241,8 @@ class PollImuData(Command):
     Asks for one sensor data packet (0x80) with the fields listed, in their order.
 
     Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    3DM-GX5-15.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    3DM-GX5-45.
 
     An empty list polls the stored message format; without one the device refuses. Descriptors that
     the device does not know are ignored. The data comes in a packet of its own behind the reply.
@@ -3205,8 +3294,9 @@ class PollGnssData(Command):
 
     Asks for one GNSS data packet with the fields listed, in their order.
 
-    Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. No device profile
-    lists it. Known from the MicroStrain MIP SDK only.
+    Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. Supported by
+    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35. Known
+    from the MicroStrain MIP SDK only.
 
     An empty list polls what `GnssMessageFormat` has stored; without that the device refuses.
     Descriptors that the device does not know are left out. The data comes in a packet of its own
@@ -3263,7 +3353,7 @@ class PollFilterData(Command):
     Asks for one filter data packet (0x82) with the fields listed, in their order.
 
     Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    3DM-GX5-15.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     An empty list polls the stored message format; without one the device refuses. Descriptors that
     the device does not know are ignored. The data comes in a packet of its own behind the reply.
@@ -3316,7 +3406,7 @@ class PollNmeaData(Command):
     Asks for the NMEA sentences listed, once.
 
     Also called `nmea_poll_data`. Not acknowledged if `suppress_ack` is true. Supported by
-    3DM-CV7-GNSS/INS.
+    3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     An empty list polls the stored NMEA format; without one the device refuses. The sentences follow
     the reply as ordinary NMEA text, on the port of the command even if NMEA is off there. A
@@ -3368,7 +3458,8 @@ class GetImuBaseRate(Command):
 
     Asks for the rate that the decimations of the IMU message format divide.
 
-    Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-GX5-15.
+    Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-GQ4-45,
+    3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -3393,8 +3484,9 @@ class GetGnssBaseRate(Command):
 
     Asks for the rate that the decimations of the GNSS message format divide.
 
-    Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`. No device profile lists
-    it. Known from the MicroStrain MIP SDK only.
+    Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`. Supported by
+    3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain
+    MIP SDK only.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -3425,7 +3517,8 @@ class ImuMessageFormat(Command):
     Fields of the sensor data packets (0x80), in order, with their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ImuMessageFormatResponse`. Supported by 3DM-GX5-15.
+    `ImuMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The decimation is the base rate, as the get IMU data base rate command reports it, divided by
     the wanted rate. The list replaces the one before. If any descriptor is unknown the device
@@ -3528,7 +3621,8 @@ class GnssMessageFormat(Command):
     Fields of the GNSS data packets, in order, with their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GnssMessageFormatResponse`. No device profile lists it.
+    `GnssMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST.
 
     The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
     the wanted rate.
@@ -3631,7 +3725,8 @@ class FilterMessageFormat(Command):
     Fields of the filter data packets (0x82), in order, with their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `FilterMessageFormatResponse`. Supported by 3DM-GX5-15.
+    `FilterMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
+    and 3DM-RQ1-45-ST.
 
     The decimation is the base rate, as the get estimation filter data base rate command reports it,
     divided by the wanted rate. The list replaces the one before. If any descriptor is unknown the
@@ -3729,7 +3824,7 @@ class GetFilterBaseRate(Command):
     Asks for the rate that the decimations of the estimation filter message format divide.
 
     Also called `filter_get_base_rate`. Answered by `GetFilterBaseRateResponse`. Supported by
-    3DM-GX5-15.
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -4113,7 +4208,11 @@ class DataStreamControl(Command):
     Switches a data stream on or off.
 
     Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `DataStreamControlResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answered by `DataStreamControlResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+    supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
+    3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
 
     5-series devices name the stream by a number of their own (`LegacyDataStream`), others by its
     descriptor set.
@@ -4128,14 +4227,51 @@ class DataStreamControl(Command):
     ROLE = "command"
     RESPONSES = (DataStreamControlResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
-    READINGS = {"descriptor_set": ("device", {"3dm-gx5-15": LegacyDataStream})}
+    READINGS = {
+        "descriptor_set": (
+            "device",
+            {
+                "3dm-cl5-15": LegacyDataStream,
+                "3dm-cl5-25": LegacyDataStream,
+                "3dm-cv5-10": LegacyDataStream,
+                "3dm-cv5-15": LegacyDataStream,
+                "3dm-cv5-25": LegacyDataStream,
+                "3dm-cx5-10": LegacyDataStream,
+                "3dm-cx5-15": LegacyDataStream,
+                "3dm-cx5-25": LegacyDataStream,
+                "3dm-cx5-35": LegacyDataStream,
+                "3dm-cx5-45": LegacyDataStream,
+                "3dm-dh3": LegacyDataStream,
+                "3dm-gq4-45": LegacyDataStream,
+                "3dm-gx3-15": LegacyDataStream,
+                "3dm-gx3-25": LegacyDataStream,
+                "3dm-gx3-35": LegacyDataStream,
+                "3dm-gx3-45": LegacyDataStream,
+                "3dm-gx4-15": LegacyDataStream,
+                "3dm-gx4-25": LegacyDataStream,
+                "3dm-gx4-45": LegacyDataStream,
+                "3dm-gx5-10": LegacyDataStream,
+                "3dm-gx5-15": LegacyDataStream,
+                "3dm-gx5-25": LegacyDataStream,
+                "3dm-gx5-35": LegacyDataStream,
+                "3dm-gx5-45": LegacyDataStream,
+                "3dm-mv5-ar": LegacyDataStream,
+                "3dm-rq1-45-lt": LegacyDataStream,
+                "3dm-rq1-45-st": LegacyDataStream,
+            },
+        )
+    }
 
     function: FunctionSelector
     """What to do with the setting."""
     descriptor_set: int | None = None
     """Data descriptor set; 0 means all streams (save, load, default).
 
-    - On the 3DM-GX5-15: values of `LegacyDataStream`.
+    - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
+      3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
+      3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25,
+      3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
+      `LegacyDataStream`.
     """
     enable: bool | None = None
     """Whether the stream is sent. Default: true. Required for `write`."""
@@ -4223,8 +4359,9 @@ class ConstellationSettings(Command):
     Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ConstellationSettingsResponse`. No device profile lists it. Uncertain: The factory default, as
-    the SDK gives it, names GPS and GLONASS alone as enabled but has channels for SBAS and QZSS too.
+    `ConstellationSettingsResponse`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported by
+    3DM-GX5-45. Uncertain: The factory default, as the SDK gives it, names GPS and GLONASS alone as
+    enabled but has channels for SBAS and QZSS too.
 
     The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
     channels at most than it reserves. GLONASS and BeiDou exclude each other. If the antenna or its
@@ -4350,7 +4487,8 @@ class GnssSbasSettings(Command):
     How the GNSS receivers use satellite based augmentation.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GnssSbasSettingsResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `GnssSbasSettingsResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May be
+    supported by 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -4365,9 +4503,15 @@ class GnssSbasSettings(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable_sbas: int | None = None
-    """1 switches SBAS on, 0 off. Range: 0 to 1. Required for `write`."""
+    """1 switches SBAS on, 0 off. Range: 0 to 1. Required for `write`.
+
+    - On the 3DM-GX5-35: default 1.
+    """
     sbas_options: SbasOptions | None = None
-    """What SBAS is used for. Required for `write`."""
+    """What SBAS is used for. Required for `write`.
+
+    - On the 3DM-GX5-35: default `SbasOptions.ENABLE_RANGING` and `SbasOptions.ENABLE_CORRECTIONS`.
+    """
     # On the wire: num_included_prns. Number of satellites listed; 0 searches for all. The number of
     # elements of `included_prns`. Required for `write`.
     included_prns: tuple[int, ...] | None = None
@@ -4480,7 +4624,8 @@ class GnssAssistedFix(Command):
     Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`.
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
+    only.
 
     The last fix is kept in the flash memory and the FRAM of the receiver. With the time of
     `GnssTimeAssistance` right after power-up, the first fix takes 1 s at best. A change from
@@ -4500,9 +4645,15 @@ class GnssAssistedFix(Command):
     function: FunctionSelector
     """What to do with the setting."""
     option: AssistedFixOption | None = None
-    """Assisted fix. Default: `AssistedFixOption.NONE`. Required for `write`."""
+    """Assisted fix. Default: `AssistedFixOption.NONE`. Required for `write`.
+
+    - On the 3DM-GX5-35: default `AssistedFixOption.NONE`.
+    """
     flags: int | None = None
-    """Reserved: send 255. Required for `write`."""
+    """Reserved: send 255. Required for `write`.
+
+    - On the 3DM-GX5-35: default 255.
+    """
 
     @classmethod
     def write(cls, option: AssistedFixOption) -> GnssAssistedFix:
@@ -4591,8 +4742,8 @@ class GnssTimeAssistance(Command):
 
     Tells the GNSS receiver the present GPS time.
 
-    Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`. No device profile lists
-    it. Known from the MicroStrain MIP SDK only.
+    Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`. Supported by
+    3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 
     It is needed right after power-up if `GnssAssistedFix` was on at power-off.
 
@@ -4691,7 +4842,8 @@ class PpsSourceControl(Command):
     Where the device takes its pulse per second from.
 
     Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `PpsSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `PpsSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS and
+    3DM-CV7-AR.
 
     The pins are configured apart from this by the GPIO configuration command. The filter needs a
     valid pulse. disabled and generated are seldom what is wanted.
@@ -4709,7 +4861,11 @@ class PpsSourceControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: PpsSource | None = None
-    """Source of the pulse. Default: `PpsSource.RECEIVER_1`. Required for `write`."""
+    """Source of the pulse. Default: `PpsSource.RECEIVER_1`. Required for `write`.
+
+    - On the 3DM-CV7-AHRS and 3DM-CV7-AR: only `PpsSource.DISABLED`, `PpsSource.GPIO` and
+      `PpsSource.GENERATED`.
+    """
 
     @classmethod
     def write(cls, source: PpsSource) -> PpsSourceControl:
@@ -5333,7 +5489,8 @@ class DeviceSettings(Command):
     Saves, loads or resets all settings of the device at once.
 
     Functions: `save`, `load` and `default`. The device may take 1 s to answer. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST.
 
     A save may disturb the data output for a short time.
 
@@ -5396,7 +5553,8 @@ class SensorToVehicleTransformEuler(Command):
     Mounting of the sensor in the vehicle as Euler angles.
 
     Also called `sensor_2_vehicle_transform_euler`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `SensorToVehicleTransformEulerResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `default`. Answered by `SensorToVehicleTransformEulerResponse`. Supported by 3DM-CV7-GNSS/INS
+    and 3DM-GQ7-GNSS/INS.
 
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
     be another form of it. The mounting is reached from the vehicle frame by turning about the
@@ -5712,7 +5870,8 @@ class AccelBias(Command):
     Bias that is subtracted from the scaled acceleration.
 
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `AccelBiasResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS:
+    `AccelBiasResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS:
     `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
@@ -5815,8 +5974,11 @@ class GyroBias(Command):
     Bias that is subtracted from the scaled angular rate.
 
     For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `GyroBiasResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS:
-    `write`, `read`, `save`, `load` and `default` only.
+    `GyroBiasResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+    3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45. On
+    the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR:
+    `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`,
+    `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -5915,8 +6077,9 @@ class CaptureGyroBias(Command):
 
     Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
 
-    Answered by `GyroBiasResponse`. The device may take 31 s to answer. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answered by `GyroBiasResponse`. The device may take 31 s to answer. Supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
 
     The device must stand still, with as little vibration as possible, for the whole time. The reply
     comes after the averaging time. The bias is not saved; the gyroscope bias configuration command
@@ -5959,12 +6122,17 @@ class MagHardIronOffset(Command):
 
     Offset that corrects the scaled magnetic field for hard iron.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagHardIronOffsetResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
+    `MagHardIronOffsetResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35. On the
+    3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`,
+    `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
+    `load` and `default` only.
 
     The values come from a calibration of the device as it is installed.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
+    - 3dm-gx5-45: (0x0C, 0x3A)
     """
 
     SET = 0x0C
@@ -5972,12 +6140,16 @@ class MagHardIronOffset(Command):
     NAME = "3dm.mag_hard_iron_offset"
     ROLE = "command"
     RESPONSES = (MagHardIronOffsetResponse,)
-    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
 
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Vector3f | None = None
-    """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for `write`."""
+    """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for `write` and
+    `apply`.
+
+    - On the 3DM-GX5-45: default 0, 0, 0.
+    """
 
     @classmethod
     def write(cls, offset: types.Vector3f) -> MagHardIronOffset:
@@ -6003,6 +6175,15 @@ class MagHardIronOffset(Command):
     def default(cls) -> MagHardIronOffset:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def apply(cls, offset: types.Vector3f) -> MagHardIronOffset:
+        """Apply the new setting and send no acknowledge (5-series devices)."""
+        return cls(FunctionSelector.APPLY, offset=offset)
+
+    @property
+    def answered(self) -> bool:
+        return self.function != FunctionSelector.APPLY
 
     @property
     def expected(self) -> ResponseClasses:
@@ -6051,12 +6232,17 @@ class MagSoftIronMatrix(Command):
 
     Matrix that corrects the scaled magnetic field for soft iron.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagSoftIronMatrixResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
+    `MagSoftIronMatrixResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the
+    3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`,
+    `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`,
+    `load` and `default` only.
 
     The values come from a calibration of the device as it is installed.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
+    - 3dm-gx5-35: (0x0C, 0x3B)
     """
 
     SET = 0x0C
@@ -6064,13 +6250,13 @@ class MagSoftIronMatrix(Command):
     NAME = "3dm.mag_soft_iron_matrix"
     ROLE = "command"
     RESPONSES = (MagSoftIronMatrixResponse,)
-    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
 
     function: FunctionSelector
     """What to do with the setting."""
     matrix: types.Matrix3f | None = None
     """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-    Unit: 1. Frame: sensor. Required for `write`.
+    Unit: 1. Frame: sensor. Required for `write` and `apply`.
     """
 
     @classmethod
@@ -6097,6 +6283,15 @@ class MagSoftIronMatrix(Command):
     def default(cls) -> MagSoftIronMatrix:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def apply(cls, matrix: types.Matrix3f) -> MagSoftIronMatrix:
+        """Apply the new setting and send no acknowledge (5-series devices)."""
+        return cls(FunctionSelector.APPLY, matrix=matrix)
+
+    @property
+    def answered(self) -> bool:
+        return self.function != FunctionSelector.APPLY
 
     @property
     def expected(self) -> ResponseClasses:
@@ -6146,7 +6341,8 @@ class ConingScullingEnable(Command):
     Switches the compensation of coning and sculling on or off.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ConingScullingEnableResponse`. Supported by 3DM-GX5-15.
+    `ConingScullingEnableResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -6236,7 +6432,8 @@ class UartBaudRate(Command):
     Baud rate of the main port.
 
     Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    by `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
 
     The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later. The
     3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then nothing is
@@ -6259,7 +6456,7 @@ class UartBaudRate(Command):
     baud: int | None = None
     """Baud rate. Unit: Bd. Required for `write`.
 
-    - On the 3DM-GX5-15: default 115200.
+    - On the 3DM-GX5-15 and 3DM-GX5-45: default 115200.
     """
 
     @classmethod
@@ -6343,7 +6540,8 @@ class GpioConfig(Command):
     What a GPIO pin is used for.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpioConfigResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
+    3DM-GQ7-GNSS/INS.
 
     Not every pin has every feature. Configure the function behind an output before its pin, and the
     pin of an input before its function. A configuration that only one pin can have passes to the
@@ -6717,9 +6915,13 @@ class ImuLowPassFilter(Command):
 
     Low-pass filter of one quantity of the sensor data.
 
-    Deprecated: use `LowPassFilter` where the device has it. For advanced use. Also called
-    `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ImuLowPassFilterResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load`
+    and `default`. Answered by `ImuLowPassFilterResponse`. Supported by 3DM-CV7-GNSS/INS,
+    3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45. Deprecated on the 3DM-CV7-AHRS: use
+    `LowPassFilter` instead. Deprecated on the 3DM-CV7-AR: use `LowPassFilter` instead. Deprecated
+    on the 3DM-CV7-GNSS/INS: use `LowPassFilter` instead. Deprecated on the 3DM-GQ7-GNSS/INS: use
+    `LowPassFilter` instead.
 
     The filter has one pole. By default it is on and its cutoff is half the rate of the message
     format.
@@ -6884,7 +7086,9 @@ class ComplementaryFilter(Command):
     Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ComplementaryFilterResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    `ComplementaryFilterResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
+    3DM-GX5-35. May be supported by 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15,
+    3DM-GX5-10 and 3DM-GX5-45.
 
     Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero. The
     heading follows the magnetometer, if the device has one. The device refuses time constants out
@@ -6912,6 +7116,8 @@ class ComplementaryFilter(Command):
     heading_enable: bool | None = None
     """Corrects the heading (north, in terms of the 5-series). Required for `write`.
 
+    - On the 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does
+      not offer it.
     - On the 3DM-GX5-15: default true.
     """
     pitch_roll_time_constant: float | None = None
@@ -7192,7 +7398,8 @@ class LowPassFilter(Command):
     Low-pass filter of a data field.
 
     Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `LowPassFilterResponse`. Supported by 3DM-CV7-GNSS/INS.
+    by `LowPassFilterResponse`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS,
+    3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
 
     Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
 
@@ -7357,7 +7564,10 @@ class DeviceStatus(Command):
     `DeviceStatusBasicWithoutStateResponse`, `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response` or
-    `DeviceStatusDiagnosticImuResponse`. Supported by 3DM-GX5-15.
+    `DeviceStatusDiagnosticImuResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25,
+    3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
+    3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
 
     The device expects its own model number, which `base.GetDeviceInfo` tells. Families of devices
     answer in layouts of their own. The selector and the length tell them apart.
@@ -7384,7 +7594,12 @@ class DeviceStatus(Command):
     )
 
     model_number: int
-    """Model number of the device that is asked."""
+    """Model number of the device that is asked.
+
+    - On the 3DM-GX5-15: always 6254.
+    - On the 3DM-GX5-35: always 6252.
+    - On the 3DM-GX5-45: always 6251.
+    """
     status_selector: DeviceStatusSelector
     """How much the answer tells."""
 

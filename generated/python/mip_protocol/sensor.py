@@ -163,7 +163,7 @@ class ScaledAccel(Data):
 
     Measured acceleration, temperature compensated.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
     - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
@@ -198,7 +198,7 @@ class ScaledGyro(Data):
 
     Measured angular rate, temperature compensated.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
     - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -233,7 +233,7 @@ class ScaledMag(Data):
 
     Measured magnetic field, temperature compensated.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
     """
@@ -267,7 +267,7 @@ class DeltaTheta(Data):
 
     Time integral of the angular rate over the period that the message format sets.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
 
     - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
     - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -302,7 +302,7 @@ class DeltaVelocity(Data):
 
     Time integral of the acceleration over the period that the message format sets.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
     Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
 
@@ -339,7 +339,7 @@ class CompOrientationMatrix(Data):
 
     Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
     `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the
     3DM-GX5-15.
@@ -381,7 +381,7 @@ class CompQuaternion(Data):
 
     Attitude by the complementary filter as a quaternion, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
     `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on the
     3DM-GX5-15.
@@ -458,7 +458,7 @@ class CompEulerAngles(Data):
 
     Attitude by the complementary filter as Euler angles, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
     The rotations are in the order yaw, pitch, roll (3-2-1).
 
@@ -612,7 +612,7 @@ class NorthVector(Data):
 
     Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
 
-    Supported by 3DM-GX5-15.
+    Supported by 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
 
     Without magnetic disturbance it equals the measured magnetic field. A lasting disturbance is not
     compensated.
@@ -649,7 +649,7 @@ class UpVector(Data):
 
     Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
 
-    Supported by 3DM-GX5-15.
+    Supported by 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
 
     At rest it equals the measured acceleration.
 
@@ -687,7 +687,7 @@ class GpsTimestamp(Data):
 
     GPS time of the sensor data.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
 
     Without a PPS the time runs on the internal clock and jumps when the PPS comes back. The
     fraction of the time of week is the time since the last pulse. Without external synchronization
@@ -702,26 +702,34 @@ class GpsTimestamp(Data):
     DESCRIPTOR = 0x12
     NAME = "sensor.gps_timestamp"
     ROLE = "data"
-    READINGS = {"valid_flags": ("device", {"3dm-gx5-15": types.Gx5SensorGpsTimestampFlags})}
+    READINGS = {
+        "valid_flags": (
+            "device",
+            {
+                "3dm-gx5-15": types.Gx5SensorGpsTimestampFlags,
+                "3dm-gx5-35": types.Gx5SensorGpsTimestampFlags,
+            },
+        )
+    }
 
     tow: float
     """GPS time of week. Unit: s. Valid if `types.SensorGpsTimestampFlags.TOW_VALID` of
     `valid_flags` is set.
 
-    - On the 3DM-GX5-15: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of
-      `valid_flags` is set.
+    - On the 3DM-GX5-15 and 3DM-GX5-35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED`
+      of `valid_flags` is set.
     """
     week_number: int
     """GPS week number. Unit: week. Valid if `types.SensorGpsTimestampFlags.WEEK_NUMBER_VALID` of
     `valid_flags` is set.
 
-    - On the 3DM-GX5-15: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED` of
-      `valid_flags` is set.
+    - On the 3DM-GX5-15 and 3DM-GX5-35: valid if `types.Gx5SensorGpsTimestampFlags.TIME_INITIALIZED`
+      of `valid_flags` is set.
     """
     valid_flags: types.SensorGpsTimestampFlags
     """State of the time.
 
-    - On the 3DM-GX5-15: values of `types.Gx5SensorGpsTimestampFlags`.
+    - On the 3DM-GX5-15 and 3DM-GX5-35: values of `types.Gx5SensorGpsTimestampFlags`.
     """
 
     @classmethod
@@ -827,7 +835,7 @@ class ScaledPressure(Data):
 
     Measured ambient pressure, temperature compensated.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
 
     - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
     - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)

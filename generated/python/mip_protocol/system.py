@@ -116,7 +116,7 @@ _COMM_MODE_RESPONSE_0 = codec.Block("B", "mode")
 class CommModeResponse(Response):
     """Communication mode response (0x7F,0x90).
 
-    Answers `CommMode`. Supported by 3DM-GX5-15.
+    Answers `CommMode`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
@@ -288,7 +288,7 @@ class CommMode(Command):
     Switches the port between the device and one of the sensors inside it.
 
     For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `CommModeResponse`. Supported by 3DM-GX5-15.
+    `CommModeResponse`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
     The acknowledge is sent in the old mode, just before the switch. In a direct mode only this
     command and `mip_3dm.DeviceStatus` of the device itself are answered.
@@ -306,7 +306,10 @@ class CommMode(Command):
     function: FunctionSelector
     """What to do with the setting."""
     mode: ProtocolMode | None = None
-    """Communication mode. Default: `ProtocolMode.STANDARD`. Required for `write`."""
+    """Communication mode. Default: `ProtocolMode.STANDARD`. Required for `write`.
+
+    - On the 3DM-GX5-35: default `ProtocolMode.STANDARD`.
+    """
 
     @classmethod
     def write(cls, mode: ProtocolMode) -> CommMode:

@@ -1137,7 +1137,7 @@ bitfield! {
     }
 }
 
-/// On the 3DM-GX5-15: values of [`Gx5SensorGpsTimestampFlags`].
+/// On the 3DM-GX5-15 and 3DM-GX5-35: values of [`Gx5SensorGpsTimestampFlags`].
 #[rustfmt::skip]
 impl From<SensorGpsTimestampFlags> for Gx5SensorGpsTimestampFlags {
     fn from(value: SensorGpsTimestampFlags) -> Self {

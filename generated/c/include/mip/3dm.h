@@ -277,7 +277,8 @@ typedef uint8_t mip_3dm_legacy_data_stream;
  * Asks for one sensor data packet (0x80) with the fields listed, in their order.
  *
  * Also called `poll_imu_message`. Not acknowledged if suppress_ack is true. Supported by
- * 3DM-GX5-15.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+ * 3DM-GX5-45.
  *
  * An empty list polls the stored message format; without one the device refuses.
  *
@@ -313,8 +314,9 @@ struct mip_3dm_poll_imu_data mip_3dm_poll_imu_data_make(
  *
  * Asks for one GNSS data packet with the fields listed, in their order.
  *
- * Also called `poll_gnss_message`. Not acknowledged if suppress_ack is true. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Also called `poll_gnss_message`. Not acknowledged if suppress_ack is true. Supported by
+ * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35. Known
+ * from the MicroStrain MIP SDK only.
  *
  * An empty list polls what mip_3dm_gnss_message_format has stored; without that the device refuses.
  *
@@ -354,7 +356,7 @@ struct mip_3dm_poll_gnss_data mip_3dm_poll_gnss_data_make(
  * Asks for one filter data packet (0x82) with the fields listed, in their order.
  *
  * Also called `poll_filter_message`. Not acknowledged if suppress_ack is true. Supported by
- * 3DM-GX5-15.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * An empty list polls the stored message format; without one the device refuses.
  *
@@ -391,7 +393,7 @@ struct mip_3dm_poll_filter_data mip_3dm_poll_filter_data_make(
  * Asks for the NMEA sentences listed, once.
  *
  * Also called `nmea_poll_data`. Not acknowledged if suppress_ack is true. Supported by
- * 3DM-CV7-GNSS/INS.
+ * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * An empty list polls the stored NMEA format; without one the device refuses.
  *
@@ -429,7 +431,8 @@ struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
  * Asks for the rate that the decimations of the IMU message format divide.
  *
  * Also called `imu_get_base_rate`. Answered by mip_3dm_get_imu_base_rate_response. Supported by
- * 3DM-GX5-15.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+ * 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -451,7 +454,8 @@ mip_error mip_3dm_get_imu_base_rate_encode(const struct mip_3dm_get_imu_base_rat
  * Get IMU Data Base Rate response: response (0x0C,0x83).
  *
  * Also called `imu_get_base_rate_response`. Answers mip_3dm_get_imu_base_rate. Supported by
- * 3DM-GX5-15.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+ * 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -474,8 +478,9 @@ mip_error mip_3dm_get_imu_base_rate_response_encode(
  *
  * Asks for the rate that the decimations of the GNSS message format divide.
  *
- * Also called `gnss_get_base_rate`. Answered by mip_3dm_get_gnss_base_rate_response. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Also called `gnss_get_base_rate`. Answered by mip_3dm_get_gnss_base_rate_response. Supported by
+ * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -496,8 +501,9 @@ mip_error mip_3dm_get_gnss_base_rate_encode(const struct mip_3dm_get_gnss_base_r
 /**
  * Get GNSS Data Base Rate response: response (0x0C,0x84).
  *
- * Also called `gnss_get_base_rate_response`. Answers mip_3dm_get_gnss_base_rate. Known from the
- * MicroStrain MIP SDK only.
+ * Also called `gnss_get_base_rate_response`. Answers mip_3dm_get_gnss_base_rate. Supported by
+ * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -521,7 +527,7 @@ mip_error mip_3dm_get_gnss_base_rate_response_encode(
  * Fields of the sensor data packets (0x80), in order, with their decimations.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_imu_message_format_response.
- * Supported by 3DM-GX5-15.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as the get IMU data base rate command reports it, divided by the
  * wanted rate.
@@ -565,7 +571,8 @@ struct mip_3dm_imu_message_format mip_3dm_imu_message_format_default(void);
 /**
  * IMU Message Format response: response (0x0C,0x80).
  *
- * Answers mip_3dm_imu_message_format. Supported by 3DM-GX5-15.
+ * Answers mip_3dm_imu_message_format. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
@@ -591,7 +598,7 @@ mip_error mip_3dm_imu_message_format_response_encode(
  * Fields of the GNSS data packets, in order, with their decimations.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_message_format_response.
- * No device profile lists it.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
  * the wanted rate.
@@ -635,7 +642,8 @@ struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_default(void);
 /**
  * GNSS Message Format response: response (0x0C,0x81).
  *
- * Answers mip_3dm_gnss_message_format.
+ * Answers mip_3dm_gnss_message_format. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - mip-sdk-4: Gnss Message Format (0x0C,0x09)
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -662,7 +670,8 @@ mip_error mip_3dm_gnss_message_format_response_encode(
  * Fields of the filter data packets (0x82), in order, with their decimations.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_filter_message_format_response. Supported by 3DM-GX5-15.
+ * mip_3dm_filter_message_format_response. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as the get estimation filter data base rate command reports it,
  * divided by the wanted rate.
@@ -706,7 +715,8 @@ struct mip_3dm_filter_message_format mip_3dm_filter_message_format_default(void)
 /**
  * Estimation Filter Message Format response: response (0x0C,0x82).
  *
- * Answers mip_3dm_filter_message_format. Supported by 3DM-GX5-15.
+ * Answers mip_3dm_filter_message_format. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
@@ -732,7 +742,7 @@ mip_error mip_3dm_filter_message_format_response_encode(
  * Asks for the rate that the decimations of the estimation filter message format divide.
  *
  * Also called `filter_get_base_rate`. Answered by mip_3dm_get_filter_base_rate_response. Supported
- * by 3DM-GX5-15.
+ * by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -754,7 +764,7 @@ mip_error mip_3dm_get_filter_base_rate_encode(const struct mip_3dm_get_filter_ba
  * Get Estimation Filter Data Base Rate response: response (0x0C,0x8A).
  *
  * Also called `filter_get_base_rate_response`. Answers mip_3dm_get_filter_base_rate. Supported by
- * 3DM-GX5-15.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -1037,7 +1047,11 @@ mip_3dm_factory_streaming_make(mip_3dm_factory_streaming_action action);
  * Switches a data stream on or off.
  *
  * Also called `datastream_control`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_data_stream_control_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * mip_3dm_data_stream_control_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+ * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+ * 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
+ * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
  *
  * 5-series devices name the stream by a number of their own (mip_3dm_legacy_data_stream), others by
  * its descriptor set.
@@ -1051,7 +1065,11 @@ struct mip_3dm_data_stream_control {
     /** What to do with the setting. */
     mip_function_selector function;
     /**
-     * Data descriptor set; 0 means all streams (save, load, default). On the 3DM-GX5-15: values of
+     * Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CL5-15,
+     * 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+     * 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+     * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35,
+     * 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
      * mip_3dm_legacy_data_stream.
      */
     uint8_t descriptor_set;
@@ -1083,13 +1101,23 @@ struct mip_3dm_data_stream_control mip_3dm_data_stream_control_default(uint8_t d
  * Data Stream Control response: response (0x0C,0x85).
  *
  * Also called `datastream_control_response`. Answers mip_3dm_data_stream_control. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
+ * 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15, 3DM-GX3-25,
+ * 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45
+ * and 3DM-MV5-AR.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
  */
 struct mip_3dm_data_stream_control_response {
-    /** Stream of the command. On the 3DM-GX5-15: values of mip_3dm_legacy_data_stream. */
+    /**
+     * Stream of the command. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
+     * 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15,
+     * 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+     * 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST:
+     * values of mip_3dm_legacy_data_stream.
+     */
     uint8_t descriptor_set;
     /** Whether the stream is sent. */
     mip_bool enabled;
@@ -1110,9 +1138,9 @@ mip_error mip_3dm_data_stream_control_response_encode(
  * Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_constellation_settings_response. No device profile lists it. Uncertain: The factory
- * default, as the SDK gives it, names GPS and GLONASS alone as enabled but has channels for SBAS
- * and QZSS too.
+ * mip_3dm_constellation_settings_response. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported
+ * by 3DM-GX5-45. Uncertain: The factory default, as the SDK gives it, names GPS and GLONASS alone
+ * as enabled but has channels for SBAS and QZSS too.
  *
  * The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
  * channels at most than it reserves.
@@ -1174,7 +1202,8 @@ struct mip_3dm_constellation_settings mip_3dm_constellation_settings_default(voi
  *
  * Tracking channels of the receiver and the setting of each constellation.
  *
- * Answers mip_3dm_constellation_settings.
+ * Answers mip_3dm_constellation_settings. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported
+ * by 3DM-GX5-45.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
@@ -1205,7 +1234,7 @@ mip_error mip_3dm_constellation_settings_response_encode(
  * How the GNSS receivers use satellite based augmentation.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_sbas_settings_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -1214,9 +1243,14 @@ struct mip_3dm_gnss_sbas_settings {
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. */
+    /**
+     * 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. On the 3DM-GX5-35: default 1.
+     */
     uint8_t enable_sbas;
-    /** What SBAS is used for. Required for write. */
+    /**
+     * What SBAS is used for. Required for write. On the 3DM-GX5-35: default
+     * MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING and MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS.
+     */
     mip_3dm_sbas_options sbas_options;
     /**
      * Number of satellites listed; 0 searches for all. The number of elements of included_prns.
@@ -1251,7 +1285,8 @@ struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_default(void);
 /**
  * GNSS SBAS Settings response: response (0x0C,0xA1).
  *
- * Answers mip_3dm_gnss_sbas_settings. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_gnss_sbas_settings. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May
+ * be supported by 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -1281,7 +1316,7 @@ mip_error mip_3dm_gnss_sbas_settings_response_encode(
  * Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_assisted_fix_response.
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
  *
  * The last fix is kept in the flash memory and the FRAM of the receiver.
  *
@@ -1300,9 +1335,12 @@ struct mip_3dm_gnss_assisted_fix {
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Assisted fix. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. */
+    /**
+     * Assisted fix. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the
+     * 3DM-GX5-35: default MIP_3DM_ASSISTED_FIX_OPTION_NONE.
+     */
     mip_3dm_assisted_fix_option option;
-    /** Reserved: send 255. Required for write. */
+    /** Reserved: send 255. Required for write. On the 3DM-GX5-35: default 255. */
     uint8_t flags;
 };
 
@@ -1329,7 +1367,8 @@ struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_default(void);
 /**
  * GNSS Assisted Fix response: response (0x0C,0xA2).
  *
- * Answers mip_3dm_gnss_assisted_fix. Known from the MicroStrain MIP SDK only.
+ * Answers mip_3dm_gnss_assisted_fix. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known
+ * from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
@@ -1354,8 +1393,8 @@ mip_error mip_3dm_gnss_assisted_fix_response_encode(
  *
  * Tells the GNSS receiver the present GPS time.
  *
- * Functions: write and read. Answered by mip_3dm_gnss_time_assistance_response. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Functions: write and read. Answered by mip_3dm_gnss_time_assistance_response. Supported by
+ * 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
  *
  * It is needed right after power-up if mip_3dm_gnss_assisted_fix was on at power-off.
  *
@@ -1392,7 +1431,8 @@ struct mip_3dm_gnss_time_assistance mip_3dm_gnss_time_assistance_read(void);
 /**
  * GNSS Time Assistance response: response (0x0C,0xA3).
  *
- * Answers mip_3dm_gnss_time_assistance. Known from the MicroStrain MIP SDK only.
+ * Answers mip_3dm_gnss_time_assistance. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
  */
@@ -1420,7 +1460,8 @@ mip_error mip_3dm_gnss_time_assistance_response_encode(
  * Where the device takes its pulse per second from.
  *
  * Also called `pps_source`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_pps_source_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_pps_source_control_response. Supported by 3DM-CV7-GNSS/INS. May be supported by
+ * 3DM-CV7-AHRS and 3DM-CV7-AR.
  *
  * The pins are configured apart from this by the GPIO configuration command.
  *
@@ -1433,7 +1474,11 @@ struct mip_3dm_pps_source_control {
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the pulse. Default: MIP_3DM_PPS_SOURCE_RECEIVER_1. Required for write. */
+    /**
+     * Source of the pulse. Default: MIP_3DM_PPS_SOURCE_RECEIVER_1. Required for write. On the
+     * 3DM-CV7-AHRS and 3DM-CV7-AR: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
+     * MIP_3DM_PPS_SOURCE_GENERATED.
+     */
     mip_3dm_pps_source source;
 };
 
@@ -1460,7 +1505,7 @@ struct mip_3dm_pps_source_control mip_3dm_pps_source_control_default(void);
  * PPS Source Control response: response (0x0C,0xA8).
  *
  * Also called `pps_source_response`. Answers mip_3dm_pps_source_control. Supported by
- * 3DM-CV7-GNSS/INS.
+ * 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS and 3DM-CV7-AR.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
@@ -1922,7 +1967,8 @@ mip_error mip_3dm_event_action_config_response_encode(
  * Saves, loads or resets all settings of the device at once.
  *
  * Functions: save, load and default. The device may take 1 s to answer. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST.
  *
  * A save may disturb the data output for a short time.
  *
@@ -1955,7 +2001,8 @@ struct mip_3dm_device_settings mip_3dm_device_settings_default(void);
  * Mounting of the sensor in the vehicle as Euler angles.
  *
  * Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and default.
- * Answered by mip_3dm_sensor_to_vehicle_transform_euler_response. Supported by 3DM-CV7-GNSS/INS.
+ * Answered by mip_3dm_sensor_to_vehicle_transform_euler_response. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GQ7-GNSS/INS.
  *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
@@ -2015,7 +2062,7 @@ mip_3dm_sensor_to_vehicle_transform_euler_default(void);
  * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
  *
  * Also called `sensor_2_vehicle_transform_euler_response`. Answers
- * mip_3dm_sensor_to_vehicle_transform_euler. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_sensor_to_vehicle_transform_euler. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
@@ -2209,8 +2256,9 @@ mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode(
  * Bias that is subtracted from the scaled acceleration.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_accel_bias_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
- * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * mip_3dm_accel_bias_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: write,
+ * read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -2250,7 +2298,8 @@ struct mip_3dm_accel_bias mip_3dm_accel_bias_apply(const float bias[3]);
 /**
  * Accelerometer Bias Configuration response: response (0x0C,0x9A).
  *
- * Answers mip_3dm_accel_bias. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_3dm_accel_bias. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -2275,8 +2324,10 @@ mip_error mip_3dm_accel_bias_response_encode(const struct mip_3dm_accel_bias_res
  * Bias that is subtracted from the scaled angular rate.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_gyro_bias_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
- * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * mip_3dm_gyro_bias_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+ * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45. On
+ * the 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
+ * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -2318,7 +2369,9 @@ struct mip_3dm_gyro_bias mip_3dm_gyro_bias_apply(const float bias[3]);
  * The bias in use.
  *
  * Also called `capture_gyro_bias_response`. Answers mip_3dm_gyro_bias and
- * mip_3dm_capture_gyro_bias. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * mip_3dm_capture_gyro_bias. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+ * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+ * 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -2343,7 +2396,8 @@ mip_error mip_3dm_gyro_bias_response_encode(const struct mip_3dm_gyro_bias_respo
  * Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
  *
  * Answered by mip_3dm_gyro_bias_response. The device may take 31 s to answer. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
  *
  * The device must stand still, with as little vibration as possible, for the whole time.
  *
@@ -2377,19 +2431,26 @@ struct mip_3dm_capture_gyro_bias mip_3dm_capture_gyro_bias_make(uint16_t averagi
  *
  * Offset that corrects the scaled magnetic field for hard iron.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_mag_hard_iron_offset_response. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load, default and apply. Answered by
+ * mip_3dm_mag_hard_iron_offset_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+ * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35. On the
+ * 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
+ * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * The values come from a calibration of the device as it is installed.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
+ * - 3dm-gx5-45: (0x0C, 0x3A)
  */
 struct mip_3dm_mag_hard_iron_offset {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write. */
+    /**
+     * Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write and
+     * apply. On the 3DM-GX5-45: default 0, 0, 0.
+     */
     float offset[3];
 };
 
@@ -2411,13 +2472,17 @@ struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_save(void);
 struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_load(void);
 /** Load the factory default setting. */
 struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_default(void);
+/** Apply the new setting and send no acknowledge (5-series devices). */
+struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_apply(const float offset[3]);
 
 /**
  * Magnetometer Hard Iron Offset response: response (0x0C,0x9C).
  *
- * Answers mip_3dm_mag_hard_iron_offset. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_mag_hard_iron_offset. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+ * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
+ * - 3dm-gx5-45: (0x0C, 0x3A)
  */
 struct mip_3dm_mag_hard_iron_offset_response {
     /** Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. */
@@ -2438,12 +2503,16 @@ mip_error mip_3dm_mag_hard_iron_offset_response_encode(
  *
  * Matrix that corrects the scaled magnetic field for soft iron.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_mag_soft_iron_matrix_response. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load, default and apply. Answered by
+ * mip_3dm_mag_soft_iron_matrix_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+ * 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the
+ * 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
+ * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * The values come from a calibration of the device as it is installed.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
+ * - 3dm-gx5-35: (0x0C, 0x3B)
  */
 struct mip_3dm_mag_soft_iron_matrix {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
@@ -2452,7 +2521,7 @@ struct mip_3dm_mag_soft_iron_matrix {
     mip_function_selector function;
     /**
      * Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-     * Unit: 1. Frame: sensor. Required for write.
+     * Unit: 1. Frame: sensor. Required for write and apply.
      */
     float matrix[9];
 };
@@ -2475,13 +2544,17 @@ struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_save(void);
 struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_load(void);
 /** Load the factory default setting. */
 struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_default(void);
+/** Apply the new setting and send no acknowledge (5-series devices). */
+struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_apply(const float matrix[9]);
 
 /**
  * Magnetometer Soft Iron Matrix response: response (0x0C,0x9D).
  *
- * Answers mip_3dm_mag_soft_iron_matrix. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_mag_soft_iron_matrix. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+ * 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
+ * - 3dm-gx5-35: (0x0C, 0x3B)
  */
 struct mip_3dm_mag_soft_iron_matrix_response {
     /**
@@ -2506,7 +2579,8 @@ mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
  * Switches the compensation of coning and sculling on or off.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_coning_sculling_enable_response. Supported by 3DM-GX5-15.
+ * mip_3dm_coning_sculling_enable_response. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -2541,7 +2615,8 @@ struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_default(voi
 /**
  * Coning and Sculling Enable response: response (0x0C,0x9E).
  *
- * Answers mip_3dm_coning_sculling_enable. Supported by 3DM-GX5-15.
+ * Answers mip_3dm_coning_sculling_enable. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -2565,7 +2640,8 @@ mip_error mip_3dm_coning_sculling_enable_response_encode(
  * Baud rate of the main port.
  *
  * Also called `uart_baudrate`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_uart_baud_rate_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * mip_3dm_uart_baud_rate_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
  *
  * The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
  *
@@ -2582,7 +2658,9 @@ struct mip_3dm_uart_baud_rate {
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Baud rate. Unit: Bd. Required for write. On the 3DM-GX5-15: default 115200. */
+    /**
+     * Baud rate. Unit: Bd. Required for write. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200.
+     */
     uint32_t baud;
 };
 
@@ -2609,7 +2687,8 @@ struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_default(void);
  * UART Baud Rate response: response (0x0C,0x87).
  *
  * Also called `uart_baudrate_response`. Answers mip_3dm_uart_baud_rate. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+ * supported by 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -2634,7 +2713,7 @@ mip_error mip_3dm_uart_baud_rate_response_encode(
  * What a GPIO pin is used for.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_config_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
  *
  * Not every pin has every feature.
  *
@@ -2694,7 +2773,8 @@ struct mip_3dm_gpio_config mip_3dm_gpio_config_default(uint8_t pin);
 /**
  * GPIO Configuration response: response (0x0C,0xC1).
  *
- * Answers mip_3dm_gpio_config. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_gpio_config. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS,
+ * 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
@@ -2875,9 +2955,13 @@ mip_error mip_3dm_odometer_config_response_encode(
  *
  * Low-pass filter of one quantity of the sensor data.
  *
- * Deprecated: use mip_3dm_low_pass_filter where the device has it. For advanced use. Also called
- * `imu_lowpass_filter`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_imu_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * For advanced use. Also called `imu_lowpass_filter`. Functions: write, read, save, load and
+ * default. Answered by mip_3dm_imu_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS,
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CV7-AHRS,
+ * 3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45. Deprecated on the 3DM-CV7-AHRS: use
+ * mip_3dm_low_pass_filter instead. Deprecated on the 3DM-CV7-AR: use mip_3dm_low_pass_filter
+ * instead. Deprecated on the 3DM-CV7-GNSS/INS: use mip_3dm_low_pass_filter instead. Deprecated on
+ * the 3DM-GQ7-GNSS/INS: use mip_3dm_low_pass_filter instead.
  *
  * The filter has one pole. By default it is on and its cutoff is half the rate of the message
  * format.
@@ -2939,7 +3023,8 @@ struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_default(uint8_t t
  * Advanced Low-Pass Filter Settings response: response (0x0C,0x8B).
  *
  * Also called `imu_lowpass_filter_response`. Answers mip_3dm_imu_low_pass_filter. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+ * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -2977,7 +3062,9 @@ mip_error mip_3dm_imu_low_pass_filter_response_encode(
  * Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_complementary_filter_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * mip_3dm_complementary_filter_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
+ * 3DM-GX5-35. May be supported by 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15,
+ * 3DM-GX5-10 and 3DM-GX5-45.
  *
  * Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
  *
@@ -3002,7 +3089,8 @@ struct mip_3dm_complementary_filter {
     mip_bool pitch_roll_enable;
     /**
      * Corrects the heading (north, in terms of the 5-series). Required for write. On the
-     * 3DM-GX5-15: default true.
+     * 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not
+     * offer it. On the 3DM-GX5-15: default true.
      */
     mip_bool heading_enable;
     /**
@@ -3041,7 +3129,9 @@ struct mip_3dm_complementary_filter mip_3dm_complementary_filter_default(void);
 /**
  * Complementary Filter Configuration response: response (0x0C,0x97).
  *
- * Answers mip_3dm_complementary_filter. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_3dm_complementary_filter. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
+ * 3DM-GX5-35. May be supported by 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15,
+ * 3DM-GX5-10 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -3200,7 +3290,8 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
  * Low-pass filter of a data field.
  *
  * Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS. May be supported by
+ * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
  *
  * Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
  *
@@ -3259,7 +3350,7 @@ struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_default(uint8_t descripto
  * Low-Pass Anti-Aliasing Filter response: response (0x0C,0xD4).
  *
  * Also called `lowpass_filter_response`. Answers mip_3dm_low_pass_filter. Supported by
- * 3DM-CV7-GNSS/INS.
+ * 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
@@ -3294,7 +3385,10 @@ mip_error mip_3dm_low_pass_filter_response_encode(
  * mip_3dm_device_status_basic_without_state_response, mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
- * or mip_3dm_device_status_diagnostic_imu_response. Supported by 3DM-GX5-15.
+ * or mip_3dm_device_status_diagnostic_imu_response. Supported by 3DM-GQ4-45, 3DM-GX5-15,
+ * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15,
+ * 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+ * 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
  *
  * The device expects its own model number, which mip_base_get_device_info tells.
  *
@@ -3306,7 +3400,10 @@ mip_error mip_3dm_low_pass_filter_response_encode(
  * - mscl: Device Status (0x0C,0x64)
  */
 struct mip_3dm_device_status {
-    /** Model number of the device that is asked. */
+    /**
+     * Model number of the device that is asked. On the 3DM-GX5-15: always 6254. On the 3DM-GX5-35:
+     * always 6252. On the 3DM-GX5-45: always 6251.
+     */
     uint16_t model_number;
     /** How much the answer tells. */
     mip_3dm_device_status_selector status_selector;
@@ -3331,7 +3428,10 @@ mip_3dm_device_status_make(uint16_t model_number, mip_3dm_device_status_selector
  *
  * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_without_state_response by
  * the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported
- * by 3DM-GX5-15.
+ * by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+ * supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
+ * 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and
+ * 3DM-GX5-25.
  *
  * On the wire only, without a member:
  * - status_selector: Basic status. Always 1.
@@ -3367,10 +3467,13 @@ mip_error mip_3dm_device_status_basic_response_encode(
  * Timer alone.
  *
  * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_response by the size of its
- * data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by 3DM-GX5-15.
- * Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10.
- * Uncertain: The manual of the 3DM-GX5-45 prints it too, but for the model number of another
- * device; MSCL has the layout with a state for that device.
+ * data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by 3DM-GQ4-45,
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+ * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+ * 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain:
+ * MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The
+ * manual of the 3DM-GX5-45 prints it too, but for the model number of another device; MSCL has the
+ * layout with a state for that device.
  *
  * On the wire only, without a member:
  * - status_selector: Basic status. Always 1.
@@ -3410,7 +3513,10 @@ mip_error mip_3dm_device_status_basic_without_state_response_encode(
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
- * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-15.
+ * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45,
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+ * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+ * 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -3471,8 +3577,11 @@ mip_error mip_3dm_device_status_diagnostic_response_encode(
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
- * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-15. Uncertain:
- * MSCL has it for the 3DM-GX4-45 and the -35 and -45 of the GX5 and CX5; its length is that of a
+ * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45,
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+ * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
+ * 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain:
+ * MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is that of a
  * manual. Uncertain: MSCL names the values only; the descriptions follow from the names, and times
  * in ms from the system timer.
  *
@@ -3553,8 +3662,11 @@ mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_rq1_45_response,
  * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
  * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
- * Supported by 3DM-GX5-15. Uncertain: No manual is known that prints it. Uncertain: MSCL names the
- * values only; the descriptions follow from the names, and times in ms from the system timer.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May
+ * be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
+ * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10
+ * and 3DM-GX5-25. Uncertain: No manual is known that prints it. Uncertain: MSCL names the values
+ * only; the descriptions follow from the names, and times in ms from the system timer.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -3639,8 +3751,11 @@ mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
  * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
- * Supported by 3DM-GX5-15. Uncertain: No manual is known that prints it. Uncertain: MSCL names the
- * values only; the descriptions follow from the names, and times in ms from the system timer.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May
+ * be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
+ * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10
+ * and 3DM-GX5-25. Uncertain: No manual is known that prints it. Uncertain: MSCL names the values
+ * only; the descriptions follow from the names, and times in ms from the system timer.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -3725,10 +3840,13 @@ mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response and
  * mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-15. Uncertain: No manual is known
- * that prints it for these devices; the offsets 49 to 69 of that of the 3DM-GX5-45 agree.
- * Uncertain: MSCL names the values only; the descriptions follow from the names, and times in ms
- * from the system timer.
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25,
+ * 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
+ * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain: No manual is known that
+ * prints it for these devices; the offsets 49 to 69 of that of the 3DM-GX5-45 agree. Uncertain:
+ * MSCL names the values only; the descriptions follow from the names, and times in ms from the
+ * system timer.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -3800,10 +3918,13 @@ mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response and
  * mip_3dm_device_status_diagnostic_gx4_response by the size of its data. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-15. Uncertain: MSCL has it for
- * the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no manual is known that prints it. Uncertain: MSCL
- * names the values only; the descriptions follow from the names, and times in ms from the system
- * timer. Uncertain: The units of the ranges are open.
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25,
+ * 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
+ * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain: MSCL has it for the
+ * 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no manual is known that prints it. Uncertain: MSCL names
+ * the values only; the descriptions follow from the names, and times in ms from the system timer.
+ * Uncertain: The units of the ranges are open.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.

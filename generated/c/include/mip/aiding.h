@@ -105,7 +105,7 @@ union mip_aiding_frame_config_rotation {
  * Where and how an external sensor is mounted on the vehicle.
  *
  * Functions: write, read, save, load and default. Answered by mip_aiding_frame_config_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * Aiding measurements name the frame by its number.
  *
@@ -177,7 +177,7 @@ union mip_aiding_frame_config_response_rotation {
 /**
  * Frame configuration response: response (0x13,0x81).
  *
- * Answers mip_aiding_frame_config. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_aiding_frame_config. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
@@ -210,7 +210,7 @@ mip_error mip_aiding_frame_config_response_encode(
  * How the device answers aiding measurements.
  *
  * Functions: write, read, save, load and default. Answered by mip_aiding_echo_control_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * The manual does not give the layout of the responses that carry the data back.
  *
@@ -248,7 +248,7 @@ struct mip_aiding_echo_control mip_aiding_echo_control_default(void);
 /**
  * Echo control response: response (0x13,0x9F).
  *
- * Answers mip_aiding_echo_control. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_aiding_echo_control. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -587,7 +587,7 @@ struct mip_aiding_body_frame_velocity mip_aiding_body_frame_velocity_make(
  * A measured heading relative to true north.
  *
  * Also called `heading_true`. Not acknowledged if mode of mip_aiding_echo_control is
- * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
@@ -627,7 +627,7 @@ mip_aiding_true_heading_make(const struct mip_aiding_measurement_time *time, uin
  * A magnetic field measured by an external magnetometer.
  *
  * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * The magnetometer must be calibrated.
  *

@@ -56,7 +56,8 @@ typedef uint8_t mip_base_gps_time_field;
  *
  * Asks whether a device is there and answers commands.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
  *
  * A device that is not in a normal operating mode may refuse the command.
  *
@@ -80,7 +81,8 @@ mip_error mip_base_ping_encode(const struct mip_base_ping *value, struct mip_bui
  *
  * Stops all data streams, and wakes a sleeping device, so that it can be set up.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+ * supported by 3DM-GX5-35 and 3DM-GX5-45.
  *
  * The resume command restores the previous mode.
  *
@@ -107,7 +109,8 @@ mip_error mip_base_set_idle_encode(const struct mip_base_set_idle *value,
  *
  * Gets the firmware version and the identity strings of the device.
  *
- * Answered by mip_base_get_device_info_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answered by mip_base_get_device_info_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -129,7 +132,8 @@ mip_error mip_base_get_device_info_encode(const struct mip_base_get_device_info 
 /**
  * Get device information response: response (0x01,0x81).
  *
- * Answers mip_base_get_device_info. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_base_get_device_info. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
+ * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -153,8 +157,8 @@ mip_error mip_base_get_device_info_response_encode(
  *
  * Gets the command and data descriptors that the device supports.
  *
- * Answered by mip_base_get_device_descriptors_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Answered by mip_base_get_device_descriptors_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
  *
  * If the list contains the descriptor of mip_base_get_extended_descriptors, that command gives
  * more.
@@ -179,7 +183,8 @@ mip_error mip_base_get_device_descriptors_encode(
 /**
  * Get device descriptors response: response (0x01,0x82).
  *
- * Answers mip_base_get_device_descriptors. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_base_get_device_descriptors. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
+ * 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
  * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -209,8 +214,9 @@ mip_error mip_base_get_device_descriptors_response_encode(
  * Runs the self test of the device and gets its result.
  *
  * Answered by mip_base_built_in_test_response. The device may take 10 s to answer. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: How long the test takes at most. The manual of the
- * 3DM-CV7 says several seconds; 10 s leaves room for that.
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+ * 3DM-GX5-35 and 3DM-GX5-45. Uncertain: How long the test takes at most. The manual of the 3DM-CV7
+ * says several seconds; 10 s leaves room for that.
  *
  * The test interrupts normal operation for up to several seconds; no data is available meanwhile.
  *
@@ -239,7 +245,8 @@ mip_error mip_base_built_in_test_encode(const struct mip_base_built_in_test *val
 /**
  * Built-in test response: response (0x01,0x83).
  *
- * Answers mip_base_built_in_test. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_base_built_in_test. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -248,7 +255,8 @@ mip_error mip_base_built_in_test_encode(const struct mip_base_built_in_test *val
 struct mip_base_built_in_test_response {
     /**
      * Failure flags, defined by each device. Zero means that every test passed. On the
-     * 3DM-CV7-GNSS/INS: values of mip_cv7_built_in_test. On the 3DM-GX5-15: values of
+     * 3DM-CV7-GNSS/INS: values of mip_cv7_built_in_test. On the 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45,
+     * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values that are not known. On the 3DM-GX5-15: values of
      * mip_gx5_built_in_test.
      */
     uint32_t result;
@@ -268,7 +276,8 @@ mip_error mip_base_built_in_test_response_encode(
  *
  * Ends idle mode and returns the device to the mode that it was in before.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+ * supported by 3DM-GX5-35 and 3DM-GX5-45.
  *
  * If the device was not idle, it enters its default mode (3DM-GX5-15).
  *
@@ -292,8 +301,8 @@ mip_error mip_base_resume_encode(const struct mip_base_resume *value, struct mip
  *
  * Gets the supported descriptors that did not fit into the reply of get device descriptors.
  *
- * Answered by mip_base_get_extended_descriptors_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Answered by mip_base_get_extended_descriptors_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15
+ * and 3DM-GX5-35. May be supported by 3DM-GX5-45.
  *
  * Only supported if mip_base_get_device_descriptors lists it.
  *
@@ -317,7 +326,8 @@ mip_error mip_base_get_extended_descriptors_encode(
 /**
  * Get device descriptors (extended) response: response (0x01,0x86).
  *
- * Answers mip_base_get_extended_descriptors. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_base_get_extended_descriptors. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
+ * 3DM-GX5-35. May be supported by 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -472,8 +482,8 @@ mip_error mip_base_comm_speed_response_encode(const struct mip_base_comm_speed_r
  * Sets the week number or the time of week of the external (GPS) time.
  *
  * Functions: write, read and apply. Answered by mip_base_gps_time_update_week_number_response or
- * mip_base_gps_time_update_tow_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
- * 3DM-CV7-GNSS/INS: write only.
+ * mip_base_gps_time_update_tow_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
+ * 3DM-GX5-35. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: write only.
  *
  * Send it once for the time of week and once for the week number after the PPS is locked.
  *
@@ -527,7 +537,7 @@ struct mip_base_gps_time_update mip_base_gps_time_update_apply(mip_base_gps_time
  * The current week number.
  *
  * Answers mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER.
- * Supported by 3DM-GX5-15.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -553,7 +563,7 @@ mip_error mip_base_gps_time_update_week_number_response_encode(
  * The current time of week.
  *
  * Answers mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_TOW. Supported by
- * 3DM-GX5-15.
+ * 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -577,7 +587,8 @@ mip_error mip_base_gps_time_update_tow_response_encode(
  *
  * Acknowledges the command, then resets the device at once.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
  * - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)

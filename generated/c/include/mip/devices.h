@@ -17,21 +17,445 @@ extern "C" {
 #endif
 
 /**
+ * 3DM-CL5-10: Inertial measurement unit.
+ *
+ * Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual of it is known. This profile
+ * is incomplete: No manual is known. The SDK has its name and number only. Uncertain: MSCL does not
+ * list it among the devices with streams or a device status.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_cl5_10;
+
+/**
+ * 3DM-CL5-15: Attitude reference.
+ *
+ * Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual of it is known. This profile
+ * is incomplete: No manual is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_cl5_15;
+
+/**
+ * 3DM-CL5-25: Attitude and heading reference system.
+ *
+ * Also called 3DM-CL5-AHRS. Generation 5. Model number 6281. No manual of it is known. This profile
+ * is incomplete: No manual is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_cl5_25;
+
+/**
+ * 3DM-CV5-10: Inertial measurement unit.
+ *
+ * Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual of it is known. This profile
+ * is incomplete: No manual is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_cv5_10;
+
+/**
+ * 3DM-CV5-15: Attitude reference.
+ *
+ * Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual of it is known. This profile
+ * is incomplete: No manual is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_cv5_15;
+
+/**
+ * 3DM-CV5-25: Attitude and heading reference system.
+ *
+ * Also called 3DM-CV5-AHRS. Generation 5. Model number 6257. No manual of it is known. This profile
+ * is incomplete: No manual is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_cv5_25;
+
+/**
+ * 3DM-CV7-AHRS: Attitude and heading reference system.
+ *
+ * Generation 7. Model number 6286. Manual: MicroStrain 3DM-CV7 Documentation (AHRS and AR), online,
+ * known from single pages. This profile is incomplete: Only single pages of the manual are known,
+ * so it has more commands and data. This profile is incomplete: The limits are those of firmware
+ * 1.0.04 and later. Uncertain: MSCL offers the values `none` and `manual` of
+ * mip_filter_magnetic_declination_source only; the manual has `wmm` too.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_cv7_ahrs;
+
+/**
+ * 3DM-CV7-AR: Attitude reference.
+ *
+ * Generation 7. Model number 6287. Manual: MicroStrain 3DM-CV7 Documentation (AHRS and AR), online,
+ * known from single pages. This profile is incomplete: Only single pages of the manual are known,
+ * so it has more commands and data. This profile is incomplete: The limits are those of firmware
+ * 1.0.04 and later. Uncertain: MSCL offers the values `none` and `manual` of
+ * mip_filter_magnetic_declination_source only; the manual has `wmm` too.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_cv7_ar;
+
+/**
  * 3DM-CV7-GNSS/INS: Inertial navigation system with two RTK-capable GNSS receivers, magnetometer
  * and pressure sensor.
  *
- * Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
+ * Generation 7. Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
+ *
+ * - mip-sdk-4: Device models
  */
 extern const struct mip_device mip_device_cv7_gnss_ins;
+
+/**
+ * 3DM-CV7-INS: Inertial navigation system without a GNSS receiver of its own.
+ *
+ * Generation 7. Model number 6291. Manual: MicroStrain 3DM-CV7-INS Documentation, online, known
+ * from single pages. This profile is incomplete: Only single pages of the manual are known, so it
+ * has more commands and data. This profile is incomplete: It has the data sets 0x80, 0x82, 0x94,
+ * 0x95, 0xA0 and 0xFF. Uncertain: The set 0x95 is named by a test site of the vendor only.
+ * Uncertain: The base rate of the set 0x94 is inferred from the 3DM-CV7-GNSS/INS.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_cv7_ins;
+
+/**
+ * 3DM-CX5-10: Inertial measurement unit.
+ *
+ * Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual of it is known. This profile
+ * is incomplete: No manual is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_cx5_10;
+
+/**
+ * 3DM-CX5-15: Attitude reference.
+ *
+ * Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual of it is known. This profile
+ * is incomplete: No manual is known. The SDK has its name and number only. Uncertain: MSCL does not
+ * list it among those for which it limits the choices of the filter.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_cx5_15;
+
+/**
+ * 3DM-CX5-25: Attitude and heading reference system.
+ *
+ * Also called 3DM-CX5-AHRS. Generation 5. Model number 6273. No manual of it is known. This profile
+ * is incomplete: No manual is known. The SDK has its name and number only. Uncertain: MSCL does not
+ * list it among those for which it limits the choices of the filter.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_cx5_25;
+
+/**
+ * 3DM-CX5-35: Attitude and heading reference with GNSS.
+ *
+ * Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model number 6272. No manual of it is known. This
+ * profile is incomplete: No manual is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_cx5_35;
+
+/**
+ * 3DM-CX5-45: Inertial navigation system with GNSS.
+ *
+ * Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. No manual of it is known. This
+ * profile is incomplete: No manual is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_cx5_45;
+
+/**
+ * 3DM-DH3: Device of generation 3, known by its name and its number.
+ *
+ * Generation 3. Model number 6219. No manual of it is known. This profile is incomplete: No manual
+ * is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_dh3;
+
+/**
+ * 3DM-GQ4-45: Tactical grade inertial navigation system with GNSS.
+ *
+ * Generation 4. Model number 6250. Manual: LORD 3DM-GQ4-45 Data Communications Protocol, of
+ * September 26, 2015, known from its contents. This profile is incomplete: The contents of the
+ * manual are known up to the commands of the set `3dm`. The sets `filter` and `system` follow. This
+ * profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, of which no field is known.
+ * Uncertain: It may take raw RTCM by a command of which the layout is not known.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gq4_45;
+
+/**
+ * 3DM-GQ7-GNSS/INS: Inertial navigation system with two GNSS receivers.
+ *
+ * Also called 3DM-GQ7. Generation 7. Model number 6284. Manual: MicroStrain 3DM-GQ7 Documentation,
+ * online, known from single pages. This profile is incomplete: Only single pages of the manual are
+ * known, so it has more commands and data. This profile is incomplete: The baud rates of the Aux
+ * port are not known, nor all of its protocols. Uncertain: The values of
+ * mip_filter_magnetic_declination_source are those that MSCL offers. Uncertain: By MSCL, firmware
+ * from 1.0 on and below 1.1 has only the values `all_internal` and `external` of
+ * mip_filter_gnss_source.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gq7;
+
+/**
+ * 3DM-GV7-AHRS: Attitude and heading reference system.
+ *
+ * Generation 7. Model number 6288. No manual of it is known. This profile is incomplete: No manual
+ * is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gv7_ahrs;
+
+/**
+ * 3DM-GV7-AR: Attitude reference.
+ *
+ * Generation 7. Model number 6289. No manual of it is known. This profile is incomplete: No manual
+ * is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gv7_ar;
+
+/**
+ * 3DM-GV7-INS: Inertial navigation system.
+ *
+ * Generation 7. Model number 6290. No manual of it is known. This profile is incomplete: No manual
+ * is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gv7_ins;
+
+/**
+ * 3DM-GX3-15: Device of generation 3, known by its name and its number.
+ *
+ * Generation 3. Model number 6227. No manual of it is known. This profile is incomplete: No manual
+ * is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gx3_15;
+
+/**
+ * 3DM-GX3-25: Device of generation 3, known by its name and its number.
+ *
+ * Generation 3. Model number 6223. No manual of it is known. This profile is incomplete: No manual
+ * is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gx3_25;
+
+/**
+ * 3DM-GX3-35: Device of generation 3, known by its name and its number.
+ *
+ * Generation 3. Model number 6225. No manual of it is known. This profile is incomplete: No manual
+ * is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gx3_35;
+
+/**
+ * 3DM-GX3-45: Device of generation 3, known by its name and its number.
+ *
+ * Generation 3. Model number 6228. No manual of it is known. This profile is incomplete: No manual
+ * is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gx3_45;
+
+/**
+ * 3DM-GX4-15: Device of generation 4, known by its name and its number.
+ *
+ * Generation 4. Model number 6233. No manual of it is known. This profile is incomplete: No manual
+ * is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gx4_15;
+
+/**
+ * 3DM-GX4-25: Device of generation 4, known by its name and its number.
+ *
+ * Generation 4. Model number 6234. No manual of it is known. This profile is incomplete: No manual
+ * is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gx4_25;
+
+/**
+ * 3DM-GX4-45: Device of generation 4, known by its name and its number.
+ *
+ * Generation 4. Model number 6236. No manual of it is known. This profile is incomplete: No manual
+ * is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gx4_45;
+
+/**
+ * 3DM-GX5-10: Inertial measurement unit.
+ *
+ * Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual of it is known. This profile
+ * is incomplete: No manual is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gx5_10;
 
 /**
  * 3DM-GX5-15: Vertical reference unit with an inertial sensor, a pressure sensor and an estimation
  * filter.
  *
- * Model number 6254. Manual: LORD Sensing 3DM-GX5-15 Data Communications Protocol, 8500-0067 rev.
- * E.
+ * Also called 3DM-GX5-AR. Generation 5. Model number 6254. Manual: LORD Sensing 3DM-GX5-15 Data
+ * Communications Protocol, 8500-0067 rev. E.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
  */
 extern const struct mip_device mip_device_gx5_15;
+
+/**
+ * 3DM-GX5-25: Attitude and heading reference system.
+ *
+ * Also called 3DM-GX5-AHRS. Generation 5. Model number 6253. No manual of it is known. This profile
+ * is incomplete: No manual is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gx5_25;
+
+/**
+ * 3DM-GX5-35: Attitude and heading reference with GNSS.
+ *
+ * Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model number 6252. Manual: LORD 3DM-GX5-35 DCP
+ * Manual, revision unknown, known from single pages. This profile is incomplete: Only single pages
+ * of the manual are known, so it has more commands and data. Uncertain: The base rates are those
+ * that the manual gives for all 3DM-GX5.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gx5_35;
+
+/**
+ * 3DM-GX5-45: Inertial navigation system with GNSS, magnetometer and pressure sensor.
+ *
+ * Also called 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Manual: LORD 3DM-GX5-45 DCP
+ * Manual, 8500-0064 rev. C, known from single pages. This profile is incomplete: Only single pages
+ * of the manual are known, so it has more commands and data. This profile is incomplete: Of the
+ * filter data four fields are listed, and the manual has 27 or more. Uncertain: The base rates are
+ * those that the manuals of the 3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5. Uncertain: An
+ * example in the manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual prints
+ * the length of mip_3dm_device_status_basic_without_state_response, and offsets of
+ * mip_3dm_device_status_diagnostic_gx4_response, against MSCL.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_gx5_45;
+
+/**
+ * 3DM-MV5-AR: Device of generation 5, known by its name and its number.
+ *
+ * Also called 3DM-MV5-15. Generation 5. Model number 6243. No manual of it is known. This profile
+ * is incomplete: No manual is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_mv5_ar;
+
+/**
+ * 3DM-RQ1-45-LT: Ruggedized tactical grade inertial navigation system with GPS.
+ *
+ * Also called 3DM-RQ1-45_LT. Generation 4. Model number 6232. Manual: LORD 3DM-RQ1-45 Data
+ * Communications Protocol, of June 25, 2013, known from its contents. This profile is incomplete:
+ * The contents of the manual are known up to mip_filter_set_initial_heading. The set `system`
+ * follows. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, of which no field
+ * is known. Uncertain: The SDK writes the name with an underscore before LT and ST.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_rq1_45_lt;
+
+/**
+ * 3DM-RQ1-45-ST: Ruggedized tactical grade inertial navigation system with GPS.
+ *
+ * Also called 3DM-RQ1-45_ST. Generation 4. Model number 6239. Manual: LORD 3DM-RQ1-45 Data
+ * Communications Protocol, of June 25, 2013, known from its contents. This profile is incomplete:
+ * The contents of the manual are known up to mip_filter_set_initial_heading. The set `system`
+ * follows. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, of which no field
+ * is known. Uncertain: The SDK writes the name with an underscore before LT and ST.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_rq1_45_st;
+
+/**
+ * 3DM-RTK: Modem for GNSS corrections.
+ *
+ * Generation 7. Model number 6285. No manual of it is known. This profile is incomplete: No manual
+ * is known. The SDK has its name and number only.
+ *
+ * - mip-sdk-4: Device models
+ * - mscl: MIP node features
+ */
+extern const struct mip_device mip_device_rtk;
 
 #ifdef __cplusplus
 }

@@ -36,10 +36,27 @@ typedef uint8_t mip_filter_dynamics_mode;
 /** Aircraft under high acceleration. */
 #define MIP_FILTER_DYNAMICS_MODE_AIRBORNE_HIGH_G 4
 
-/** States that the filter estimates. */
+/**
+ * States that the filter estimates.
+ *
+ * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
+ * - mip-sdk-4: Estimation Control (0x0D,0x14)
+ */
 typedef uint16_t mip_filter_estimated_states;
 /** Bit 0. Estimate the gyroscope bias (recommended). */
 #define MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS 0x0001U
+/** Bit 1. Estimate the accelerometer bias. */
+#define MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS 0x0002U
+/** Bit 2. Estimate the scale factor of the gyroscope. */
+#define MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR 0x0004U
+/** Bit 3. Estimate the scale factor of the accelerometer. */
+#define MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR 0x0008U
+/** Bit 4. Estimate the offset of the GNSS antenna. */
+#define MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET 0x0010U
+/** Bit 5. Estimate the hard iron offset of the magnetometer. */
+#define MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON 0x0020U
+/** Bit 6. Estimate the soft iron matrix of the magnetometer. */
+#define MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON 0x0040U
 
 /** Where the filter takes GNSS data from. */
 typedef uint8_t mip_filter_gnss_aiding_source;
@@ -59,12 +76,30 @@ typedef uint8_t mip_filter_heading_type;
 /** Magnetic north. */
 #define MIP_FILTER_HEADING_TYPE_MAGNETIC_HEADING 2
 
-/** Where the filter takes heading updates from. */
+/**
+ * Where the filter takes heading updates from.
+ *
+ * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
+ * - 3dm-gx5-45: (0x0D, 0x18)
+ * - mip-sdk-4: Heading Source (0x0D,0x18)
+ */
 typedef uint8_t mip_filter_heading_update_source;
 /** No heading updates. */
 #define MIP_FILTER_HEADING_UPDATE_SOURCE_NONE 0
+/** The magnetometer. */
+#define MIP_FILTER_HEADING_UPDATE_SOURCE_MAG 1
+/** The velocity that the GNSS receiver measures. */
+#define MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY 2
 /** The heading messages that the user sends. */
 #define MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL 3
+/** GNSS velocity and magnetometer. */
+#define MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_MAG 4
+/** GNSS velocity and the messages of the user. */
+#define MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_EXTERNAL 5
+/** Magnetometer and the messages of the user. */
+#define MIP_FILTER_HEADING_UPDATE_SOURCE_MAG_AND_EXTERNAL 6
+/** All three. */
+#define MIP_FILTER_HEADING_UPDATE_SOURCE_ALL 7
 
 /** Axes to tare; 0 resets all axes. */
 typedef uint8_t mip_filter_tare_axes;
@@ -233,7 +268,8 @@ typedef uint8_t mip_filter_reference_point;
  *
  * Puts the filter back into its initialization state.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
  *
  * If automatic initialization is off, the attitude or heading must be set before the filter runs
  * again.
@@ -261,7 +297,7 @@ mip_error mip_filter_reset_encode(const struct mip_filter_reset *value,
  *
  * Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
  *
- * Supported by 3DM-GX5-15.
+ * Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
  *
  * Accepted only in the initialization state.
  *
@@ -295,7 +331,8 @@ struct mip_filter_set_initial_attitude mip_filter_set_initial_attitude_make(floa
  *
  * Gives the filter its initial heading; pitch and roll come from the accelerometers.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
+ * and 3DM-RQ1-45-ST.
  *
  * 3DM-GX5: accepted only in the initialization state.
  *
@@ -326,7 +363,7 @@ struct mip_filter_set_initial_heading mip_filter_set_initial_heading_make(float 
  *
  * Starts a filter that was set up to wait for this command.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * The filter waits in its initialization state if `wait_for_run_command` of
  * mip_filter_initialization_config is set.
@@ -351,8 +388,8 @@ mip_error mip_filter_run_encode(const struct mip_filter_run *value, struct mip_b
  * Kind of vehicle that the filter is tuned for.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vehicle_dynamics_mode_response. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * mip_filter_vehicle_dynamics_mode_response. Supported by 3DM-GX5-45. May be supported by
+ * 3DM-GX3-45. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -361,7 +398,11 @@ struct mip_filter_vehicle_dynamics_mode {
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Kind of vehicle. Required for write. */
+    /**
+     * Kind of vehicle. Required for write. On the 3DM-GX3-45: only
+     * MIP_FILTER_DYNAMICS_MODE_PORTABLE, MIP_FILTER_DYNAMICS_MODE_AUTOMOTIVE and
+     * MIP_FILTER_DYNAMICS_MODE_AIRBORNE.
+     */
     mip_filter_dynamics_mode mode;
 };
 
@@ -388,7 +429,8 @@ struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_default
 /**
  * Vehicle dynamics mode response: response (0x0D,0x80).
  *
- * Answers mip_filter_vehicle_dynamics_mode. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_vehicle_dynamics_mode. Supported by 3DM-GX5-45. May be supported by
+ * 3DM-GX3-45. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -412,7 +454,7 @@ mip_error mip_filter_vehicle_dynamics_mode_response_encode(
  * Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_rotation_euler_response. Supported by 3DM-GX5-15.
+ * mip_filter_sensor_to_vehicle_rotation_euler_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
@@ -462,7 +504,7 @@ mip_filter_sensor_to_vehicle_rotation_euler_default(void);
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
- * Answers mip_filter_sensor_to_vehicle_rotation_euler. Supported by 3DM-GX5-15.
+ * Answers mip_filter_sensor_to_vehicle_rotation_euler. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
@@ -493,9 +535,9 @@ mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode(
  * Origin of the vehicle frame, as seen from the sensor.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_offset_response. No device profile lists it. Known from the
- * MicroStrain MIP SDK only. Uncertain: The direction, from the sensor to the origin of the vehicle
- * frame, is inferred from the name.
+ * mip_filter_sensor_to_vehicle_offset_response. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is
+ * inferred from the name.
  *
  * It shifts mip_filter_data_llh_position and nothing else.
  *
@@ -538,7 +580,8 @@ struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_d
 /**
  * Sensor to vehicle offset response: response (0x0D,0x82).
  *
- * Answers mip_filter_sensor_to_vehicle_offset. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_sensor_to_vehicle_offset. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
  */
@@ -565,7 +608,7 @@ mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
  * Position of the GNSS antenna relative to the origin of the sensor.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_antenna_offset_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
  *
  * 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
  *
@@ -608,7 +651,7 @@ struct mip_filter_antenna_offset mip_filter_antenna_offset_default(void);
 /**
  * GNSS antenna offset response: response (0x0D,0x83).
  *
- * Answers mip_filter_antenna_offset. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_antenna_offset. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
@@ -635,7 +678,9 @@ mip_error mip_filter_antenna_offset_response_encode(
  * Which states the filter estimates.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_estimation_control_response. Supported by 3DM-GX5-15.
+ * mip_filter_estimation_control_response. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported
+ * by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
+ * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -644,7 +689,16 @@ struct mip_filter_estimation_control {
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** States to estimate. Required for write. */
+    /**
+     * States to estimate. Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-GX3-45,
+     * 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the
+     * 3DM-CL5-25, 3DM-CV5-25 and 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
+     * MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
+     * the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+     * MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS,
+     * MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR
+     * and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
+     */
     mip_filter_estimated_states flags;
 };
 
@@ -671,7 +725,9 @@ struct mip_filter_estimation_control mip_filter_estimation_control_default(void)
 /**
  * Estimation control flags response: response (0x0D,0x84).
  *
- * Answers mip_filter_estimation_control. Supported by 3DM-GX5-15.
+ * Answers mip_filter_estimation_control. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported
+ * by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
+ * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -695,7 +751,7 @@ mip_error mip_filter_estimation_control_response_encode(
  * Which GNSS receiver aids the filter.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_gnss_source_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
  * A change while the filter runs may put it back into initialization until the new source gives
  * data.
@@ -733,7 +789,7 @@ struct mip_filter_gnss_source mip_filter_gnss_source_default(void);
 /**
  * GNSS aiding source response: response (0x0D,0x86).
  *
- * Answers mip_filter_gnss_source. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_gnss_source. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
@@ -756,7 +812,7 @@ mip_error mip_filter_gnss_source_response_encode(
  *
  * Gives the filter one position and velocity of a GNSS receiver that the user provides.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
  *
  * Refused unless mip_filter_gnss_source selects the external source.
  *
@@ -802,7 +858,7 @@ struct mip_filter_external_gnss_update mip_filter_external_gnss_update_make(
  *
  * Gives the filter one measurement of the heading of the sensor frame in the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * Refused unless external heading updates are enabled, by mip_filter_heading_source on the 3DM-GX5
  * and by mip_filter_aiding_measurement_enable on the 3DM-CV7.
@@ -848,7 +904,9 @@ struct mip_filter_external_heading_update mip_filter_external_heading_update_mak
  * Source of the heading that aids the filter.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_heading_source_response.
- * Supported by 3DM-GX5-15.
+ * Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
+ * 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -857,7 +915,17 @@ struct mip_filter_heading_source {
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the heading. Required for write. */
+    /**
+     * Source of the heading. Required for write. On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_NONE and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the
+     * 3DM-CL5-25, 3DM-CV5-25, 3DM-GX4-25 and 3DM-GX5-25: only
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG and
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
+     * On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
+     */
     mip_filter_heading_update_source source;
 };
 
@@ -884,7 +952,9 @@ struct mip_filter_heading_source mip_filter_heading_source_default(void);
 /**
  * Heading update control response: response (0x0D,0x87).
  *
- * Answers mip_filter_heading_source. Supported by 3DM-GX5-15.
+ * Answers mip_filter_heading_source. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by
+ * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45,
+ * 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -908,7 +978,7 @@ mip_error mip_filter_heading_source_response_encode(
  * Whether the filter initializes by itself when the device starts.
  *
  * Also called `auto_init_control`. Functions: write, read, save, load and default. Answered by
- * mip_filter_auto_initialization_control_response. Supported by 3DM-GX5-15.
+ * mip_filter_auto_initialization_control_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * It needs a valid heading source.
  *
@@ -947,7 +1017,7 @@ struct mip_filter_auto_initialization_control mip_filter_auto_initialization_con
  * Automatic initialization response: response (0x0D,0x88).
  *
  * Also called `auto_init_control_response`. Answers mip_filter_auto_initialization_control.
- * Supported by 3DM-GX5-15.
+ * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
@@ -973,7 +1043,7 @@ mip_error mip_filter_auto_initialization_control_response_encode(
  * Standard deviation of the accelerometer noise that the filter assumes (process noise).
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_accel_noise_response.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -1014,7 +1084,7 @@ struct mip_filter_accel_noise mip_filter_accel_noise_default(void);
 /**
  * Accelerometer noise response: response (0x0D,0x89).
  *
- * Answers mip_filter_accel_noise. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_accel_noise. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -1039,7 +1109,7 @@ mip_error mip_filter_accel_noise_response_encode(
  * Standard deviation of the gyroscope noise that the filter assumes (process noise).
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_gyro_noise_response.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -1080,7 +1150,7 @@ struct mip_filter_gyro_noise mip_filter_gyro_noise_default(void);
 /**
  * Gyroscope noise response: response (0x0D,0x8A).
  *
- * Answers mip_filter_gyro_noise. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_gyro_noise. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -1105,7 +1175,7 @@ mip_error mip_filter_gyro_noise_response_encode(const struct mip_filter_gyro_noi
  * Parameters of the model by which the accelerometer bias drifts.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_accel_bias_model_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
@@ -1149,7 +1219,7 @@ struct mip_filter_accel_bias_model mip_filter_accel_bias_model_default(void);
 /**
  * Accelerometer bias model response: response (0x0D,0x8B).
  *
- * Answers mip_filter_accel_bias_model. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_accel_bias_model. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
@@ -1178,7 +1248,7 @@ mip_error mip_filter_accel_bias_model_response_encode(
  * Parameters of the model by which the gyroscope bias drifts.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_gyro_bias_model_response.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -1223,7 +1293,7 @@ struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_default(void);
 /**
  * Gyroscope bias model response: response (0x0D,0x8C).
  *
- * Answers mip_filter_gyro_bias_model. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_gyro_bias_model. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -1252,8 +1322,8 @@ mip_error mip_filter_gyro_bias_model_response_encode(
  *
  * Lets the filter take the device as standing still while its GNSS speed is small.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response. No
- * device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response.
+ * Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
  *
  * The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
  *
@@ -1292,7 +1362,8 @@ struct mip_filter_auto_zupt mip_filter_auto_zupt_default(void);
 /**
  * Automatic zero velocity update response: response (0x0D,0x8D).
  *
- * Answers mip_filter_auto_zupt. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_auto_zupt. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
@@ -1317,7 +1388,7 @@ mip_error mip_filter_auto_zupt_response_encode(const struct mip_filter_auto_zupt
  *
  * Gives the filter one measurement of the heading of the sensor frame with its GPS time.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * Better than mip_filter_external_heading_update where the heading changes quickly; the time must
  * be accurate.
@@ -1372,7 +1443,8 @@ mip_filter_external_heading_update_with_time_make(double tow, uint16_t week_numb
  * Lets the filter take the device as not rotating while its angular rate is small.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_auto_angular_zupt_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * mip_filter_auto_angular_zupt_response. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS,
+ * 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The update applies while the magnitude of the angular rate vector is at or below the threshold.
  *
@@ -1416,7 +1488,8 @@ struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_default(void);
 /**
  * Zero angular rate update response: response (0x0D,0x8E).
  *
- * Answers mip_filter_auto_angular_zupt. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_auto_angular_zupt. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS,
+ * 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -1443,7 +1516,8 @@ mip_error mip_filter_auto_angular_zupt_response_encode(
  * Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_tare_orientation_response.
- * Supported by 3DM-GX5-15. On the 3DM-GX5-15: write, save, load and default only.
+ * Supported by 3DM-GX5-15 and 3DM-GX5-45. On the 3DM-GX5-15: write, save, load and default only. On
+ * the 3DM-GX5-45: write, save, load and default only.
  *
  * Refused while the filter has no valid attitude.
  *
@@ -1507,7 +1581,7 @@ mip_error mip_filter_tare_orientation_response_encode(
  *
  * Tells the filter once that the device stands still.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
  *
  * The highest rate depends on the device.
  *
@@ -1532,7 +1606,7 @@ mip_error mip_filter_commanded_zupt_encode(const struct mip_filter_commanded_zup
  *
  * Tells the filter once that the device is not rotating.
  *
- * Supported by 3DM-GX5-15.
+ * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * At most 10 per second.
  *
@@ -1631,7 +1705,7 @@ mip_error mip_filter_reference_position_response_encode(
  *
  * Makes the automatic magnetometer calibration part of the fixed one.
  *
- * Also called `mag_capture_auto_cal`. Functions: write and save. No device profile lists it. Known
+ * Also called `mag_capture_auto_cal`. Functions: write and save. Supported by 3DM-GX5-45. Known
  * from the MicroStrain MIP SDK only.
  *
  * A write combines the automatic calibration with mip_3dm_mag_hard_iron_offset and
@@ -1665,7 +1739,7 @@ struct mip_filter_mag_capture_auto_calibration mip_filter_mag_capture_auto_calib
  * Standard deviation of the gravity noise that the filter assumes (process noise).
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_gravity_noise_response.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The factory values suit most laboratory conditions.
  *
@@ -1706,7 +1780,7 @@ struct mip_filter_gravity_noise mip_filter_gravity_noise_default(void);
 /**
  * Gravity noise response: response (0x0D,0x93).
  *
- * Answers mip_filter_gravity_noise. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_gravity_noise. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -1731,8 +1805,8 @@ mip_error mip_filter_gravity_noise_response_encode(
  * Standard deviation of the noise of the pressure altitude model that the filter assumes.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_pressure_altitude_noise_response. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * mip_filter_pressure_altitude_noise_response. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
  *
  * A small value follows the pressure faster, and takes weather and draughts for changes of height.
  *
@@ -1769,7 +1843,8 @@ struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_def
 /**
  * Pressure altitude noise response: response (0x0D,0x94).
  *
- * Answers mip_filter_pressure_altitude_noise. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_pressure_altitude_noise. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
  */
@@ -1793,8 +1868,8 @@ mip_error mip_filter_pressure_altitude_noise_response_encode(
  * Standard deviation of the noise of the estimated hard iron offset (process noise).
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_hard_iron_offset_noise_response. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * mip_filter_hard_iron_offset_noise_response. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
  */
@@ -1833,7 +1908,8 @@ struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_defau
 /**
  * Hard iron offset noise response: response (0x0D,0x96).
  *
- * Answers mip_filter_hard_iron_offset_noise. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_hard_iron_offset_noise. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
  */
@@ -1857,8 +1933,8 @@ mip_error mip_filter_hard_iron_offset_noise_response_encode(
  * Standard deviation of the noise of the estimated soft iron matrix (process noise).
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_soft_iron_matrix_noise_response. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * mip_filter_soft_iron_matrix_noise_response. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
  */
@@ -1897,7 +1973,8 @@ struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_defau
 /**
  * Soft iron matrix noise response: response (0x0D,0x97).
  *
- * Answers mip_filter_soft_iron_matrix_noise. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_soft_iron_matrix_noise. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
  */
@@ -1983,8 +2060,8 @@ mip_error mip_filter_enable_measurements_response_encode(
  *
  * Standard deviation of the magnetometer noise that the filter assumes.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_mag_noise_response. No
- * device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it
+ * Functions: write, read, save, load and default. Answered by mip_filter_mag_noise_response.
+ * Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it
  * process noise, although the noise is that of a measurement.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
@@ -2023,7 +2100,7 @@ struct mip_filter_mag_noise mip_filter_mag_noise_default(void);
 /**
  * Magnetometer noise response: response (0x0D,0xB1).
  *
- * Answers mip_filter_mag_noise. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_mag_noise. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
@@ -2047,7 +2124,8 @@ mip_error mip_filter_mag_noise_response_encode(const struct mip_filter_mag_noise
  * Source of the local declination of the magnetic field.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_magnetic_declination_source_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_magnetic_declination_source_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
  * Without a good declination source, keep automatic magnetometer calibration off.
  *
@@ -2058,7 +2136,10 @@ struct mip_filter_magnetic_declination_source {
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the declination. Required for write. */
+    /**
+     * Source of the declination. Required for write. On the 3DM-GQ7-GNSS/INS: only
+     * MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
+     */
     mip_filter_mag_parameter_source source;
     /** Declination; used only if `source` is manual. Unit: rad. Required for write. */
     float declination;
@@ -2087,7 +2168,8 @@ struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_so
 /**
  * Magnetic declination source response: response (0x0D,0xB2).
  *
- * Answers mip_filter_magnetic_declination_source. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_magnetic_declination_source. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  */
@@ -2115,7 +2197,9 @@ mip_error mip_filter_magnetic_declination_source_response_encode(
  * How far the filter trusts gravity measurements whose magnitude is not that of gravity.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_accel_magnitude_error_adaptive_measurement_response. Supported by 3DM-GX5-15.
+ * mip_filter_accel_magnitude_error_adaptive_measurement_response. Supported by 3DM-GX5-15 and
+ * 3DM-GX5-45. May be supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * Also called accelerometer magnitude error adaptive measurement.
  *
@@ -2133,7 +2217,12 @@ struct mip_filter_accel_magnitude_error_adaptive_measurement {
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Kind of adaptation. Required for write. */
+    /**
+     * Kind of adaptation. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
+     * 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+     * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+     * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
+     */
     mip_filter_adaptive_measurement_selector adaptive_measurement;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Optional. */
     float frequency;
@@ -2192,7 +2281,9 @@ mip_filter_accel_magnitude_error_adaptive_measurement_default(void);
 /**
  * Gravity magnitude error adaptive measurement response: response (0x0D,0xB3).
  *
- * Answers mip_filter_accel_magnitude_error_adaptive_measurement. Supported by 3DM-GX5-15.
+ * Answers mip_filter_accel_magnitude_error_adaptive_measurement. Supported by 3DM-GX5-15 and
+ * 3DM-GX5-45. May be supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -2231,9 +2322,11 @@ mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_encode(
  * How far the filter trusts a magnetic field whose magnitude is not as expected.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_magnitude_error_adaptive_measurement_response. No device profile lists it. Known
- * from the MicroStrain MIP SDK only. Uncertain: Whether the parameters behind the selector may be
- * left out on write, as those of mip_filter_accel_magnitude_error_adaptive_measurement may.
+ * mip_filter_mag_magnitude_error_adaptive_measurement_response. Supported by 3DM-GX5-45. May be
+ * supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK only. Uncertain: Whether the parameters behind
+ * the selector may be left out on write, as those of
+ * mip_filter_accel_magnitude_error_adaptive_measurement may.
  *
  * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
  * limits.
@@ -2248,7 +2341,12 @@ struct mip_filter_mag_magnitude_error_adaptive_measurement {
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Kind of adaptation. Required for write. */
+    /**
+     * Kind of adaptation. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
+     * 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+     * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+     * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
+     */
     mip_filter_adaptive_measurement_selector adaptive_measurement;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Required for write. */
     float frequency;
@@ -2317,8 +2415,9 @@ mip_filter_mag_magnitude_error_adaptive_measurement_default(void);
 /**
  * Magnetometer magnitude error adaptive measurement response: response (0x0D,0xB4).
  *
- * Answers mip_filter_mag_magnitude_error_adaptive_measurement. Known from the MicroStrain MIP SDK
- * only.
+ * Answers mip_filter_mag_magnitude_error_adaptive_measurement. Supported by 3DM-GX5-45. May be
+ * supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
@@ -2372,8 +2471,8 @@ mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode(
  * How far the filter trusts a magnetic field whose dip angle is not as expected.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_dip_angle_error_adaptive_measurement_response. No device profile lists it. Known
- * from the MicroStrain MIP SDK only.
+ * mip_filter_mag_dip_angle_error_adaptive_measurement_response. Supported by 3DM-GX5-45. Known from
+ * the MicroStrain MIP SDK only.
  *
  * It has no effect while mip_filter_accel_magnitude_error_adaptive_measurement or
  * mip_filter_mag_magnitude_error_adaptive_measurement is set to `auto`.
@@ -2442,8 +2541,8 @@ mip_filter_mag_dip_angle_error_adaptive_measurement_default(void);
 /**
  * Magnetometer dip angle error adaptive measurement response: response (0x0D,0xB5).
  *
- * Answers mip_filter_mag_dip_angle_error_adaptive_measurement. Known from the MicroStrain MIP SDK
- * only.
+ * Answers mip_filter_mag_dip_angle_error_adaptive_measurement. Supported by 3DM-GX5-45. Known from
+ * the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
@@ -2487,7 +2586,7 @@ mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode(
  * What aids the altitude beside GNSS.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_altitude_aiding_response.
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
  *
  * GNSS stays the main source of altitude; the aid improves it and bridges outages.
  *
@@ -2527,7 +2626,8 @@ struct mip_filter_altitude_aiding mip_filter_altitude_aiding_default(void);
 /**
  * Altitude aiding response: response (0x0D,0xB7).
  *
- * Answers mip_filter_altitude_aiding. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_altitude_aiding. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
@@ -2551,7 +2651,7 @@ mip_error mip_filter_altitude_aiding_response_encode(
  * What aids pitch and roll while the motion is gentle.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_pitch_roll_aiding_response. Supported by 3DM-GX5-15.
+ * mip_filter_pitch_roll_aiding_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -2587,7 +2687,7 @@ struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_default(void);
 /**
  * Pitch and roll aiding response: response (0x0D,0xBB).
  *
- * Answers mip_filter_pitch_roll_aiding. Supported by 3DM-GX5-15.
+ * Answers mip_filter_pitch_roll_aiding. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -2933,7 +3033,8 @@ mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode(
  * Enables or disables one source of aiding measurements.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_aiding_measurement_enable_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_aiding_measurement_enable_response. Supported by 3DM-CV7-GNSS/INS. May be supported by
+ * 3DM-CV7-AHRS and 3DM-CV7-AR.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -2942,7 +3043,12 @@ struct mip_filter_aiding_measurement_enable {
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** The source; `all` is for save, load and default. */
+    /**
+     * The source; `all` is for save, load and default. On the 3DM-CV7-AHRS: only
+     * MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+     * MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR: only
+     * MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+     */
     mip_filter_aiding_source aiding_source;
     /** Whether the filter uses the source. Required for write. */
     mip_bool enable;
@@ -2975,7 +3081,8 @@ mip_filter_aiding_measurement_enable_default(mip_filter_aiding_source aiding_sou
 /**
  * Aiding measurement control response: response (0x0D,0xD0).
  *
- * Answers mip_filter_aiding_measurement_enable. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_aiding_measurement_enable. Supported by 3DM-CV7-GNSS/INS. May be supported by
+ * 3DM-CV7-AHRS and 3DM-CV7-AR.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -3083,7 +3190,8 @@ mip_error mip_filter_kinematic_constraint_response_encode(
  * Sources and values of the initial attitude, position and velocity of the filter.
  *
  * Also called `initialization_configuration`. Functions: write, read, save, load and default.
- * Answered by mip_filter_initialization_config_response. Supported by 3DM-CV7-GNSS/INS.
+ * Answered by mip_filter_initialization_config_response. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GQ7-GNSS/INS.
  *
  * Single precision resolves the latitude and longitude of the initial position to about a metre
  * only.
@@ -3157,7 +3265,7 @@ struct mip_filter_initialization_config mip_filter_initialization_config_default
  * Navigation filter initialization response: response (0x0D,0xD2).
  *
  * Also called `initialization_configuration_response`. Answers mip_filter_initialization_config.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
@@ -3205,7 +3313,8 @@ mip_error mip_filter_initialization_config_response_encode(
  * How the filter adapts to measurements that do not fit its model.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_adaptive_filter_options_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_adaptive_filter_options_response. Supported by 3DM-CV7-GNSS/INS. May be supported by
+ * 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -3214,7 +3323,10 @@ struct mip_filter_adaptive_filter_options {
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Strength of the adaptation. Default: 2. Required for write. */
+    /**
+     * Strength of the adaptation. Default: 2. Required for write. On the 3DM-GX5-45: only
+     * MIP_FILTER_ADAPTIVE_LEVEL_OFF and MIP_FILTER_ADAPTIVE_LEVEL_MODERATE.
+     */
     mip_filter_adaptive_level level;
     /**
      * Longest time for which measurements are rejected before the filter recovers. Unit: ms.
@@ -3246,7 +3358,8 @@ struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_def
 /**
  * Adaptive filter control response: response (0x0D,0xD3).
  *
- * Answers mip_filter_adaptive_filter_options. Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_adaptive_filter_options. Supported by 3DM-CV7-GNSS/INS. May be supported by
+ * 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -3743,7 +3856,8 @@ mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
  * Lets the filter track the error of the antenna offset.
  *
  * Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default. Answered
- * by mip_filter_gnss_antenna_calibration_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * by mip_filter_gnss_antenna_calibration_control_response. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -3790,7 +3904,7 @@ mip_filter_gnss_antenna_calibration_control_default(void);
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *
  * Also called `gnss_antenna_cal_control_response`. Answers
- * mip_filter_gnss_antenna_calibration_control. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_gnss_antenna_calibration_control. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration

@@ -24,8 +24,17 @@ typedef uint16_t mip_filter_data_valid_flags;
 /** Bit 0. All values of the field are valid. */
 #define MIP_FILTER_DATA_VALID_FLAGS_VALID 0x0001U
 
-/** Sources of heading updates; 0 if heading updates are disabled. */
+/**
+ * Sources of heading updates; 0 if heading updates are disabled.
+ *
+ * - 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14)
+ * - 3dm-gx5-45: 5.3.27 Heading Update Source State (0x82, 0x14)
+ */
 typedef uint16_t mip_filter_data_heading_source_flags;
+/** Bit 0. The magnetometer. */
+#define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_MAG 0x0001U
+/** Bit 1. The velocity that the GNSS receiver measures. */
+#define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_GNSS_VELOCITY 0x0002U
 /** Bit 2. Heading messages that the user sends. */
 #define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL 0x0004U
 
@@ -416,7 +425,7 @@ mip_error mip_filter_data_attitude_quaternion_encode(
  *
  * Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The matrix turns NED vectors into vehicle vectors: `v_vehicle = dcm * v_ned`.
  *
@@ -447,7 +456,7 @@ mip_error mip_filter_data_attitude_dcm_encode(const struct mip_filter_data_attit
  *
  * Estimated orientation of the vehicle frame in the NED frame as Euler angles.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The rotations apply in the order yaw, pitch, roll (3-2-1).
  *
@@ -487,7 +496,7 @@ mip_error mip_filter_data_euler_angles_encode(const struct mip_filter_data_euler
  *
  * Estimated bias of the gyroscope.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
  * - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -748,7 +757,7 @@ mip_error mip_filter_data_linear_accel_encode(const struct mip_filter_data_linea
  *
  * Angular rate without the estimated bias.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
  * - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -951,7 +960,7 @@ mip_error mip_filter_data_gravity_vector_encode(const struct mip_filter_data_gra
  *
  * The last heading that updated the filter and where it came from.
  *
- * Supported by 3DM-GX5-15.
+ * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * The valid bit means that the source gave data within the last 2 seconds.
  *
@@ -968,7 +977,10 @@ struct mip_filter_data_heading_update_state {
      * valid_flags is set.
      */
     float heading_uncertainty;
-    /** Sources of the heading. */
+    /**
+     * Sources of the heading. On the 3DM-GX5-15: only
+     * MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL.
+     */
     mip_filter_data_heading_source_flags source;
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;

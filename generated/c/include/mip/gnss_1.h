@@ -565,7 +565,7 @@ typedef uint16_t mip_gnss_1_beidou_iono_correction_flags;
  *
  * GNSS position as latitude, longitude and height.
  *
- * Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
  */
@@ -896,7 +896,7 @@ mip_error mip_gnss_1_clock_info_encode(const struct mip_gnss_1_clock_info *value
  *
  * Type of the position fix and what it is made of.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
  */

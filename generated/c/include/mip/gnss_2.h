@@ -196,7 +196,7 @@ extern "C" {
  * State of the receiver and of its antenna.
  *
  * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
  */

@@ -27,8 +27,8 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. May be supported by 3DM-GX5-35
+ * and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -44,8 +44,8 @@ extern "C" {
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. May be supported by
+ * 3DM-GX5-35 and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -61,8 +61,8 @@ extern "C" {
  *
  * GNSS velocity in the local level frame.
  *
- * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. May be supported by 3DM-GX5-35
+ * and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -78,7 +78,8 @@ extern "C" {
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. No device profile lists it.
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. Supported by 3DM-GX5-35. May
+ * be supported by 3DM-GX5-45.
  *
  * - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
  */
@@ -94,8 +95,8 @@ extern "C" {
  *
  * Dilution of precision of the satellite geometry.
  *
- * Has the layout of mip_gnss_1_dop. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Has the layout of mip_gnss_1_dop. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -111,8 +112,8 @@ extern "C" {
  *
  * Coordinated universal time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_utc_time. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Has the layout of mip_gnss_1_utc_time. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from
+ * the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -128,8 +129,8 @@ extern "C" {
  *
  * GPS time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_gps_time. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Has the layout of mip_gnss_1_gps_time. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from
+ * the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -145,8 +146,8 @@ extern "C" {
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_clock_info. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known
+ * from the MicroStrain MIP SDK only.
  *
  * Clock info 2 replaces it and tells more.
  *
@@ -164,8 +165,8 @@ extern "C" {
  *
  * Type of the position fix and what it is made of.
  *
- * Has the layout of mip_gnss_1_fix_info. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Has the layout of mip_gnss_1_fix_info. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from
+ * the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -181,8 +182,9 @@ extern "C" {
  *
  * One satellite that is tracked.
  *
- * Has the layout of mip_gnss_1_sv_info. No device profile lists it. Known from the MicroStrain MIP
- * SDK only. Uncertain: Whether a packet holds one of these fields or several.
+ * Has the layout of mip_gnss_1_sv_info. Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35.
+ * Known from the MicroStrain MIP SDK only. Uncertain: Whether a packet holds one of these fields or
+ * several.
  *
  * The satellites come as one field each, in packets apart from other GNSS data.
  *
@@ -200,8 +202,8 @@ extern "C" {
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. No device profile lists
- * it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. Supported by 3DM-GX5-45.
+ * May be supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -217,11 +219,11 @@ extern "C" {
  *
  * State of the differential corrections.
  *
- * Has the layout of mip_gnss_1_dgps_info. No device profile lists it. Uncertain: The layout is that
- * of a manual of the 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the
- * valid flags. Uncertain: The SDK has another one, u8, three floats and u16, which is that of
- * mip_gnss_1_dgps_channel and does not agree with its own valid flags (age, base station id, base
- * station status, number of channels).
+ * Has the layout of mip_gnss_1_dgps_info. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: The
+ * layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of the vendor. It
+ * agrees with the valid flags. Uncertain: The SDK has another one, u8, three floats and u16, which
+ * is that of mip_gnss_1_dgps_channel and does not agree with its own valid flags (age, base station
+ * id, base station status, number of channels).
  *
  * - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
  * - mip-sdk-4: Dgps Info (0x81,0x0E)
@@ -238,8 +240,8 @@ extern "C" {
  *
  * Differential correction for one satellite.
  *
- * Has the layout of mip_gnss_1_dgps_channel. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_dgps_channel. Supported by 3DM-GX5-45. May be supported by
+ * 3DM-GX5-35. Known from the MicroStrain MIP SDK only.
  *
  * The active satellites come as one field each, all in one packet.
  *

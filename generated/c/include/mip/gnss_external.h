@@ -29,6 +29,7 @@ extern "C" {
  * GNSS position as latitude, longitude and height.
  *
  * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
+ * May be supported by 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03)
  */
@@ -44,8 +45,8 @@ extern "C" {
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. May be supported by
+ * 3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -62,6 +63,7 @@ extern "C" {
  * GNSS velocity in the local level frame.
  *
  * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
+ * May be supported by 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05)
  */
@@ -77,8 +79,8 @@ extern "C" {
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. May be supported by
+ * 3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -94,8 +96,8 @@ extern "C" {
  *
  * Dilution of precision of the satellite geometry.
  *
- * Has the layout of mip_gnss_1_dop. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Has the layout of mip_gnss_1_dop. May be supported by 3DM-CV7-INS. Known from the MicroStrain MIP
+ * SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -111,7 +113,8 @@ extern "C" {
  *
  * Coordinated universal time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_utc_time. Supported by 3DM-CV7-GNSS/INS.
+ * Has the layout of mip_gnss_1_utc_time. Supported by 3DM-CV7-GNSS/INS. May be supported by
+ * 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: UTC Time (0x94,0x08)
  */
@@ -163,7 +166,8 @@ extern "C" {
  *
  * Type of the position fix and what it is made of.
  *
- * Has the layout of mip_gnss_1_fix_info. Supported by 3DM-CV7-GNSS/INS.
+ * Has the layout of mip_gnss_1_fix_info. Supported by 3DM-CV7-GNSS/INS. May be supported by
+ * 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B)
  */
@@ -254,8 +258,8 @@ extern "C" {
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info_2. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_clock_info_2. May be supported by 3DM-CV7-INS. Known from the
+ * MicroStrain MIP SDK only.
  *
  * It supersedes clock info.
  *
@@ -273,7 +277,7 @@ extern "C" {
  *
  * Difference between GPS time and UTC.
  *
- * Has the layout of mip_gnss_1_gps_leap_seconds. No device profile lists it. Known from the
+ * Has the layout of mip_gnss_1_gps_leap_seconds. May be supported by 3DM-CV7-INS. Known from the
  * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
@@ -329,7 +333,7 @@ extern "C" {
  *
  * Jamming and spoofing as the receiver detects them in one band.
  *
- * Has the layout of mip_gnss_1_rf_error_detection. No device profile lists it. Known from the
+ * Has the layout of mip_gnss_1_rf_error_detection. May be supported by 3DM-CV7-INS. Known from the
  * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
@@ -346,7 +350,8 @@ extern "C" {
  *
  * Where one satellite stands, and its health.
  *
- * Has the layout of mip_gnss_1_satellite_status. Supported by 3DM-CV7-GNSS/INS.
+ * Has the layout of mip_gnss_1_satellite_status. Supported by 3DM-CV7-GNSS/INS. May be supported by
+ * 3DM-CV7-INS.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *

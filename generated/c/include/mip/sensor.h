@@ -126,7 +126,7 @@ mip_error mip_sensor_raw_mag_encode(const struct mip_sensor_raw_mag *value,
  *
  * Measured acceleration, temperature compensated.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
  * - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
@@ -150,7 +150,7 @@ mip_error mip_sensor_scaled_accel_encode(const struct mip_sensor_scaled_accel *v
  *
  * Measured angular rate, temperature compensated.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
  * - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -174,7 +174,7 @@ mip_error mip_sensor_scaled_gyro_encode(const struct mip_sensor_scaled_gyro *val
  *
  * Measured magnetic field, temperature compensated.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
  */
@@ -197,7 +197,7 @@ mip_error mip_sensor_scaled_mag_encode(const struct mip_sensor_scaled_mag *value
  *
  * Time integral of the angular rate over the period that the message format sets.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
  * - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -221,7 +221,7 @@ mip_error mip_sensor_delta_theta_encode(const struct mip_sensor_delta_theta *val
  *
  * Time integral of the acceleration over the period that the message format sets.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
  *
  * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
  *
@@ -247,7 +247,7 @@ mip_error mip_sensor_delta_velocity_encode(const struct mip_sensor_delta_velocit
  *
  * Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
  *
  * `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the 3DM-GX5-15.
  *
@@ -276,7 +276,7 @@ mip_error mip_sensor_comp_orientation_matrix_encode(
  *
  * Attitude by the complementary filter as a quaternion, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
  *
  * `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on the
  * 3DM-GX5-15.
@@ -333,7 +333,7 @@ mip_error mip_sensor_comp_orientation_update_matrix_encode(
  *
  * Attitude by the complementary filter as Euler angles, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
  *
  * The rotations are in the order yaw, pitch, roll (3-2-1).
  *
@@ -439,7 +439,7 @@ mip_error mip_sensor_pps_timestamp_encode(const struct mip_sensor_pps_timestamp 
  *
  * Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
  *
- * Supported by 3DM-GX5-15.
+ * Supported by 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
  *
  * Without magnetic disturbance it equals the measured magnetic field.
  *
@@ -466,7 +466,7 @@ mip_error mip_sensor_north_vector_encode(const struct mip_sensor_north_vector *v
  *
  * Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
  *
- * Supported by 3DM-GX5-15.
+ * Supported by 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
  *
  * At rest it equals the measured acceleration.
  *
@@ -494,7 +494,7 @@ mip_error mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value,
  *
  * GPS time of the sensor data.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
  *
  * Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
  *
@@ -510,17 +510,20 @@ mip_error mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value,
 struct mip_sensor_gps_timestamp {
     /**
      * GPS time of week. Unit: s. Valid if MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TOW_VALID in valid_flags
-     * is set. On the 3DM-GX5-15: valid if MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in
-     * valid_flags is set.
+     * is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if
+     * MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is set.
      */
     double tow;
     /**
      * GPS week number. Unit: week. Valid if MIP_SENSOR_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER_VALID in
-     * valid_flags is set. On the 3DM-GX5-15: valid if
+     * valid_flags is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if
      * MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED in valid_flags is set.
      */
     uint16_t week_number;
-    /** State of the time. On the 3DM-GX5-15: values of mip_gx5_sensor_gps_timestamp_flags. */
+    /**
+     * State of the time. On the 3DM-GX5-15 and 3DM-GX5-35: values of
+     * mip_gx5_sensor_gps_timestamp_flags.
+     */
     mip_sensor_gps_timestamp_flags valid_flags;
 };
 
@@ -590,7 +593,7 @@ mip_error mip_sensor_raw_pressure_encode(const struct mip_sensor_raw_pressure *v
  *
  * Measured ambient pressure, temperature compensated.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
  * - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)

@@ -157,7 +157,7 @@ mip_error mip_system_interface_control_response_encode(
  * Switches the port between the device and one of the sensors inside it.
  *
  * For advanced use. Functions: write, read, save, load and default. Answered by
- * mip_system_comm_mode_response. Supported by 3DM-GX5-15.
+ * mip_system_comm_mode_response. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * The acknowledge is sent in the old mode, just before the switch.
  *
@@ -170,7 +170,10 @@ struct mip_system_comm_mode {
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Communication mode. Default: MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. */
+    /**
+     * Communication mode. Default: MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the
+     * 3DM-GX5-35: default MIP_SYSTEM_PROTOCOL_MODE_STANDARD.
+     */
     mip_system_protocol_mode mode;
 };
 
@@ -196,7 +199,7 @@ struct mip_system_comm_mode mip_system_comm_mode_default(void);
 /**
  * Communication mode response: response (0x7F,0x90).
  *
- * Answers mip_system_comm_mode. Supported by 3DM-GX5-15.
+ * Answers mip_system_comm_mode. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */

@@ -6,16 +6,667 @@ use crate::protocol::AckCode;
 /// All devices.
 #[rustfmt::skip]
 pub static ALL: &[&Device] = &[
+    &CL5_10,
+    &CL5_15,
+    &CL5_25,
+    &CV5_10,
+    &CV5_15,
+    &CV5_25,
+    &CV7_AHRS,
+    &CV7_AR,
     &CV7_GNSS_INS,
+    &CV7_INS,
+    &CX5_10,
+    &CX5_15,
+    &CX5_25,
+    &CX5_35,
+    &CX5_45,
+    &DH3,
+    &GQ4_45,
+    &GQ7,
+    &GV7_AHRS,
+    &GV7_AR,
+    &GV7_INS,
+    &GX3_15,
+    &GX3_25,
+    &GX3_35,
+    &GX3_45,
+    &GX4_15,
+    &GX4_25,
+    &GX4_45,
+    &GX5_10,
     &GX5_15,
+    &GX5_25,
+    &GX5_35,
+    &GX5_45,
+    &MV5_AR,
+    &RQ1_45_LT,
+    &RQ1_45_ST,
+    &RTK,
 ];
+
+/// 3DM-CL5-10
+///
+/// Inertial measurement unit.
+///
+/// Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual of it is known. This profile
+/// is incomplete: No manual is known. The SDK has its name and number only. Uncertain: MSCL does
+/// not list it among the devices with streams or a device status.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+#[rustfmt::skip]
+pub static CL5_10: Device = Device {
+    id: "3dm-cl5-10",
+    title: "3DM-CL5-10",
+    description: "Inertial measurement unit.",
+    also: &["3DM-CL5-IMU"],
+    model_number: Some(6279),
+    generation: Some(5),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-CL5-15
+///
+/// Attitude reference.
+///
+/// Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual of it is known. This profile
+/// is incomplete: No manual is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
+/// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
+#[rustfmt::skip]
+pub static CL5_15: Device = Device {
+    id: "3dm-cl5-15",
+    title: "3DM-CL5-15",
+    description: "Attitude reference.",
+    also: &["3DM-CL5-AR"],
+    model_number: Some(6280),
+    generation: Some(5),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.complementary_filter.heading_enable",
+            read_as: None,
+            difference: "MSCL does not offer it",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "filter.estimation_control.flags",
+            read_as: None,
+            difference: "only gyro_bias",
+        },
+        Variant {
+            parameter: "filter.heading_source.source",
+            read_as: None,
+            difference: "only none and external",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-CL5-25
+///
+/// Attitude and heading reference system.
+///
+/// Also called 3DM-CL5-AHRS. Generation 5. Model number 6281. No manual of it is known. This
+/// profile is incomplete: No manual is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
+/// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
+#[rustfmt::skip]
+pub static CL5_25: Device = Device {
+    id: "3dm-cl5-25",
+    title: "3DM-CL5-25",
+    description: "Attitude and heading reference system.",
+    also: &["3DM-CL5-AHRS"],
+    model_number: Some(6281),
+    generation: Some(5),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "filter.estimation_control.flags",
+            read_as: None,
+            difference: "only gyro_bias, auto_hard_iron and auto_soft_iron",
+        },
+        Variant {
+            parameter: "filter.heading_source.source",
+            read_as: None,
+            difference: "only none, mag and external",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-CV5-10
+///
+/// Inertial measurement unit.
+///
+/// Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual of it is known. This profile
+/// is incomplete: No manual is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
+/// and
+/// [`mip_3dm::DeviceStatusDiagnosticImuResponse`](crate::mip_3dm::DeviceStatusDiagnosticImuResponse).
+#[rustfmt::skip]
+pub static CV5_10: Device = Device {
+    id: "3dm-cv5-10",
+    title: "3DM-CV5-10",
+    description: "Inertial measurement unit.",
+    also: &["3DM-CV5-IMU"],
+    model_number: Some(6259),
+    generation: Some(5),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.complementary_filter.heading_enable",
+            read_as: None,
+            difference: "MSCL does not offer it",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-CV5-15
+///
+/// Attitude reference.
+///
+/// Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual of it is known. This profile
+/// is incomplete: No manual is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
+/// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
+#[rustfmt::skip]
+pub static CV5_15: Device = Device {
+    id: "3dm-cv5-15",
+    title: "3DM-CV5-15",
+    description: "Attitude reference.",
+    also: &["3DM-CV5-AR"],
+    model_number: Some(6258),
+    generation: Some(5),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.complementary_filter.heading_enable",
+            read_as: None,
+            difference: "MSCL does not offer it",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "filter.estimation_control.flags",
+            read_as: None,
+            difference: "only gyro_bias",
+        },
+        Variant {
+            parameter: "filter.heading_source.source",
+            read_as: None,
+            difference: "only none and external",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-CV5-25
+///
+/// Attitude and heading reference system.
+///
+/// Also called 3DM-CV5-AHRS. Generation 5. Model number 6257. No manual of it is known. This
+/// profile is incomplete: No manual is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
+/// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
+#[rustfmt::skip]
+pub static CV5_25: Device = Device {
+    id: "3dm-cv5-25",
+    title: "3DM-CV5-25",
+    description: "Attitude and heading reference system.",
+    also: &["3DM-CV5-AHRS"],
+    model_number: Some(6257),
+    generation: Some(5),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "filter.estimation_control.flags",
+            read_as: None,
+            difference: "only gyro_bias, auto_hard_iron and auto_soft_iron",
+        },
+        Variant {
+            parameter: "filter.heading_source.source",
+            read_as: None,
+            difference: "only none, mag and external",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-CV7-AHRS
+///
+/// Attitude and heading reference system.
+///
+/// Generation 7. Model number 6286. Manual: MicroStrain 3DM-CV7 Documentation (AHRS and AR),
+/// online, known from single pages. This profile is incomplete: Only single pages of the manual are
+/// known, so it has more commands and data. This profile is incomplete: The limits are those of
+/// firmware 1.0.04 and later. Uncertain: MSCL offers the values `none` and `manual` of
+/// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource) only; the manual
+/// has `wmm` too.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Anti-aliasing low-pass filter
+///
+/// Data that [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter) can filter. Up to firmware
+/// 1.0.07 there is [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter) in its place,
+/// for sensor data only.
+///
+/// | Set | Descriptor | Data |
+/// | --- | --- | --- |
+/// | 0x80 | 0x04 | Scaled accel |
+/// | 0x80 | 0x05 | Scaled gyro |
+/// | 0x80 | 0x06 | Scaled mag |
+/// | 0x80 | 0x17 | Scaled pressure |
+/// | 0x82 | 0x1C | Compensated acceleration |
+/// | 0x82 | 0x0E | Compensated angular rate |
+/// | 0x82 | 0x0D | Linear acceleration |
+///
+/// # GPIO pins
+///
+/// By MSCL, each of the pins 1 to 4 can be a GPIO, take or give pulses (PPS), or stamp events.
+#[rustfmt::skip]
+pub static CV7_AHRS: Device = Device {
+    id: "3dm-cv7-ahrs",
+    title: "3DM-CV7-AHRS",
+    description: "Attitude and heading reference system.",
+    also: &[],
+    model_number: Some(6286),
+    generation: Some(7),
+    manual: Some("3dm-cv7"),
+    incomplete: &[
+        "Only single pages of the manual are known, so it has more commands and data.",
+        "The limits are those of firmware 1.0.04 and later.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] None;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says of what firmware which filter can be set.");
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says of what firmware which filter can be set.");
+        0x0D 0x01 "filter.reset" [] None;
+        0x0D 0x03 "filter.set_initial_heading" [] None;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x13 0x31 "aiding.true_heading" [] None;
+        0x13 0x32 "aiding.magnetic_field" [] None;
+        0x80 0x04 "sensor.scaled_accel" [] None;
+        0x82 0x06 "filter_data.gyro_bias" [] None;
+    },
+    base_rates: &[
+        BaseRate { set: 0x80, hertz: 1000.0 },
+        BaseRate { set: 0x82, hertz: 1000.0 },
+    ],
+    ports: &[
+        Port {
+            name: "Main",
+            id: Some(0x01),
+            baud_rates: &[115200, 230400, 460800, 921600],
+            protocols: &["MIP"],
+        },
+    ],
+    limits: &[
+        Limit {
+            name: "event_triggers",
+            value: 12.0,
+            unit: None,
+            description: "Triggers in all.",
+        },
+        Limit {
+            name: "event_gpio_triggers",
+            value: 4.0,
+            unit: None,
+            description: "GPIO triggers.",
+        },
+        Limit {
+            name: "event_threshold_triggers",
+            value: 8.0,
+            unit: None,
+            description: "Threshold triggers.",
+        },
+        Limit {
+            name: "event_combination_triggers",
+            value: 8.0,
+            unit: None,
+            description: "Combination triggers.",
+        },
+        Limit {
+            name: "event_tick_rate",
+            value: 1000.0,
+            unit: Some("Hz"),
+            description: "Rate of the event cycle.",
+        },
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.pps_source_control.source",
+            read_as: None,
+            difference: "only disabled, gpio and generated",
+        },
+        Variant {
+            parameter: "filter.aiding_measurement_enable.aiding_source",
+            read_as: None,
+            difference: "only mag, external_heading and all",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-CV7-AR
+///
+/// Attitude reference.
+///
+/// Generation 7. Model number 6287. Manual: MicroStrain 3DM-CV7 Documentation (AHRS and AR),
+/// online, known from single pages. This profile is incomplete: Only single pages of the manual are
+/// known, so it has more commands and data. This profile is incomplete: The limits are those of
+/// firmware 1.0.04 and later. Uncertain: MSCL offers the values `none` and `manual` of
+/// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource) only; the manual
+/// has `wmm` too.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Anti-aliasing low-pass filter
+///
+/// Data that [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter) can filter. Up to firmware
+/// 1.0.07 there is [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter) in its place,
+/// for sensor data only.
+///
+/// | Set | Descriptor | Data |
+/// | --- | --- | --- |
+/// | 0x80 | 0x04 | Scaled accel |
+/// | 0x80 | 0x05 | Scaled gyro |
+/// | 0x80 | 0x06 | Scaled mag |
+/// | 0x80 | 0x17 | Scaled pressure |
+/// | 0x82 | 0x1C | Compensated acceleration |
+/// | 0x82 | 0x0E | Compensated angular rate |
+/// | 0x82 | 0x0D | Linear acceleration |
+///
+/// # GPIO pins
+///
+/// By MSCL, each of the pins 1 to 4 can be a GPIO, take or give pulses (PPS), or stamp events.
+#[rustfmt::skip]
+pub static CV7_AR: Device = Device {
+    id: "3dm-cv7-ar",
+    title: "3DM-CV7-AR",
+    description: "Attitude reference.",
+    also: &[],
+    model_number: Some(6287),
+    generation: Some(7),
+    manual: Some("3dm-cv7"),
+    incomplete: &[
+        "Only single pages of the manual are known, so it has more commands and data.",
+        "The limits are those of firmware 1.0.04 and later.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] None;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says of what firmware which filter can be set.");
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says of what firmware which filter can be set.");
+        0x0D 0x01 "filter.reset" [] None;
+        0x0D 0x03 "filter.set_initial_heading" [] None;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x50 "filter.aiding_measurement_enable" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x13 0x01 "aiding.frame_config" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x13 0x1F "aiding.echo_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x13 0x31 "aiding.true_heading" [] None;
+        0x13 0x32 "aiding.magnetic_field" [] None;
+        0x80 0x04 "sensor.scaled_accel" [] None;
+        0x82 0x06 "filter_data.gyro_bias" [] None;
+    },
+    base_rates: &[
+        BaseRate { set: 0x80, hertz: 1000.0 },
+        BaseRate { set: 0x82, hertz: 1000.0 },
+    ],
+    ports: &[
+        Port {
+            name: "Main",
+            id: Some(0x01),
+            baud_rates: &[115200, 230400, 460800, 921600],
+            protocols: &["MIP"],
+        },
+    ],
+    limits: &[
+        Limit {
+            name: "event_triggers",
+            value: 12.0,
+            unit: None,
+            description: "Triggers in all.",
+        },
+        Limit {
+            name: "event_gpio_triggers",
+            value: 4.0,
+            unit: None,
+            description: "GPIO triggers.",
+        },
+        Limit {
+            name: "event_threshold_triggers",
+            value: 8.0,
+            unit: None,
+            description: "Threshold triggers.",
+        },
+        Limit {
+            name: "event_combination_triggers",
+            value: 8.0,
+            unit: None,
+            description: "Combination triggers.",
+        },
+        Limit {
+            name: "event_tick_rate",
+            value: 1000.0,
+            unit: Some("Hz"),
+            description: "Rate of the event cycle.",
+        },
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.pps_source_control.source",
+            read_as: None,
+            difference: "only disabled, gpio and generated",
+        },
+        Variant {
+            parameter: "filter.aiding_measurement_enable.aiding_source",
+            read_as: None,
+            difference: "only external_heading and all",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
 
 /// 3DM-CV7-GNSS/INS
 ///
 /// Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure
 /// sensor.
 ///
-/// Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
+/// Generation 7. Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
+///
+/// Source: mip-sdk-4: Device models.
 ///
 /// # Ports
 ///
@@ -155,7 +806,7 @@ pub static CV7_GNSS_INS: Device = Device {
     description: "Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure sensor.",
     also: &[],
     model_number: Some(6292),
-    generation: None,
+    generation: Some(7),
     manual: Some("3dm-cv7-gnss-ins"),
     incomplete: &[
     ],
@@ -584,12 +1235,1215 @@ pub static CV7_GNSS_INS: Device = Device {
     ],
 };
 
+/// 3DM-CV7-INS
+///
+/// Inertial navigation system without a GNSS receiver of its own.
+///
+/// Generation 7. Model number 6291. Manual: MicroStrain 3DM-CV7-INS Documentation, online, known
+/// from single pages. This profile is incomplete: Only single pages of the manual are known, so it
+/// has more commands and data. This profile is incomplete: It has the data sets 0x80, 0x82, 0x94,
+/// 0x95, 0xA0 and 0xFF. Uncertain: The set 0x95 is named by a test site of the vendor only.
+/// Uncertain: The base rate of the set 0x94 is inferred from the 3DM-CV7-GNSS/INS.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+#[rustfmt::skip]
+pub static CV7_INS: Device = Device {
+    id: "3dm-cv7-ins",
+    title: "3DM-CV7-INS",
+    description: "Inertial navigation system without a GNSS receiver of its own.",
+    also: &[],
+    model_number: Some(6291),
+    generation: Some(7),
+    manual: Some("3dm-cv7-ins"),
+    incomplete: &[
+        "Only single pages of the manual are known, so it has more commands and data.",
+        "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.",
+    ],
+    fields: supported! {
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x94 0x03 "gnss_external.llh_position" [] Some("A test site of the vendor lists it for this device; the firmware is not known.");
+        0x94 0x04 "gnss_external.ecef_position" [] Some("A test site of the vendor lists it for this device; the firmware is not known.");
+        0x94 0x05 "gnss_external.ned_velocity" [] Some("A test site of the vendor lists it for this device; the firmware is not known.");
+        0x94 0x06 "gnss_external.ecef_velocity" [] Some("A test site of the vendor lists it for this device; the firmware is not known.");
+        0x94 0x07 "gnss_external.dop" [] Some("A test site of the vendor lists it for this device; the firmware is not known.");
+        0x94 0x08 "gnss_external.utc_time" [] Some("A test site of the vendor lists it for this device; the firmware is not known.");
+        0x94 0x0B "gnss_external.fix_info" [] Some("A test site of the vendor lists it for this device; the firmware is not known.");
+        0x94 0x10 "gnss_external.clock_info_2" [] Some("A test site of the vendor lists it for this device; the firmware is not known.");
+        0x94 0x11 "gnss_external.gps_leap_seconds" [] Some("A test site of the vendor lists it for this device; the firmware is not known.");
+        0x94 0x14 "gnss_external.rf_error_detection" [] Some("A test site of the vendor lists it for this device; the firmware is not known.");
+        0x94 0x20 "gnss_external.satellite_status" [] Some("A test site of the vendor lists it for this device; the firmware is not known.");
+    },
+    base_rates: &[
+        BaseRate { set: 0x94, hertz: 0.0 },
+    ],
+    ports: &[
+    ],
+    limits: &[
+        Limit {
+            name: "antenna_offset",
+            value: 10.0,
+            unit: Some("m"),
+            description: "Greatest distance of the antenna from the device.",
+        },
+    ],
+    variants: &[
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-CX5-10
+///
+/// Inertial measurement unit.
+///
+/// Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual of it is known. This profile
+/// is incomplete: No manual is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
+/// and
+/// [`mip_3dm::DeviceStatusDiagnosticImuResponse`](crate::mip_3dm::DeviceStatusDiagnosticImuResponse).
+#[rustfmt::skip]
+pub static CX5_10: Device = Device {
+    id: "3dm-cx5-10",
+    title: "3DM-CX5-10",
+    description: "Inertial measurement unit.",
+    also: &["3DM-CX5-IMU"],
+    model_number: Some(6275),
+    generation: Some(5),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.complementary_filter.heading_enable",
+            read_as: None,
+            difference: "MSCL does not offer it",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-CX5-15
+///
+/// Attitude reference.
+///
+/// Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual of it is known. This profile
+/// is incomplete: No manual is known. The SDK has its name and number only. Uncertain: MSCL does
+/// not list it among those for which it limits the choices of the filter.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
+/// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
+#[rustfmt::skip]
+pub static CX5_15: Device = Device {
+    id: "3dm-cx5-15",
+    title: "3DM-CX5-15",
+    description: "Attitude reference.",
+    also: &["3DM-CX5-AR"],
+    model_number: Some(6274),
+    generation: Some(5),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.complementary_filter.heading_enable",
+            read_as: None,
+            difference: "MSCL does not offer it",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-CX5-25
+///
+/// Attitude and heading reference system.
+///
+/// Also called 3DM-CX5-AHRS. Generation 5. Model number 6273. No manual of it is known. This
+/// profile is incomplete: No manual is known. The SDK has its name and number only. Uncertain: MSCL
+/// does not list it among those for which it limits the choices of the filter.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
+/// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
+#[rustfmt::skip]
+pub static CX5_25: Device = Device {
+    id: "3dm-cx5-25",
+    title: "3DM-CX5-25",
+    description: "Attitude and heading reference system.",
+    also: &["3DM-CX5-AHRS"],
+    model_number: Some(6273),
+    generation: Some(5),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-CX5-35
+///
+/// Attitude and heading reference with GNSS.
+///
+/// Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model number 6272. No manual of it is known. This
+/// profile is incomplete: No manual is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
+/// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
+#[rustfmt::skip]
+pub static CX5_35: Device = Device {
+    id: "3dm-cx5-35",
+    title: "3DM-CX5-35",
+    description: "Attitude and heading reference with GNSS.",
+    also: &["3DM-CX5-GNSS/AHRS"],
+    model_number: Some(6272),
+    generation: Some(5),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-CX5-45
+///
+/// Inertial navigation system with GNSS.
+///
+/// Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. No manual of it is known. This
+/// profile is incomplete: No manual is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
+/// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
+#[rustfmt::skip]
+pub static CX5_45: Device = Device {
+    id: "3dm-cx5-45",
+    title: "3DM-CX5-45",
+    description: "Inertial navigation system with GNSS.",
+    also: &["3DM-CX5-GNSS/INS"],
+    model_number: Some(6271),
+    generation: Some(5),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-DH3
+///
+/// Device of generation 3, known by its name and its number.
+///
+/// Generation 3. Model number 6219. No manual of it is known. This profile is incomplete: No manual
+/// is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+#[rustfmt::skip]
+pub static DH3: Device = Device {
+    id: "3dm-dh3",
+    title: "3DM-DH3",
+    description: "Device of generation 3, known by its name and its number.",
+    also: &[],
+    model_number: Some(6219),
+    generation: Some(3),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-GQ4-45
+///
+/// Tactical grade inertial navigation system with GNSS.
+///
+/// Generation 4. Model number 6250. Manual: LORD 3DM-GQ4-45 Data Communications Protocol, of
+/// September 26, 2015, known from its contents. This profile is incomplete: The contents of the
+/// manual are known up to the commands of the set `3dm`. The sets `filter` and `system` follow.
+/// This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, of which no field is
+/// known. Uncertain: It may take raw RTCM by a command of which the layout is not known.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
+/// [`mip_3dm::DeviceStatusDiagnosticGq4_45Response`](crate::mip_3dm::DeviceStatusDiagnosticGq4_45Response).
+#[rustfmt::skip]
+pub static GQ4_45: Device = Device {
+    id: "3dm-gq4-45",
+    title: "3DM-GQ4-45",
+    description: "Tactical grade inertial navigation system with GNSS.",
+    also: &[],
+    model_number: Some(6250),
+    generation: Some(4),
+    manual: Some("3dm-gq4-45"),
+    incomplete: &[
+        "The contents of the manual are known up to the commands of the set `3dm`. The sets `filter` and `system` follow.",
+        "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+    ],
+    fields: supported! {
+        0x01 0x01 "base.ping" [] None;
+        0x01 0x02 "base.set_idle" [] None;
+        0x01 0x03 "base.get_device_info" [] None;
+        0x01 0x04 "base.get_device_descriptors" [] None;
+        0x01 0x05 "base.built_in_test" [] None;
+        0x01 0x06 "base.resume" [] None;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] None;
+        0x01 0x7E "base.soft_reset" [] None;
+        0x0C 0x01 "3dm.poll_imu_data" [] None;
+        0x0C 0x02 "3dm.poll_gnss_data" [] None;
+        0x0C 0x03 "3dm.poll_filter_data" [] None;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] None;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] None;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] None;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] None;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] None;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x64 "3dm.device_status" [] None;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "base.built_in_test_response.result",
+            read_as: None,
+            difference: "values that are not known",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "filter.estimation_control.flags",
+            read_as: None,
+            difference: "only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset",
+        },
+        Variant {
+            parameter: "filter.heading_source.source",
+            read_as: None,
+            difference: "only none, mag, gnss_velocity and external",
+        },
+        Variant {
+            parameter: "filter.accel_magnitude_error_adaptive_measurement.adaptive_measurement",
+            read_as: None,
+            difference: "only disabled and fixed",
+        },
+        Variant {
+            parameter: "filter.mag_magnitude_error_adaptive_measurement.adaptive_measurement",
+            read_as: None,
+            difference: "only disabled and fixed",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-GQ7-GNSS/INS
+///
+/// Inertial navigation system with two GNSS receivers.
+///
+/// Also called 3DM-GQ7. Generation 7. Model number 6284. Manual: MicroStrain 3DM-GQ7 Documentation,
+/// online, known from single pages. This profile is incomplete: Only single pages of the manual are
+/// known, so it has more commands and data. This profile is incomplete: The baud rates of the Aux
+/// port are not known, nor all of its protocols. Uncertain: The values of
+/// [`filter::MagneticDeclinationSource`](crate::filter::MagneticDeclinationSource) are those that
+/// MSCL offers. Uncertain: By MSCL, firmware from 1.0 on and below 1.1 has only the values
+/// `all_internal` and `external` of [`filter::GnssSource`](crate::filter::GnssSource).
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Anti-aliasing low-pass filter
+///
+/// Data that [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter) can filter. Up to firmware
+/// 1.0.10 there is [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter) in its place,
+/// for sensor data only.
+///
+/// | Set | Descriptor | Data |
+/// | --- | --- | --- |
+/// | 0x80 | 0x04 | Scaled accel |
+/// | 0x80 | 0x05 | Scaled gyro |
+/// | 0x80 | 0x06 | Scaled mag |
+/// | 0x80 | 0x17 | Scaled pressure |
+/// | 0x82 | 0x1C | Compensated acceleration |
+/// | 0x82 | 0x0E | Compensated angular rate |
+/// | 0x82 | 0x0D | Linear acceleration |
+///
+/// # Firmware
+///
+/// The system data set 0xA0 and NMEA on the main port are later than firmware 1.0.10.
+///
+/// # GPIO pins
+///
+/// Features of each pin, by MSCL.
+///
+/// | Pin | Features |
+/// | --- | --- |
+/// | 1 | GPIO, PPS, encoder |
+/// | 2 | GPIO, encoder |
+/// | 3 | GPIO, PPS |
+/// | 4 | GPIO |
+///
+/// # NMEA output
+///
+/// Sentences are GGA, GLL, GSV, RMC, VTG, HDT, ZDA, and the proprietary PMSRA and PMSRR.
+#[rustfmt::skip]
+pub static GQ7: Device = Device {
+    id: "3dm-gq7",
+    title: "3DM-GQ7-GNSS/INS",
+    description: "Inertial navigation system with two GNSS receivers.",
+    also: &["3DM-GQ7"],
+    model_number: Some(6284),
+    generation: Some(7),
+    manual: Some("3dm-gq7"),
+    incomplete: &[
+        "Only single pages of the manual are known, so it has more commands and data.",
+        "The baud rates of the Aux port are not known, nor all of its protocols.",
+    ],
+    fields: supported! {
+        0x0C 0x04 "3dm.poll_nmea_data" [] None;
+        0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] None;
+        0x0C 0x41 "3dm.gpio_config" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says of what firmware which filter can be set.");
+        0x0C 0x54 "3dm.low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The manual says of what firmware which filter can be set.");
+        0x0D 0x05 "filter.run" [] None;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x52 "filter.initialization_config" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x64 "filter.gnss_antenna_calibration_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x91 0x03 "gnss_1.llh_position" [] None;
+        0x91 0x0B "gnss_1.fix_info" [] None;
+        0x92 0x0D "gnss_2.hardware_status" [] None;
+    },
+    base_rates: &[
+        BaseRate { set: 0x80, hertz: 1000.0 },
+        BaseRate { set: 0x82, hertz: 1000.0 },
+        BaseRate { set: 0x91, hertz: 2.0 },
+        BaseRate { set: 0x92, hertz: 2.0 },
+        BaseRate { set: 0x93, hertz: 0.0 },
+        BaseRate { set: 0xA0, hertz: 1000.0 },
+    ],
+    ports: &[
+        Port {
+            name: "Main",
+            id: Some(0x01),
+            baud_rates: &[115200, 230400, 460800, 921600],
+            protocols: &["MIP", "NMEA"],
+        },
+        Port {
+            name: "Aux",
+            id: Some(0x02),
+            baud_rates: &[],
+            protocols: &["MIP"],
+        },
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "filter.magnetic_declination_source.source",
+            read_as: None,
+            difference: "only wmm and manual",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-GV7-AHRS
+///
+/// Attitude and heading reference system.
+///
+/// Generation 7. Model number 6288. No manual of it is known. This profile is incomplete: No manual
+/// is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+#[rustfmt::skip]
+pub static GV7_AHRS: Device = Device {
+    id: "3dm-gv7-ahrs",
+    title: "3DM-GV7-AHRS",
+    description: "Attitude and heading reference system.",
+    also: &[],
+    model_number: Some(6288),
+    generation: Some(7),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-GV7-AR
+///
+/// Attitude reference.
+///
+/// Generation 7. Model number 6289. No manual of it is known. This profile is incomplete: No manual
+/// is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+#[rustfmt::skip]
+pub static GV7_AR: Device = Device {
+    id: "3dm-gv7-ar",
+    title: "3DM-GV7-AR",
+    description: "Attitude reference.",
+    also: &[],
+    model_number: Some(6289),
+    generation: Some(7),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-GV7-INS
+///
+/// Inertial navigation system.
+///
+/// Generation 7. Model number 6290. No manual of it is known. This profile is incomplete: No manual
+/// is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+#[rustfmt::skip]
+pub static GV7_INS: Device = Device {
+    id: "3dm-gv7-ins",
+    title: "3DM-GV7-INS",
+    description: "Inertial navigation system.",
+    also: &[],
+    model_number: Some(6290),
+    generation: Some(7),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-GX3-15
+///
+/// Device of generation 3, known by its name and its number.
+///
+/// Generation 3. Model number 6227. No manual of it is known. This profile is incomplete: No manual
+/// is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+#[rustfmt::skip]
+pub static GX3_15: Device = Device {
+    id: "3dm-gx3-15",
+    title: "3DM-GX3-15",
+    description: "Device of generation 3, known by its name and its number.",
+    also: &[],
+    model_number: Some(6227),
+    generation: Some(3),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-GX3-25
+///
+/// Device of generation 3, known by its name and its number.
+///
+/// Generation 3. Model number 6223. No manual of it is known. This profile is incomplete: No manual
+/// is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+#[rustfmt::skip]
+pub static GX3_25: Device = Device {
+    id: "3dm-gx3-25",
+    title: "3DM-GX3-25",
+    description: "Device of generation 3, known by its name and its number.",
+    also: &[],
+    model_number: Some(6223),
+    generation: Some(3),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-GX3-35
+///
+/// Device of generation 3, known by its name and its number.
+///
+/// Generation 3. Model number 6225. No manual of it is known. This profile is incomplete: No manual
+/// is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+#[rustfmt::skip]
+pub static GX3_35: Device = Device {
+    id: "3dm-gx3-35",
+    title: "3DM-GX3-35",
+    description: "Device of generation 3, known by its name and its number.",
+    also: &[],
+    model_number: Some(6225),
+    generation: Some(3),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-GX3-45
+///
+/// Device of generation 3, known by its name and its number.
+///
+/// Generation 3. Model number 6228. No manual of it is known. This profile is incomplete: No manual
+/// is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+#[rustfmt::skip]
+pub static GX3_45: Device = Device {
+    id: "3dm-gx3-45",
+    title: "3DM-GX3-45",
+    description: "Device of generation 3, known by its name and its number.",
+    also: &[],
+    model_number: Some(6228),
+    generation: Some(3),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "filter.vehicle_dynamics_mode.mode",
+            read_as: None,
+            difference: "only portable, automotive and airborne",
+        },
+        Variant {
+            parameter: "filter.estimation_control.flags",
+            read_as: None,
+            difference: "only gyro_bias",
+        },
+        Variant {
+            parameter: "filter.heading_source.source",
+            read_as: None,
+            difference: "only none, mag, gnss_velocity and external",
+        },
+        Variant {
+            parameter: "filter.accel_magnitude_error_adaptive_measurement.adaptive_measurement",
+            read_as: None,
+            difference: "only disabled and fixed",
+        },
+        Variant {
+            parameter: "filter.mag_magnitude_error_adaptive_measurement.adaptive_measurement",
+            read_as: None,
+            difference: "only disabled and fixed",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-GX4-15
+///
+/// Device of generation 4, known by its name and its number.
+///
+/// Generation 4. Model number 6233. No manual of it is known. This profile is incomplete: No manual
+/// is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
+/// and
+/// [`mip_3dm::DeviceStatusDiagnosticGx4Response`](crate::mip_3dm::DeviceStatusDiagnosticGx4Response).
+#[rustfmt::skip]
+pub static GX4_15: Device = Device {
+    id: "3dm-gx4-15",
+    title: "3DM-GX4-15",
+    description: "Device of generation 4, known by its name and its number.",
+    also: &[],
+    model_number: Some(6233),
+    generation: Some(4),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "filter.estimation_control.flags",
+            read_as: None,
+            difference: "only gyro_bias",
+        },
+        Variant {
+            parameter: "filter.accel_magnitude_error_adaptive_measurement.adaptive_measurement",
+            read_as: None,
+            difference: "only disabled and fixed",
+        },
+        Variant {
+            parameter: "filter.mag_magnitude_error_adaptive_measurement.adaptive_measurement",
+            read_as: None,
+            difference: "only disabled and fixed",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-GX4-25
+///
+/// Device of generation 4, known by its name and its number.
+///
+/// Generation 4. Model number 6234. No manual of it is known. This profile is incomplete: No manual
+/// is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
+/// and
+/// [`mip_3dm::DeviceStatusDiagnosticGx4Response`](crate::mip_3dm::DeviceStatusDiagnosticGx4Response).
+#[rustfmt::skip]
+pub static GX4_25: Device = Device {
+    id: "3dm-gx4-25",
+    title: "3DM-GX4-25",
+    description: "Device of generation 4, known by its name and its number.",
+    also: &[],
+    model_number: Some(6234),
+    generation: Some(4),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "filter.estimation_control.flags",
+            read_as: None,
+            difference: "only gyro_bias",
+        },
+        Variant {
+            parameter: "filter.heading_source.source",
+            read_as: None,
+            difference: "only none, mag and external",
+        },
+        Variant {
+            parameter: "filter.accel_magnitude_error_adaptive_measurement.adaptive_measurement",
+            read_as: None,
+            difference: "only disabled and fixed",
+        },
+        Variant {
+            parameter: "filter.mag_magnitude_error_adaptive_measurement.adaptive_measurement",
+            read_as: None,
+            difference: "only disabled and fixed",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-GX4-45
+///
+/// Device of generation 4, known by its name and its number.
+///
+/// Generation 4. Model number 6236. No manual of it is known. This profile is incomplete: No manual
+/// is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
+/// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
+#[rustfmt::skip]
+pub static GX4_45: Device = Device {
+    id: "3dm-gx4-45",
+    title: "3DM-GX4-45",
+    description: "Device of generation 4, known by its name and its number.",
+    also: &[],
+    model_number: Some(6236),
+    generation: Some(4),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "filter.estimation_control.flags",
+            read_as: None,
+            difference: "only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset",
+        },
+        Variant {
+            parameter: "filter.heading_source.source",
+            read_as: None,
+            difference: "only none, mag, gnss_velocity and external",
+        },
+        Variant {
+            parameter: "filter.accel_magnitude_error_adaptive_measurement.adaptive_measurement",
+            read_as: None,
+            difference: "only disabled and fixed",
+        },
+        Variant {
+            parameter: "filter.mag_magnitude_error_adaptive_measurement.adaptive_measurement",
+            read_as: None,
+            difference: "only disabled and fixed",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-GX5-10
+///
+/// Inertial measurement unit.
+///
+/// Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual of it is known. This profile
+/// is incomplete: No manual is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
+/// and
+/// [`mip_3dm::DeviceStatusDiagnosticImuResponse`](crate::mip_3dm::DeviceStatusDiagnosticImuResponse).
+#[rustfmt::skip]
+pub static GX5_10: Device = Device {
+    id: "3dm-gx5-10",
+    title: "3DM-GX5-10",
+    description: "Inertial measurement unit.",
+    also: &["3DM-GX5-IMU"],
+    model_number: Some(6255),
+    generation: Some(5),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.complementary_filter.heading_enable",
+            read_as: None,
+            difference: "MSCL does not offer it",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
 /// 3DM-GX5-15
 ///
 /// Vertical reference unit with an inertial sensor, a pressure sensor and an estimation filter.
 ///
-/// Model number 6254. Manual: LORD Sensing 3DM-GX5-15 Data Communications Protocol, 8500-0067 rev.
-/// E.
+/// Also called 3DM-GX5-AR. Generation 5. Model number 6254. Manual: LORD Sensing 3DM-GX5-15 Data
+/// Communications Protocol, 8500-0067 rev. E.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Base rates
 ///
@@ -633,9 +2487,9 @@ pub static GX5_15: Device = Device {
     id: "3dm-gx5-15",
     title: "3DM-GX5-15",
     description: "Vertical reference unit with an inertial sensor, a pressure sensor and an estimation filter.",
-    also: &[],
+    also: &["3DM-GX5-AR"],
     model_number: Some(6254),
-    generation: None,
+    generation: Some(5),
     manual: Some("3dm-gx5-15"),
     incomplete: &[
     ],
@@ -790,9 +2644,24 @@ pub static GX5_15: Device = Device {
             difference: "default true",
         },
         Variant {
+            parameter: "3dm.device_status.model_number",
+            read_as: None,
+            difference: "always 6254",
+        },
+        Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
             read_as: Some("legacy_data_stream"),
             difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "filter.estimation_control.flags",
+            read_as: None,
+            difference: "only gyro_bias",
+        },
+        Variant {
+            parameter: "filter.heading_source.source",
+            read_as: None,
+            difference: "only none and external",
         },
         Variant {
             parameter: "sensor.comp_orientation_matrix.m",
@@ -834,6 +2703,11 @@ pub static GX5_15: Device = Device {
             read_as: Some("gx5_status_flags"),
             difference: "values of gx5_status_flags",
         },
+        Variant {
+            parameter: "filter_data.heading_update_state.source",
+            read_as: None,
+            difference: "only external",
+        },
     ],
     ack_codes: &[
         AckCode::OK,
@@ -842,5 +2716,784 @@ pub static GX5_15: Device = Device {
         AckCode::INVALID_PARAMETER,
         AckCode::COMMAND_FAILED,
         AckCode::COMMAND_TIMEOUT,
+    ],
+};
+
+/// 3DM-GX5-25
+///
+/// Attitude and heading reference system.
+///
+/// Also called 3DM-GX5-AHRS. Generation 5. Model number 6253. No manual of it is known. This
+/// profile is incomplete: No manual is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
+/// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
+#[rustfmt::skip]
+pub static GX5_25: Device = Device {
+    id: "3dm-gx5-25",
+    title: "3DM-GX5-25",
+    description: "Attitude and heading reference system.",
+    also: &["3DM-GX5-AHRS"],
+    model_number: Some(6253),
+    generation: Some(5),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "filter.estimation_control.flags",
+            read_as: None,
+            difference: "only gyro_bias, auto_hard_iron and auto_soft_iron",
+        },
+        Variant {
+            parameter: "filter.heading_source.source",
+            read_as: None,
+            difference: "only none, mag and external",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-GX5-35
+///
+/// Attitude and heading reference with GNSS.
+///
+/// Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model number 6252. Manual: LORD 3DM-GX5-35 DCP
+/// Manual, revision unknown, known from single pages. This profile is incomplete: Only single pages
+/// of the manual are known, so it has more commands and data. Uncertain: The base rates are those
+/// that the manual gives for all 3DM-GX5.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Receiver
+///
+/// The GNSS receiver is a u-blox M8M. GLONASS and BeiDou exclude each other.
+///
+/// # Streams
+///
+/// The manual lists the selectors of the sensor and the filter stream, though the device has no
+/// filter.
+///
+/// # Device status
+///
+/// It answers with
+/// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
+/// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
+#[rustfmt::skip]
+pub static GX5_35: Device = Device {
+    id: "3dm-gx5-35",
+    title: "3DM-GX5-35",
+    description: "Attitude and heading reference with GNSS.",
+    also: &["3DM-GX5-GNSS/AHRS"],
+    model_number: Some(6252),
+    generation: Some(5),
+    manual: Some("3dm-gx5-35"),
+    incomplete: &[
+        "Only single pages of the manual are known, so it has more commands and data.",
+    ],
+    fields: supported! {
+        0x01 0x01 "base.ping" [] None;
+        0x01 0x02 "base.set_idle" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x01 0x03 "base.get_device_info" [] None;
+        0x01 0x04 "base.get_device_descriptors" [] None;
+        0x01 0x05 "base.built_in_test" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x01 0x06 "base.resume" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x01 0x07 "base.get_extended_descriptors" [] None;
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] None;
+        0x01 0x7E "base.soft_reset" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x01 "3dm.poll_imu_data" [] None;
+        0x0C 0x02 "3dm.poll_gnss_data" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x06 "3dm.get_imu_base_rate" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] None;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x23 "3dm.gnss_assisted_fix" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x24 "3dm.gnss_time_assistance" [WRITE READ] None;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] None;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x39 "3dm.capture_gyro_bias" [] None;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x64 "3dm.device_status" [] None;
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x80 0x04 "sensor.scaled_accel" [] None;
+        0x80 0x05 "sensor.scaled_gyro" [] None;
+        0x80 0x06 "sensor.scaled_mag" [] None;
+        0x80 0x07 "sensor.delta_theta" [] None;
+        0x80 0x08 "sensor.delta_velocity" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x80 0x09 "sensor.comp_orientation_matrix" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x80 0x0A "sensor.comp_quaternion" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x80 0x0C "sensor.comp_euler_angles" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x80 0x10 "sensor.north_vector" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x80 0x11 "sensor.up_vector" [] None;
+        0x80 0x12 "sensor.gps_timestamp" [] None;
+        0x80 0x17 "sensor.scaled_pressure" [] None;
+        0x81 0x03 "gnss_data.llh_position" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x04 "gnss_data.ecef_position" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x05 "gnss_data.ned_velocity" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x06 "gnss_data.ecef_velocity" [] None;
+        0x81 0x07 "gnss_data.dop" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x08 "gnss_data.utc_time" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x09 "gnss_data.gps_time" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x0A "gnss_data.clock_info" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x0B "gnss_data.fix_info" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x0C "gnss_data.sv_info" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x0D "gnss_data.hardware_status" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x0E "gnss_data.dgps_info" [] None;
+        0x81 0x0F "gnss_data.dgps_channel" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+    },
+    base_rates: &[
+        BaseRate { set: 0x80, hertz: 500.0 },
+        BaseRate { set: 0x81, hertz: 4.0 },
+    ],
+    ports: &[
+    ],
+    limits: &[
+        Limit {
+            name: "reserved_gnss_channels",
+            value: 32.0,
+            unit: None,
+            description: "Sum of the channels that constellations reserve.",
+        },
+    ],
+    variants: &[
+        Variant {
+            parameter: "base.built_in_test_response.result",
+            read_as: None,
+            difference: "values that are not known",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.gnss_sbas_settings.enable_sbas",
+            read_as: None,
+            difference: "default 1",
+        },
+        Variant {
+            parameter: "3dm.gnss_sbas_settings.sbas_options",
+            read_as: None,
+            difference: "default enable_ranging and enable_corrections",
+        },
+        Variant {
+            parameter: "3dm.gnss_assisted_fix.option",
+            read_as: None,
+            difference: "default none",
+        },
+        Variant {
+            parameter: "3dm.gnss_assisted_fix.flags",
+            read_as: None,
+            difference: "default 255",
+        },
+        Variant {
+            parameter: "3dm.device_status.model_number",
+            read_as: None,
+            difference: "always 6252",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "system.comm_mode.mode",
+            read_as: None,
+            difference: "default standard",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.tow",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.week_number",
+            read_as: None,
+            difference: "valid if valid_flags.time_initialized is set",
+        },
+        Variant {
+            parameter: "sensor.gps_timestamp.valid_flags",
+            read_as: Some("gx5_sensor_gps_timestamp_flags"),
+            difference: "values of gx5_sensor_gps_timestamp_flags",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-GX5-45
+///
+/// Inertial navigation system with GNSS, magnetometer and pressure sensor.
+///
+/// Also called 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Manual: LORD 3DM-GX5-45 DCP
+/// Manual, 8500-0064 rev. C, known from single pages. This profile is incomplete: Only single pages
+/// of the manual are known, so it has more commands and data. This profile is incomplete: Of the
+/// filter data four fields are listed, and the manual has 27 or more. Uncertain: The base rates are
+/// those that the manuals of the 3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5. Uncertain: An
+/// example in the manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual
+/// prints the length of
+/// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse),
+/// and offsets of
+/// [`mip_3dm::DeviceStatusDiagnosticGx4Response`](crate::mip_3dm::DeviceStatusDiagnosticGx4Response),
+/// against MSCL.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # RTCM input
+///
+/// A command of which only the name and the descriptor 0x20 of the set `3dm` are known takes RTCM
+/// 2.3. The receiver uses the messages 1, 2, 3 and 9.
+///
+/// # Functions that the specification does not define
+///
+/// The manual has a read of [`mip_3dm::DeviceSettings`](crate::mip_3dm::DeviceSettings), which is
+/// answered with the settings of all commands.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
+/// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
+#[rustfmt::skip]
+pub static GX5_45: Device = Device {
+    id: "3dm-gx5-45",
+    title: "3DM-GX5-45",
+    description: "Inertial navigation system with GNSS, magnetometer and pressure sensor.",
+    also: &["3DM-GX5-GNSS/INS"],
+    model_number: Some(6251),
+    generation: Some(5),
+    manual: Some("3dm-gx5-45"),
+    incomplete: &[
+        "Only single pages of the manual are known, so it has more commands and data.",
+        "Of the filter data four fields are listed, and the manual has 27 or more.",
+    ],
+    fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x01 0x02 "base.set_idle" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x01 0x03 "base.get_device_info" [] None;
+        0x01 0x04 "base.get_device_descriptors" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x01 0x05 "base.built_in_test" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x01 0x06 "base.resume" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x01 0x07 "base.get_extended_descriptors" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x01 0x72 "base.gps_time_update" [WRITE READ APPLY] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x01 0x7E "base.soft_reset" [] None;
+        0x0C 0x01 "3dm.poll_imu_data" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x02 "3dm.poll_gnss_data" [] None;
+        0x0C 0x03 "3dm.poll_filter_data" [] None;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] None;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] None;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] None;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x21 "3dm.constellation_settings" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x22 "3dm.gnss_sbas_settings" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x23 "3dm.gnss_assisted_fix" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x24 "3dm.gnss_time_assistance" [WRITE READ] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] None;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x39 "3dm.capture_gyro_bias" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0C 0x64 "3dm.device_status" [] None;
+        0x0D 0x01 "filter.reset" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0D 0x02 "filter.set_initial_attitude" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x0D 0x03 "filter.set_initial_heading" [] None;
+        0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x11 "filter.sensor_to_vehicle_rotation_euler" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x12 "filter.sensor_to_vehicle_offset" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x15 "filter.gnss_source" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x16 "filter.external_gnss_update" [] None;
+        0x0D 0x17 "filter.external_heading_update" [] None;
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x19 "filter.auto_initialization_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x1A "filter.accel_noise" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x1B "filter.gyro_noise" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x1C "filter.accel_bias_model" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x1D "filter.gyro_bias_model" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x1E "filter.auto_zupt" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x1F "filter.external_heading_update_with_time" [] None;
+        0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x21 "filter.tare_orientation" [WRITE SAVE LOAD DEFAULT] None;
+        0x0D 0x22 "filter.commanded_zupt" [] None;
+        0x0D 0x23 "filter.commanded_angular_zupt" [] None;
+        0x0D 0x27 "filter.mag_capture_auto_calibration" [WRITE SAVE] None;
+        0x0D 0x28 "filter.gravity_noise" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x29 "filter.pressure_altitude_noise" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x2B "filter.hard_iron_offset_noise" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x2C "filter.soft_iron_matrix_noise" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x42 "filter.mag_noise" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x43 "filter.magnetic_declination_source" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x46 "filter.mag_dip_angle_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x47 "filter.altitude_aiding" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x4B "filter.pitch_roll_aiding" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0D 0x53 "filter.adaptive_filter_options" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x7F 0x10 "system.comm_mode" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x80 0x04 "sensor.scaled_accel" [] None;
+        0x80 0x05 "sensor.scaled_gyro" [] None;
+        0x80 0x06 "sensor.scaled_mag" [] None;
+        0x80 0x07 "sensor.delta_theta" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x80 0x08 "sensor.delta_velocity" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x80 0x09 "sensor.comp_orientation_matrix" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x80 0x0A "sensor.comp_quaternion" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x80 0x0C "sensor.comp_euler_angles" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x80 0x10 "sensor.north_vector" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x80 0x11 "sensor.up_vector" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x80 0x12 "sensor.gps_timestamp" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x80 0x17 "sensor.scaled_pressure" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x03 "gnss_data.llh_position" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x04 "gnss_data.ecef_position" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x05 "gnss_data.ned_velocity" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x06 "gnss_data.ecef_velocity" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x07 "gnss_data.dop" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x08 "gnss_data.utc_time" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x09 "gnss_data.gps_time" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x0A "gnss_data.clock_info" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x0B "gnss_data.fix_info" [] Some("The numbers of the sections leave room for it, and the manual of a sister device has it there.");
+        0x81 0x0C "gnss_data.sv_info" [] None;
+        0x81 0x0D "gnss_data.hardware_status" [] None;
+        0x81 0x0E "gnss_data.dgps_info" [] None;
+        0x81 0x0F "gnss_data.dgps_channel" [] None;
+        0x82 0x04 "filter_data.attitude_dcm" [] None;
+        0x82 0x05 "filter_data.euler_angles" [] None;
+        0x82 0x0E "filter_data.comp_angular_rate" [] None;
+        0x82 0x14 "filter_data.heading_update_state" [] None;
+    },
+    base_rates: &[
+        BaseRate { set: 0x80, hertz: 500.0 },
+        BaseRate { set: 0x81, hertz: 4.0 },
+        BaseRate { set: 0x82, hertz: 500.0 },
+    ],
+    ports: &[
+        Port {
+            name: "UART 1",
+            id: None,
+            baud_rates: &[9600, 19200, 115200, 230400, 460800, 921600],
+            protocols: &["MIP"],
+        },
+        Port {
+            name: "USB",
+            id: None,
+            baud_rates: &[],
+            protocols: &["MIP"],
+        },
+    ],
+    limits: &[
+        Limit {
+            name: "baud_rate_delay",
+            value: 250.0,
+            unit: Some("ms"),
+            description: "Time from the acknowledge of a new baud rate until commands are answered at that rate.",
+        },
+        Limit {
+            name: "rtcm_chunk",
+            value: 253.0,
+            unit: Some("byte"),
+            description: "Most bytes of RTCM in one field.",
+        },
+    ],
+    variants: &[
+        Variant {
+            parameter: "base.built_in_test_response.result",
+            read_as: None,
+            difference: "values that are not known",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.mag_hard_iron_offset.offset",
+            read_as: None,
+            difference: "default 0, 0, 0",
+        },
+        Variant {
+            parameter: "3dm.uart_baud_rate.baud",
+            read_as: None,
+            difference: "default 115200",
+        },
+        Variant {
+            parameter: "3dm.device_status.model_number",
+            read_as: None,
+            difference: "always 6251",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "filter.adaptive_filter_options.level",
+            read_as: None,
+            difference: "only off and moderate",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-MV5-AR
+///
+/// Device of generation 5, known by its name and its number.
+///
+/// Also called 3DM-MV5-15. Generation 5. Model number 6243. No manual of it is known. This profile
+/// is incomplete: No manual is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+#[rustfmt::skip]
+pub static MV5_AR: Device = Device {
+    id: "3dm-mv5-ar",
+    title: "3DM-MV5-AR",
+    description: "Device of generation 5, known by its name and its number.",
+    also: &["3DM-MV5-15"],
+    model_number: Some(6243),
+    generation: Some(5),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-RQ1-45-LT
+///
+/// Ruggedized tactical grade inertial navigation system with GPS.
+///
+/// Also called 3DM-RQ1-45_LT. Generation 4. Model number 6232. Manual: LORD 3DM-RQ1-45 Data
+/// Communications Protocol, of June 25, 2013, known from its contents. This profile is incomplete:
+/// The contents of the manual are known up to
+/// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading). The set `system` follows. This
+/// profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, of which no field is known.
+/// Uncertain: The SDK writes the name with an underscore before LT and ST.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
+/// [`mip_3dm::DeviceStatusDiagnosticRq1_45Response`](crate::mip_3dm::DeviceStatusDiagnosticRq1_45Response).
+///
+/// # What it has not
+///
+/// By the contents of the manual, neither [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) nor
+/// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter).
+#[rustfmt::skip]
+pub static RQ1_45_LT: Device = Device {
+    id: "3dm-rq1-45-lt",
+    title: "3DM-RQ1-45-LT",
+    description: "Ruggedized tactical grade inertial navigation system with GPS.",
+    also: &["3DM-RQ1-45_LT"],
+    model_number: Some(6232),
+    generation: Some(4),
+    manual: Some("3dm-rq1-45"),
+    incomplete: &[
+        "The contents of the manual are known up to `filter.set_initial_heading`. The set `system` follows.",
+        "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+    ],
+    fields: supported! {
+        0x01 0x01 "base.ping" [] None;
+        0x01 0x02 "base.set_idle" [] None;
+        0x01 0x03 "base.get_device_info" [] None;
+        0x01 0x04 "base.get_device_descriptors" [] None;
+        0x01 0x05 "base.built_in_test" [] None;
+        0x01 0x06 "base.resume" [] None;
+        0x01 0x7E "base.soft_reset" [] None;
+        0x0C 0x01 "3dm.poll_imu_data" [] None;
+        0x0C 0x02 "3dm.poll_gnss_data" [] None;
+        0x0C 0x03 "3dm.poll_filter_data" [] None;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] None;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] None;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] None;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] None;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] None;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x64 "3dm.device_status" [] None;
+        0x0D 0x01 "filter.reset" [] None;
+        0x0D 0x02 "filter.set_initial_attitude" [] None;
+        0x0D 0x03 "filter.set_initial_heading" [] None;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "base.built_in_test_response.result",
+            read_as: None,
+            difference: "values that are not known",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "filter.estimation_control.flags",
+            read_as: None,
+            difference: "only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset",
+        },
+        Variant {
+            parameter: "filter.heading_source.source",
+            read_as: None,
+            difference: "only none, gnss_velocity and external",
+        },
+        Variant {
+            parameter: "filter.accel_magnitude_error_adaptive_measurement.adaptive_measurement",
+            read_as: None,
+            difference: "only disabled and fixed",
+        },
+        Variant {
+            parameter: "filter.mag_magnitude_error_adaptive_measurement.adaptive_measurement",
+            read_as: None,
+            difference: "only disabled and fixed",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-RQ1-45-ST
+///
+/// Ruggedized tactical grade inertial navigation system with GPS.
+///
+/// Also called 3DM-RQ1-45_ST. Generation 4. Model number 6239. Manual: LORD 3DM-RQ1-45 Data
+/// Communications Protocol, of June 25, 2013, known from its contents. This profile is incomplete:
+/// The contents of the manual are known up to
+/// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading). The set `system` follows. This
+/// profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, of which no field is known.
+/// Uncertain: The SDK writes the name with an underscore before LT and ST.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+///
+/// # Device status
+///
+/// By MSCL, it answers with
+/// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
+/// [`mip_3dm::DeviceStatusDiagnosticRq1_45Response`](crate::mip_3dm::DeviceStatusDiagnosticRq1_45Response).
+///
+/// # What it has not
+///
+/// By the contents of the manual, neither [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) nor
+/// [`mip_3dm::ComplementaryFilter`](crate::mip_3dm::ComplementaryFilter).
+#[rustfmt::skip]
+pub static RQ1_45_ST: Device = Device {
+    id: "3dm-rq1-45-st",
+    title: "3DM-RQ1-45-ST",
+    description: "Ruggedized tactical grade inertial navigation system with GPS.",
+    also: &["3DM-RQ1-45_ST"],
+    model_number: Some(6239),
+    generation: Some(4),
+    manual: Some("3dm-rq1-45"),
+    incomplete: &[
+        "The contents of the manual are known up to `filter.set_initial_heading`. The set `system` follows.",
+        "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
+    ],
+    fields: supported! {
+        0x01 0x01 "base.ping" [] None;
+        0x01 0x02 "base.set_idle" [] None;
+        0x01 0x03 "base.get_device_info" [] None;
+        0x01 0x04 "base.get_device_descriptors" [] None;
+        0x01 0x05 "base.built_in_test" [] None;
+        0x01 0x06 "base.resume" [] None;
+        0x01 0x7E "base.soft_reset" [] None;
+        0x0C 0x01 "3dm.poll_imu_data" [] None;
+        0x0C 0x02 "3dm.poll_gnss_data" [] None;
+        0x0C 0x03 "3dm.poll_filter_data" [] None;
+        0x0C 0x06 "3dm.get_imu_base_rate" [] None;
+        0x0C 0x07 "3dm.get_gnss_base_rate" [] None;
+        0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x09 "3dm.gnss_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x0A "3dm.filter_message_format" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x0B "3dm.get_filter_base_rate" [] None;
+        0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x30 "3dm.device_settings" [SAVE LOAD DEFAULT] None;
+        0x0C 0x37 "3dm.accel_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x39 "3dm.capture_gyro_bias" [] None;
+        0x0C 0x3A "3dm.mag_hard_iron_offset" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x3B "3dm.mag_soft_iron_matrix" [WRITE READ SAVE LOAD DEFAULT APPLY] None;
+        0x0C 0x3E "3dm.coning_sculling_enable" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x40 "3dm.uart_baud_rate" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x50 "3dm.imu_low_pass_filter" [WRITE READ SAVE LOAD DEFAULT] None;
+        0x0C 0x64 "3dm.device_status" [] None;
+        0x0D 0x01 "filter.reset" [] None;
+        0x0D 0x02 "filter.set_initial_attitude" [] None;
+        0x0D 0x03 "filter.set_initial_heading" [] None;
+        0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x18 "filter.heading_source" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x44 "filter.accel_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+        0x0D 0x45 "filter.mag_magnitude_error_adaptive_measurement" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+        Variant {
+            parameter: "base.built_in_test_response.result",
+            read_as: None,
+            difference: "values that are not known",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "3dm.data_stream_control_response.descriptor_set",
+            read_as: Some("legacy_data_stream"),
+            difference: "values of legacy_data_stream",
+        },
+        Variant {
+            parameter: "filter.estimation_control.flags",
+            read_as: None,
+            difference: "only gyro_bias, accel_bias, gyro_scale_factor, accel_scale_factor and antenna_offset",
+        },
+        Variant {
+            parameter: "filter.heading_source.source",
+            read_as: None,
+            difference: "only none, gnss_velocity and external",
+        },
+        Variant {
+            parameter: "filter.accel_magnitude_error_adaptive_measurement.adaptive_measurement",
+            read_as: None,
+            difference: "only disabled and fixed",
+        },
+        Variant {
+            parameter: "filter.mag_magnitude_error_adaptive_measurement.adaptive_measurement",
+            read_as: None,
+            difference: "only disabled and fixed",
+        },
+    ],
+    ack_codes: &[
+    ],
+};
+
+/// 3DM-RTK
+///
+/// Modem for GNSS corrections.
+///
+/// Generation 7. Model number 6285. No manual of it is known. This profile is incomplete: No manual
+/// is known. The SDK has its name and number only.
+///
+/// Source: mip-sdk-4: Device models; mscl: MIP node features.
+#[rustfmt::skip]
+pub static RTK: Device = Device {
+    id: "3dm-rtk",
+    title: "3DM-RTK",
+    description: "Modem for GNSS corrections.",
+    also: &[],
+    model_number: Some(6285),
+    generation: Some(7),
+    manual: None,
+    incomplete: &[
+        "No manual is known. The SDK has its name and number only.",
+    ],
+    fields: supported! {
+    },
+    base_rates: &[
+    ],
+    ports: &[
+    ],
+    limits: &[
+    ],
+    variants: &[
+    ],
+    ack_codes: &[
     ],
 };

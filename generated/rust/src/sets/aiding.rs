@@ -115,7 +115,7 @@ record! {
     /// Where and how an external sensor is mounted on the vehicle.
     ///
     /// Functions: write, read, save, load and default. Answered by [`FrameConfigResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
     ///
     /// - Aiding measurements name the frame by its number.
     /// - `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
@@ -212,7 +212,7 @@ record! {
     /// How the device answers aiding measurements.
     ///
     /// Functions: write, read, save, load and default. Answered by [`EchoControlResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
     ///
     /// - The manual does not give the layout of the responses that carry the data back.
     ///
@@ -637,7 +637,8 @@ record! {
     /// A measured heading relative to true north.
     ///
     /// Also called `heading_true`. Not acknowledged if `mode` of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
+    /// 3DM-CV7-GNSS/INS.
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
@@ -692,7 +693,7 @@ record! {
     /// A magnetic field measured by an external magnetometer.
     ///
     /// Not acknowledged if `mode` of [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported
-    /// by 3DM-CV7-GNSS/INS.
+    /// by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
     ///
     /// - The magnetometer must be calibrated.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
@@ -804,7 +805,7 @@ command! {
 record! {
     /// Frame configuration response (0x13,0x81).
     ///
-    /// Answers [`FrameConfig`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`FrameConfig`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
     #[derive(Default)]
@@ -843,7 +844,7 @@ field! {
 record! {
     /// Echo control response (0x13,0x9F).
     ///
-    /// Answers [`EchoControl`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`EchoControl`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F); 3dm-cv7-gnss-ins: Aiding Command Echo
     /// Control.

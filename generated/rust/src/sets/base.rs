@@ -60,7 +60,8 @@ record! {
     ///
     /// Asks whether a device is there and answers commands.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
+    /// 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
     ///
     /// - A device that is not in a normal operating mode may refuse the command.
     ///
@@ -89,7 +90,8 @@ record! {
     ///
     /// Stops all data streams, and wakes a sleeping device, so that it can be set up.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May
+    /// be supported by 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// - The resume command restores the previous mode.
     /// - While idle the device sends no NMEA sentences either.
@@ -120,7 +122,8 @@ record! {
     ///
     /// Gets the firmware version and the identity strings of the device.
     ///
-    /// Answered by [`GetDeviceInfoResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answered by [`GetDeviceInfoResponse`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+    /// 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
@@ -149,7 +152,8 @@ record! {
     ///
     /// Gets the command and data descriptors that the device supports.
     ///
-    /// Answered by [`GetDeviceDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answered by [`GetDeviceDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+    /// 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
     ///
     /// - If the list contains the descriptor of [`GetExtendedDescriptors`], that command gives
     ///   more.
@@ -182,8 +186,9 @@ record! {
     /// Runs the self test of the device and gets its result.
     ///
     /// Answered by [`BuiltInTestResponse`]. The device may take 10 s to answer. Supported by
-    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: How long the test takes at most. The manual of
-    /// the 3DM-CV7 says several seconds; 10 s leaves room for that.
+    /// 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported
+    /// by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: How long the test takes at most. The manual of the
+    /// 3DM-CV7 says several seconds; 10 s leaves room for that.
     ///
     /// - The test interrupts normal operation for up to several seconds; no data is available
     ///   meanwhile.
@@ -218,7 +223,8 @@ record! {
     ///
     /// Ends idle mode and returns the device to the mode that it was in before.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May
+    /// be supported by 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// - If the device was not idle, it enters its default mode (3DM-GX5-15).
     ///
@@ -247,8 +253,8 @@ record! {
     ///
     /// Gets the supported descriptors that did not fit into the reply of get device descriptors.
     ///
-    /// Answered by [`GetExtendedDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS and
-    /// 3DM-GX5-15.
+    /// Answered by [`GetExtendedDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15
+    /// and 3DM-GX5-35. May be supported by 3DM-GX5-45.
     ///
     /// - Only supported if [`GetDeviceDescriptors`] lists it.
     ///
@@ -372,8 +378,8 @@ record! {
     /// Sets the week number or the time of week of the external (GPS) time.
     ///
     /// Functions: write, read and apply. Answered by [`GpsTimeUpdateWeekNumberResponse`] or
-    /// [`GpsTimeUpdateTowResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
-    /// 3DM-CV7-GNSS/INS: write only.
+    /// [`GpsTimeUpdateTowResponse`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
+    /// 3DM-GX5-35. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: write only.
     ///
     /// - Send it once for the time of week and once for the week number after the PPS is locked.
     /// - The PPS supplies the fraction of the second; send the whole second that began at its last
@@ -443,7 +449,8 @@ record! {
     ///
     /// Acknowledges the command, then resets the device at once.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
+    /// 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
     ///
     /// Source: 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E); 3dm-cv7-gnss-ins: Reset device
     /// (0x01,0x7E).
@@ -469,7 +476,8 @@ command! {
 record! {
     /// Get device information response (0x01,0x81).
     ///
-    /// Answers [`GetDeviceInfo`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`GetDeviceInfo`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
+    /// 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
@@ -488,7 +496,8 @@ field! {
 record! {
     /// Get device descriptors response (0x01,0x82).
     ///
-    /// Answers [`GetDeviceDescriptors`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`GetDeviceDescriptors`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
+    /// 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04); 3dm-cv7-gnss-ins: Get
     /// device descriptors (0x01,0x04).
@@ -508,7 +517,8 @@ field! {
 record! {
     /// Built-in test response (0x01,0x83).
     ///
-    /// Answers [`BuiltInTest`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`BuiltInTest`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
+    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
     /// (0x01,0x05); 3dm-cv7-gnss-ins: Commanded Built-in Test.
@@ -516,8 +526,9 @@ record! {
     pub struct BuiltInTestResponse {
         /// Failure flags, defined by each device. Zero means that every test passed.
         ///
-        /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7BuiltInTest`]. On the 3DM-GX5-15: values
-        /// of [`types::Gx5BuiltInTest`].
+        /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7BuiltInTest`]. On the 3DM-GQ4-45,
+        /// 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values that are not known. On
+        /// the 3DM-GX5-15: values of [`types::Gx5BuiltInTest`].
         pub result: u32,
     }
 }
@@ -552,7 +563,7 @@ record! {
     /// The current week number.
     ///
     /// Answers [`GpsTimeUpdate`]. Sent if `field_id` is [`GpsTimeField::WEEK_NUMBER`]. Supported by
-    /// 3DM-GX5-15.
+    /// 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
     /// Command (0x01,0x72).
@@ -576,7 +587,7 @@ record! {
     /// The current time of week.
     ///
     /// Answers [`GpsTimeUpdate`]. Sent if `field_id` is [`GpsTimeField::TOW`]. Supported by
-    /// 3DM-GX5-15.
+    /// 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
     /// Command (0x01,0x72).
@@ -597,7 +608,8 @@ field! {
 record! {
     /// Get device descriptors (extended) response (0x01,0x86).
     ///
-    /// Answers [`GetExtendedDescriptors`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`GetExtendedDescriptors`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
+    /// 3DM-GX5-35. May be supported by 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07);
     /// 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07).

@@ -30,10 +30,31 @@ open_enum! {
 
 bitfield! {
     /// States that the filter estimates.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14); mip-sdk-4: Estimation
+    /// Control (0x0D,0x14).
     EstimatedStates: u16 {
         /// Estimate the gyroscope bias (recommended). Bit 0.
         GYRO_BIAS: bool = 0,
             gyro_bias, set_gyro_bias, with_gyro_bias;
+        /// Estimate the accelerometer bias. Bit 1.
+        ACCEL_BIAS: bool = 1,
+            accel_bias, set_accel_bias, with_accel_bias;
+        /// Estimate the scale factor of the gyroscope. Bit 2.
+        GYRO_SCALE_FACTOR: bool = 2,
+            gyro_scale_factor, set_gyro_scale_factor, with_gyro_scale_factor;
+        /// Estimate the scale factor of the accelerometer. Bit 3.
+        ACCEL_SCALE_FACTOR: bool = 3,
+            accel_scale_factor, set_accel_scale_factor, with_accel_scale_factor;
+        /// Estimate the offset of the GNSS antenna. Bit 4.
+        ANTENNA_OFFSET: bool = 4,
+            antenna_offset, set_antenna_offset, with_antenna_offset;
+        /// Estimate the hard iron offset of the magnetometer. Bit 5.
+        AUTO_HARD_IRON: bool = 5,
+            auto_hard_iron, set_auto_hard_iron, with_auto_hard_iron;
+        /// Estimate the soft iron matrix of the magnetometer. Bit 6.
+        AUTO_SOFT_IRON: bool = 6,
+            auto_soft_iron, set_auto_soft_iron, with_auto_soft_iron;
     }
 }
 
@@ -63,11 +84,26 @@ open_enum! {
 
 open_enum! {
     /// Where the filter takes heading updates from.
+    ///
+    /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18); 3dm-gx5-45: (0x0D, 0x18);
+    /// mip-sdk-4: Heading Source (0x0D,0x18).
     HeadingUpdateSource: u8 {
         /// No heading updates.
         NONE = 0, "none";
+        /// The magnetometer.
+        MAG = 1, "mag";
+        /// The velocity that the GNSS receiver measures.
+        GNSS_VELOCITY = 2, "gnss_velocity";
         /// The heading messages that the user sends.
         EXTERNAL = 3, "external";
+        /// GNSS velocity and magnetometer.
+        GNSS_VELOCITY_AND_MAG = 4, "gnss_velocity_and_mag";
+        /// GNSS velocity and the messages of the user.
+        GNSS_VELOCITY_AND_EXTERNAL = 5, "gnss_velocity_and_external";
+        /// Magnetometer and the messages of the user.
+        MAG_AND_EXTERNAL = 6, "mag_and_external";
+        /// All three.
+        ALL = 7, "all";
     }
 }
 
@@ -287,7 +323,8 @@ record! {
     ///
     /// Puts the filter back into its initialization state.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
+    /// 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
     ///
     /// - If automatic initialization is off, the attitude or heading must be set before the filter
     ///   runs again.
@@ -320,7 +357,7 @@ record! {
     ///
     /// Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
     ///
-    /// Supported by 3DM-GX5-15.
+    /// Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
     ///
     /// - Accepted only in the initialization state.
     ///
@@ -366,7 +403,8 @@ record! {
     ///
     /// Gives the filter its initial heading; pitch and roll come from the accelerometers.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-45,
+    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// - 3DM-GX5: accepted only in the initialization state.
     /// - 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
@@ -403,7 +441,7 @@ record! {
     ///
     /// Starts a filter that was set up to wait for this command.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
     ///
     /// - The filter waits in its initialization state if `wait_for_run_command` of
     ///   [`InitializationConfig`] is set.
@@ -434,7 +472,8 @@ record! {
     /// Kind of vehicle that the filter is tuned for.
     ///
     /// Functions: write, read, save, load and default. Answered by [`VehicleDynamicsModeResponse`].
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45. Known from the MicroStrain MIP SDK
+    /// only.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     pub struct VehicleDynamicsMode {
@@ -442,7 +481,8 @@ record! {
         pub function: types::FunctionSelector,
         /// Kind of vehicle.
         ///
-        /// Required for write.
+        /// Required for write. On the 3DM-GX3-45: only [`DynamicsMode::PORTABLE`],
+        /// [`DynamicsMode::AUTOMOTIVE`] and [`DynamicsMode::AIRBORNE`].
         pub mode: Option<DynamicsMode>,
     }
     wire 2 {
@@ -485,7 +525,7 @@ record! {
     /// Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`SensorToVehicleRotationEulerResponse`]. Supported by 3DM-GX5-15.
+    /// [`SensorToVehicleRotationEulerResponse`]. Supported by 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     ///   velocity, and the orientation, compensated and linear acceleration, angular rate and
@@ -556,9 +596,9 @@ record! {
     /// Origin of the vehicle frame, as seen from the sensor.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`SensorToVehicleOffsetResponse`]. No device profile lists it. Known from the MicroStrain
-    /// MIP SDK only. Uncertain: The direction, from the sensor to the origin of the vehicle frame,
-    /// is inferred from the name.
+    /// [`SensorToVehicleOffsetResponse`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP
+    /// SDK only. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is
+    /// inferred from the name.
     ///
     /// - It shifts [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and nothing else.
     /// - The shift is constant. It does not follow the attitude, as a lever arm would.
@@ -613,7 +653,7 @@ record! {
     /// Position of the GNSS antenna relative to the origin of the sensor.
     ///
     /// Functions: write, read, save, load and default. Answered by [`AntennaOffsetResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
     ///
     /// - 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
     /// - On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding
@@ -669,7 +709,9 @@ record! {
     /// Which states the filter estimates.
     ///
     /// Functions: write, read, save, load and default. Answered by [`EstimationControlResponse`].
-    /// Supported by 3DM-GX5-15.
+    /// Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by 3DM-CL5-15, 3DM-CL5-25,
+    /// 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    /// 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
     pub struct EstimationControl {
@@ -677,7 +719,16 @@ record! {
         pub function: types::FunctionSelector,
         /// States to estimate.
         ///
-        /// Required for write.
+        /// Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25
+        /// and 3DM-GX5-15: only [`gyro_bias`](EstimatedStates::gyro_bias). On the 3DM-CL5-25,
+        /// 3DM-CV5-25 and 3DM-GX5-25: only [`gyro_bias`](EstimatedStates::gyro_bias),
+        /// [`auto_hard_iron`](EstimatedStates::auto_hard_iron) and
+        /// [`auto_soft_iron`](EstimatedStates::auto_soft_iron). On the 3DM-GQ4-45, 3DM-GX4-45,
+        /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only [`gyro_bias`](EstimatedStates::gyro_bias),
+        /// [`accel_bias`](EstimatedStates::accel_bias),
+        /// [`gyro_scale_factor`](EstimatedStates::gyro_scale_factor),
+        /// [`accel_scale_factor`](EstimatedStates::accel_scale_factor) and
+        /// [`antenna_offset`](EstimatedStates::antenna_offset).
         pub flags: Option<EstimatedStates>,
     }
     wire 3 {
@@ -720,7 +771,7 @@ record! {
     /// Which GNSS receiver aids the filter.
     ///
     /// Functions: write, read, save, load and default. Answered by [`GnssSourceResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
     ///
     /// - A change while the filter runs may put it back into initialization until the new source
     ///   gives data.
@@ -773,7 +824,7 @@ record! {
     ///
     /// Gives the filter one position and velocity of a GNSS receiver that the user provides.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
     ///
     /// - Refused unless [`GnssSource`] selects the external source.
     /// - The highest rate depends on the device.
@@ -845,7 +896,7 @@ record! {
     ///
     /// Gives the filter one measurement of the heading of the sensor frame in the NED frame.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// - Refused unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
     ///   and by [`AidingMeasurementEnable`] on the 3DM-CV7.
@@ -900,7 +951,9 @@ record! {
     /// Source of the heading that aids the filter.
     ///
     /// Functions: write, read, save, load and default. Answered by [`HeadingSourceResponse`].
-    /// Supported by 3DM-GX5-15.
+    /// Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by 3DM-CL5-15, 3DM-CL5-25,
+    /// 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
+    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
     pub struct HeadingSource {
@@ -908,7 +961,15 @@ record! {
         pub function: types::FunctionSelector,
         /// Source of the heading.
         ///
-        /// Required for write.
+        /// Required for write. On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only
+        /// [`HeadingUpdateSource::NONE`] and [`HeadingUpdateSource::EXTERNAL`]. On the 3DM-CL5-25,
+        /// 3DM-CV5-25, 3DM-GX4-25 and 3DM-GX5-25: only [`HeadingUpdateSource::NONE`],
+        /// [`HeadingUpdateSource::MAG`] and [`HeadingUpdateSource::EXTERNAL`]. On the 3DM-GQ4-45,
+        /// 3DM-GX3-45 and 3DM-GX4-45: only [`HeadingUpdateSource::NONE`],
+        /// [`HeadingUpdateSource::MAG`], [`HeadingUpdateSource::GNSS_VELOCITY`] and
+        /// [`HeadingUpdateSource::EXTERNAL`]. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+        /// [`HeadingUpdateSource::NONE`], [`HeadingUpdateSource::GNSS_VELOCITY`] and
+        /// [`HeadingUpdateSource::EXTERNAL`].
         pub source: Option<HeadingUpdateSource>,
     }
     wire 2 {
@@ -951,7 +1012,7 @@ record! {
     /// Whether the filter initializes by itself when the device starts.
     ///
     /// Also called `auto_init_control`. Functions: write, read, save, load and default. Answered by
-    /// [`AutoInitializationControlResponse`]. Supported by 3DM-GX5-15.
+    /// [`AutoInitializationControlResponse`]. Supported by 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// - It needs a valid heading source.
     ///
@@ -1004,7 +1065,7 @@ record! {
     /// Standard deviation of the accelerometer noise that the filter assumes (process noise).
     ///
     /// Functions: write, read, save, load and default. Answered by [`AccelNoiseResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -1058,7 +1119,7 @@ record! {
     /// Standard deviation of the gyroscope noise that the filter assumes (process noise).
     ///
     /// Functions: write, read, save, load and default. Answered by [`GyroNoiseResponse`]. Supported
-    /// by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -1112,7 +1173,7 @@ record! {
     /// Parameters of the model by which the accelerometer bias drifts.
     ///
     /// Functions: write, read, save, load and default. Answered by [`AccelBiasModelResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
     pub struct AccelBiasModel {
@@ -1168,7 +1229,7 @@ record! {
     /// Parameters of the model by which the gyroscope bias drifts.
     ///
     /// Functions: write, read, save, load and default. Answered by [`GyroBiasModelResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
@@ -1224,8 +1285,8 @@ record! {
     ///
     /// Lets the filter take the device as standing still while its GNSS speed is small.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`AutoZuptResponse`]. No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Functions: write, read, save, load and default. Answered by [`AutoZuptResponse`]. Supported
+    /// by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
     ///
     /// - The update applies while the magnitude of the GNSS velocity vector is at or below the
     ///   threshold.
@@ -1283,7 +1344,7 @@ record! {
     ///
     /// Gives the filter one measurement of the heading of the sensor frame with its GPS time.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// - Better than [`ExternalHeadingUpdate`] where the heading changes quickly; the time must be
     ///   accurate.
@@ -1352,7 +1413,7 @@ record! {
     /// Lets the filter take the device as not rotating while its angular rate is small.
     ///
     /// Functions: write, read, save, load and default. Answered by [`AutoAngularZuptResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// - The update applies while the magnitude of the angular rate vector is at or below the
     ///   threshold.
@@ -1412,7 +1473,8 @@ record! {
     /// Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
     ///
     /// Functions: write, read, save, load and default. Answered by [`TareOrientationResponse`].
-    /// Supported by 3DM-GX5-15. On the 3DM-GX5-15: write, save, load and default only.
+    /// Supported by 3DM-GX5-15 and 3DM-GX5-45. On the 3DM-GX5-15: write, save, load and default
+    /// only. On the 3DM-GX5-45: write, save, load and default only.
     ///
     /// - Refused while the filter has no valid attitude.
     ///
@@ -1465,7 +1527,7 @@ record! {
     ///
     /// Tells the filter once that the device stands still.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
     ///
     /// - The highest rate depends on the device.
     ///
@@ -1494,7 +1556,7 @@ record! {
     ///
     /// Tells the filter once that the device is not rotating.
     ///
-    /// Supported by 3DM-GX5-15.
+    /// Supported by 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// - At most 10 per second.
     ///
@@ -1594,7 +1656,7 @@ record! {
     ///
     /// Makes the automatic magnetometer calibration part of the fixed one.
     ///
-    /// Also called `mag_capture_auto_cal`. Functions: write and save. No device profile lists it.
+    /// Also called `mag_capture_auto_cal`. Functions: write and save. Supported by 3DM-GX5-45.
     /// Known from the MicroStrain MIP SDK only.
     ///
     /// - A write combines the automatic calibration with
@@ -1636,7 +1698,7 @@ record! {
     /// Standard deviation of the gravity noise that the filter assumes (process noise).
     ///
     /// Functions: write, read, save, load and default. Answered by [`GravityNoiseResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// - The factory values suit most laboratory conditions.
     ///
@@ -1690,8 +1752,8 @@ record! {
     /// Standard deviation of the noise of the pressure altitude model that the filter assumes.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`PressureAltitudeNoiseResponse`]. No device profile lists it. Known from the MicroStrain
-    /// MIP SDK only.
+    /// [`PressureAltitudeNoiseResponse`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// - A small value follows the pressure faster, and takes weather and draughts for changes of
     ///   height.
@@ -1745,7 +1807,7 @@ record! {
     /// Standard deviation of the noise of the estimated hard iron offset (process noise).
     ///
     /// Functions: write, read, save, load and default. Answered by [`HardIronOffsetNoiseResponse`].
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
     pub struct HardIronOffsetNoise {
@@ -1796,7 +1858,7 @@ record! {
     /// Standard deviation of the noise of the estimated soft iron matrix (process noise).
     ///
     /// Functions: write, read, save, load and default. Answered by [`SoftIronMatrixNoiseResponse`].
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
     pub struct SoftIronMatrixNoise {
@@ -1898,9 +1960,9 @@ record! {
     ///
     /// Standard deviation of the magnetometer noise that the filter assumes.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`MagNoiseResponse`]. No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it
-    /// process noise, although the noise is that of a measurement.
+    /// Functions: write, read, save, load and default. Answered by [`MagNoiseResponse`]. Supported
+    /// by 3DM-GX5-45. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it process
+    /// noise, although the noise is that of a measurement.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     pub struct MagNoise {
@@ -1951,7 +2013,8 @@ record! {
     /// Source of the local declination of the magnetic field.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`MagneticDeclinationSourceResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`MagneticDeclinationSourceResponse`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    /// 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
     ///
     /// - Without a good declination source, keep automatic magnetometer calibration off.
     ///
@@ -1961,7 +2024,8 @@ record! {
         pub function: types::FunctionSelector,
         /// Source of the declination.
         ///
-        /// Required for write.
+        /// Required for write. On the 3DM-GQ7-GNSS/INS: only [`MagParameterSource::WMM`] and
+        /// [`MagParameterSource::MANUAL`].
         pub source: Option<MagParameterSource>,
         /// Declination; used only if `source` is manual.
         ///
@@ -2009,7 +2073,9 @@ record! {
     /// How far the filter trusts gravity measurements whose magnitude is not that of gravity.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`AccelMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by 3DM-GX5-15.
+    /// [`AccelMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    /// May be supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// - Also called accelerometer magnitude error adaptive measurement.
     /// - All parameters after the selector keep their values if they are left out.
@@ -2023,7 +2089,9 @@ record! {
         pub function: types::FunctionSelector,
         /// Kind of adaptation.
         ///
-        /// Required for write.
+        /// Required for write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+        /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only [`AdaptiveMeasurementSelector::DISABLED`] and
+        /// [`AdaptiveMeasurementSelector::FIXED`].
         pub adaptive_measurement: Option<AdaptiveMeasurementSelector>,
         /// Cut-off frequency of the low-pass filter.
         ///
@@ -2106,9 +2174,11 @@ record! {
     /// How far the filter trusts a magnetic field whose magnitude is not as expected.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only. Uncertain: Whether the parameters behind the selector may be left
-    /// out on write, as those of [`AccelMagnitudeErrorAdaptiveMeasurement`] may.
+    /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by 3DM-GX5-45. May be supported
+    /// by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+    /// 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK only. Uncertain: Whether the parameters
+    /// behind the selector may be left out on write, as those of
+    /// [`AccelMagnitudeErrorAdaptiveMeasurement`] may.
     ///
     /// - The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
     ///   finds limits.
@@ -2121,7 +2191,9 @@ record! {
         pub function: types::FunctionSelector,
         /// Kind of adaptation.
         ///
-        /// Required for write.
+        /// Required for write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+        /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only [`AdaptiveMeasurementSelector::DISABLED`] and
+        /// [`AdaptiveMeasurementSelector::FIXED`].
         pub adaptive_measurement: Option<AdaptiveMeasurementSelector>,
         /// Cut-off frequency of the low-pass filter.
         ///
@@ -2207,7 +2279,7 @@ record! {
     /// How far the filter trusts a magnetic field whose dip angle is not as expected.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. No device profile lists it. Known from the
+    /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. Supported by 3DM-GX5-45. Known from the
     /// MicroStrain MIP SDK only.
     ///
     /// - It has no effect while [`AccelMagnitudeErrorAdaptiveMeasurement`] or
@@ -2292,8 +2364,8 @@ record! {
     ///
     /// What aids the altitude beside GNSS.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`AltitudeAidingResponse`]. No
-    /// device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Functions: write, read, save, load and default. Answered by [`AltitudeAidingResponse`].
+    /// Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
     ///
     /// - GNSS stays the main source of altitude; the aid improves it and bridges outages.
     /// - Weather and place shift the pressure altitude, at times by more than 40 m.
@@ -2347,7 +2419,7 @@ record! {
     /// What aids pitch and roll while the motion is gentle.
     ///
     /// Functions: write, read, save, load and default. Answered by [`PitchRollAidingResponse`].
-    /// Supported by 3DM-GX5-15.
+    /// Supported by 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
     pub struct PitchRollAiding {
@@ -2642,13 +2714,18 @@ record! {
     /// Enables or disables one source of aiding measurements.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`AidingMeasurementEnableResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`AidingMeasurementEnableResponse`]. Supported by 3DM-CV7-GNSS/INS. May be supported by
+    /// 3DM-CV7-AHRS and 3DM-CV7-AR.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
     pub struct AidingMeasurementEnable {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// The source; `all` is for save, load and default.
+        ///
+        /// On the 3DM-CV7-AHRS: only [`AidingSource::MAG`], [`AidingSource::EXTERNAL_HEADING`] and
+        /// [`AidingSource::ALL`]. On the 3DM-CV7-AR: only [`AidingSource::EXTERNAL_HEADING`] and
+        /// [`AidingSource::ALL`].
         pub aiding_source: Option<AidingSource>,
         /// Whether the filter uses the source.
         ///
@@ -2762,7 +2839,8 @@ record! {
     /// Sources and values of the initial attitude, position and velocity of the filter.
     ///
     /// Also called `initialization_configuration`. Functions: write, read, save, load and default.
-    /// Answered by [`InitializationConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answered by [`InitializationConfigResponse`]. Supported by 3DM-CV7-GNSS/INS and
+    /// 3DM-GQ7-GNSS/INS.
     ///
     /// - Single precision resolves the latitude and longitude of the initial position to about a
     ///   metre only.
@@ -2872,7 +2950,8 @@ record! {
     /// How the filter adapts to measurements that do not fit its model.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`AdaptiveFilterOptionsResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`AdaptiveFilterOptionsResponse`]. Supported by 3DM-CV7-GNSS/INS. May be supported by
+    /// 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
     pub struct AdaptiveFilterOptions {
@@ -2880,7 +2959,8 @@ record! {
         pub function: types::FunctionSelector,
         /// Strength of the adaptation.
         ///
-        /// Default: 2. Required for write.
+        /// Default: 2. Required for write. On the 3DM-GX5-45: only [`AdaptiveLevel::OFF`] and
+        /// [`AdaptiveLevel::MODERATE`].
         pub level: Option<AdaptiveLevel>,
         /// Longest time for which measurements are rejected before the filter recovers.
         ///
@@ -3343,7 +3423,8 @@ record! {
     /// Lets the filter track the error of the antenna offset.
     ///
     /// Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default.
-    /// Answered by [`GnssAntennaCalibrationControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answered by [`GnssAntennaCalibrationControlResponse`]. Supported by 3DM-CV7-GNSS/INS and
+    /// 3DM-GQ7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64);
     /// 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration.
@@ -3397,7 +3478,8 @@ command! {
 record! {
     /// Vehicle dynamics mode response (0x0D,0x80).
     ///
-    /// Answers [`VehicleDynamicsMode`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`VehicleDynamicsMode`]. Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45.
+    /// Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     #[derive(Default)]
@@ -3415,7 +3497,7 @@ field! {
 record! {
     /// Sensor to vehicle frame transformation response (0x0D,0x81).
     ///
-    /// Answers [`SensorToVehicleRotationEuler`]. Supported by 3DM-GX5-15.
+    /// Answers [`SensorToVehicleRotationEuler`]. Supported by 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
     #[derive(Default)]
@@ -3443,7 +3525,8 @@ field! {
 record! {
     /// Sensor to vehicle offset response (0x0D,0x82).
     ///
-    /// Answers [`SensorToVehicleOffset`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`SensorToVehicleOffset`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
     #[derive(Default)]
@@ -3463,7 +3546,7 @@ field! {
 record! {
     /// GNSS antenna offset response (0x0D,0x83).
     ///
-    /// Answers [`AntennaOffset`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`AntennaOffset`]. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
     #[derive(Default)]
@@ -3483,7 +3566,9 @@ field! {
 record! {
     /// Estimation control flags response (0x0D,0x84).
     ///
-    /// Answers [`EstimationControl`]. Supported by 3DM-GX5-15.
+    /// Answers [`EstimationControl`]. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by
+    /// 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
+    /// 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
     #[derive(Default)]
@@ -3501,7 +3586,7 @@ field! {
 record! {
     /// GNSS aiding source response (0x0D,0x86).
     ///
-    /// Answers [`GnssSource`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`GnssSource`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15).
     #[derive(Default)]
@@ -3519,7 +3604,9 @@ field! {
 record! {
     /// Heading update control response (0x0D,0x87).
     ///
-    /// Answers [`HeadingSource`]. Supported by 3DM-GX5-15.
+    /// Answers [`HeadingSource`]. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by
+    /// 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25,
+    /// 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
     #[derive(Default)]
@@ -3538,7 +3625,7 @@ record! {
     /// Automatic initialization response (0x0D,0x88).
     ///
     /// Also called `auto_init_control_response`. Answers [`AutoInitializationControl`]. Supported
-    /// by 3DM-GX5-15.
+    /// by 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19).
     #[derive(Default)]
@@ -3558,7 +3645,7 @@ field! {
 record! {
     /// Accelerometer noise response (0x0D,0x89).
     ///
-    /// Answers [`AccelNoise`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`AccelNoise`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A); 3dm-gx5-15:
     /// 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A).
@@ -3579,7 +3666,7 @@ field! {
 record! {
     /// Gyroscope noise response (0x0D,0x8A).
     ///
-    /// Answers [`GyroNoise`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`GyroNoise`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B); 3dm-gx5-15: 4.3.13
     /// Gyroscope Noise Standard Deviation (0x0D, 0x1B).
@@ -3600,7 +3687,7 @@ field! {
 record! {
     /// Accelerometer bias model response (0x0D,0x8B).
     ///
-    /// Answers [`AccelBiasModel`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`AccelBiasModel`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
     #[derive(Default)]
@@ -3624,7 +3711,7 @@ field! {
 record! {
     /// Gyroscope bias model response (0x0D,0x8C).
     ///
-    /// Answers [`GyroBiasModel`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`GyroBiasModel`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
@@ -3649,7 +3736,8 @@ field! {
 record! {
     /// Automatic zero velocity update response (0x0D,0x8D).
     ///
-    /// Answers [`AutoZupt`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`AutoZupt`]. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
     #[derive(Default)]
@@ -3673,7 +3761,8 @@ field! {
 record! {
     /// Zero angular rate update response (0x0D,0x8E).
     ///
-    /// Answers [`AutoAngularZupt`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`AutoAngularZupt`]. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS,
+    /// 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20); 3dm-gx5-15: 4.3.15
     /// Zero Angular Rate Update Control (0x0D, 0x20).
@@ -3730,7 +3819,7 @@ field! {
 record! {
     /// Gravity noise response (0x0D,0x93).
     ///
-    /// Answers [`GravityNoise`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`GravityNoise`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28); 3dm-gx5-15: 4.3.11
     /// Gravity Noise Standard Deviation (0x0D, 0x28).
@@ -3751,7 +3840,8 @@ field! {
 record! {
     /// Pressure altitude noise response (0x0D,0x94).
     ///
-    /// Answers [`PressureAltitudeNoise`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`PressureAltitudeNoise`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// Source: mip-sdk-4: Pressure Altitude Noise (0x0D,0x29).
     #[derive(Default)]
@@ -3771,7 +3861,8 @@ field! {
 record! {
     /// Hard iron offset noise response (0x0D,0x96).
     ///
-    /// Answers [`HardIronOffsetNoise`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`HardIronOffsetNoise`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
+    /// only.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
     #[derive(Default)]
@@ -3791,7 +3882,8 @@ field! {
 record! {
     /// Soft iron matrix noise response (0x0D,0x97).
     ///
-    /// Answers [`SoftIronMatrixNoise`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`SoftIronMatrixNoise`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
+    /// only.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
     #[derive(Default)]
@@ -3850,7 +3942,7 @@ field! {
 record! {
     /// Magnetometer noise response (0x0D,0xB1).
     ///
-    /// Answers [`MagNoise`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`MagNoise`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     #[derive(Default)]
@@ -3870,7 +3962,8 @@ field! {
 record! {
     /// Magnetic declination source response (0x0D,0xB2).
     ///
-    /// Answers [`MagneticDeclinationSource`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`MagneticDeclinationSource`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    /// 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43).
     #[derive(Default)]
@@ -3892,7 +3985,9 @@ field! {
 record! {
     /// Gravity magnitude error adaptive measurement response (0x0D,0xB3).
     ///
-    /// Answers [`AccelMagnitudeErrorAdaptiveMeasurement`]. Supported by 3DM-GX5-15.
+    /// Answers [`AccelMagnitudeErrorAdaptiveMeasurement`]. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    /// May be supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
     #[derive(Default)]
@@ -3934,7 +4029,9 @@ field! {
 record! {
     /// Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
     ///
-    /// Answers [`MagMagnitudeErrorAdaptiveMeasurement`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`MagMagnitudeErrorAdaptiveMeasurement`]. Supported by 3DM-GX5-45. May be supported
+    /// by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+    /// 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
     #[derive(Default)]
@@ -3981,7 +4078,8 @@ field! {
 record! {
     /// Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
     ///
-    /// Answers [`MagDipAngleErrorAdaptiveMeasurement`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`MagDipAngleErrorAdaptiveMeasurement`]. Supported by 3DM-GX5-45. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
     #[derive(Default)]
@@ -4015,7 +4113,8 @@ field! {
 record! {
     /// Altitude aiding response (0x0D,0xB7).
     ///
-    /// Answers [`AltitudeAiding`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`AltitudeAiding`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
+    /// only.
     ///
     /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
     #[derive(Default)]
@@ -4033,7 +4132,7 @@ field! {
 record! {
     /// Pitch and roll aiding response (0x0D,0xBB).
     ///
-    /// Answers [`PitchRollAiding`]. Supported by 3DM-GX5-15.
+    /// Answers [`PitchRollAiding`]. Supported by 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
     #[derive(Default)]
@@ -4139,7 +4238,8 @@ field! {
 record! {
     /// Aiding measurement control response (0x0D,0xD0).
     ///
-    /// Answers [`AidingMeasurementEnable`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`AidingMeasurementEnable`]. Supported by 3DM-CV7-GNSS/INS. May be supported by
+    /// 3DM-CV7-AHRS and 3DM-CV7-AR.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
     #[derive(Default)]
@@ -4188,7 +4288,7 @@ record! {
     /// Navigation filter initialization response (0x0D,0xD2).
     ///
     /// Also called `initialization_configuration_response`. Answers [`InitializationConfig`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
     #[derive(Default)]
@@ -4237,7 +4337,8 @@ field! {
 record! {
     /// Adaptive filter control response (0x0D,0xD3).
     ///
-    /// Answers [`AdaptiveFilterOptions`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`AdaptiveFilterOptions`]. Supported by 3DM-CV7-GNSS/INS. May be supported by
+    /// 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
     #[derive(Default)]
@@ -4407,7 +4508,7 @@ record! {
     /// GNSS antenna offset calibration response (0x0D,0xE4).
     ///
     /// Also called `gnss_antenna_cal_control_response`. Answers [`GnssAntennaCalibrationControl`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64);
     /// 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration.

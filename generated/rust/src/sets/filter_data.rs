@@ -19,7 +19,16 @@ bitfield! {
 
 bitfield! {
     /// Sources of heading updates; 0 if heading updates are disabled.
+    ///
+    /// Source: 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14); 3dm-gx5-45: 5.3.27
+    /// Heading Update Source State (0x82, 0x14).
     HeadingSourceFlags: u16 {
+        /// The magnetometer. Bit 0.
+        MAG: bool = 0,
+            mag, set_mag, with_mag;
+        /// The velocity that the GNSS receiver measures. Bit 1.
+        GNSS_VELOCITY: bool = 1,
+            gnss_velocity, set_gnss_velocity, with_gnss_velocity;
         /// Heading messages that the user sends. Bit 2.
         EXTERNAL: bool = 2,
             external, set_external, with_external;
@@ -444,7 +453,7 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// - The matrix turns NED vectors into vehicle vectors: `v_vehicle = dcm * v_ned`.
     ///
@@ -471,7 +480,7 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as Euler angles.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// - The rotations apply in the order yaw, pitch, roll (3-2-1).
     ///
@@ -505,7 +514,7 @@ record! {
     ///
     /// Estimated bias of the gyroscope.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06); 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06).
     #[derive(Default)]
@@ -724,7 +733,7 @@ record! {
     ///
     /// Angular rate without the estimated bias.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E); 3dm-gx5-15: 5.2.8 Compensated
     /// Angular Rate (0x82, 0x0E).
@@ -945,7 +954,7 @@ record! {
     ///
     /// The last heading that updated the filter and where it came from.
     ///
-    /// Supported by 3DM-GX5-15.
+    /// Supported by 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// - The valid bit means that the source gave data within the last 2 seconds.
     ///
@@ -961,6 +970,8 @@ record! {
         /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         pub heading_uncertainty: f32,
         /// Sources of the heading.
+        ///
+        /// On the 3DM-GX5-15: only [`external`](HeadingSourceFlags::external).
         pub source: HeadingSourceFlags,
         /// Validity of the values.
         pub valid_flags: ValidFlags,

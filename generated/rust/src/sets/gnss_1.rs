@@ -850,7 +850,7 @@ record! {
     ///
     /// GNSS position as latitude, longitude and height.
     ///
-    /// Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03).
     #[derive(Default)]
@@ -1172,7 +1172,7 @@ record! {
     ///
     /// Type of the position fix and what it is made of.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B).
     #[derive(Default)]

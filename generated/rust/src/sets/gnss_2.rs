@@ -117,7 +117,7 @@ pub type SvInfo = crate::gnss_1::SvInfo;
 /// State of the receiver and of its antenna.
 ///
 /// Has the layout of [`gnss_1::HardwareStatus`](crate::gnss_1::HardwareStatus). Also called
-/// `hw_status`. Supported by 3DM-CV7-GNSS/INS.
+/// `hw_status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D).
 pub type HardwareStatus = crate::gnss_1::HardwareStatus;

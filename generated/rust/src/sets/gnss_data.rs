@@ -15,8 +15,8 @@ pub const SET: u8 = 0x81;
 ///
 /// GNSS position as latitude, longitude and height.
 ///
-/// Has the layout of [`gnss_1::LlhPosition`](crate::gnss_1::LlhPosition). Also called `pos_llh`. No
-/// device profile lists it. Known from the MicroStrain MIP SDK only.
+/// Has the layout of [`gnss_1::LlhPosition`](crate::gnss_1::LlhPosition). Also called `pos_llh`.
+/// May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
 pub type LlhPosition = crate::gnss_1::LlhPosition;
@@ -26,7 +26,7 @@ pub type LlhPosition = crate::gnss_1::LlhPosition;
 /// GNSS position in Earth-fixed coordinates.
 ///
 /// Has the layout of [`gnss_1::EcefPosition`](crate::gnss_1::EcefPosition). Also called `pos_ecef`.
-/// No device profile lists it. Known from the MicroStrain MIP SDK only.
+/// May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
 pub type EcefPosition = crate::gnss_1::EcefPosition;
@@ -35,8 +35,8 @@ pub type EcefPosition = crate::gnss_1::EcefPosition;
 ///
 /// GNSS velocity in the local level frame.
 ///
-/// Has the layout of [`gnss_1::NedVelocity`](crate::gnss_1::NedVelocity). Also called `vel_ned`. No
-/// device profile lists it. Known from the MicroStrain MIP SDK only.
+/// Has the layout of [`gnss_1::NedVelocity`](crate::gnss_1::NedVelocity). Also called `vel_ned`.
+/// May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
 pub type NedVelocity = crate::gnss_1::NedVelocity;
@@ -46,7 +46,7 @@ pub type NedVelocity = crate::gnss_1::NedVelocity;
 /// GNSS velocity in Earth-fixed coordinates.
 ///
 /// Has the layout of [`gnss_1::EcefVelocity`](crate::gnss_1::EcefVelocity). Also called `vel_ecef`.
-/// No device profile lists it.
+/// Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45.
 ///
 /// Source: 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06).
 pub type EcefVelocity = crate::gnss_1::EcefVelocity;
@@ -55,8 +55,8 @@ pub type EcefVelocity = crate::gnss_1::EcefVelocity;
 ///
 /// Dilution of precision of the satellite geometry.
 ///
-/// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). No device profile lists it. Known from
-/// the MicroStrain MIP SDK only.
+/// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). May be supported by 3DM-GX5-35 and
+/// 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
 pub type Dop = crate::gnss_1::Dop;
@@ -65,8 +65,8 @@ pub type Dop = crate::gnss_1::Dop;
 ///
 /// Coordinated universal time as the receiver knows it.
 ///
-/// Has the layout of [`gnss_1::UtcTime`](crate::gnss_1::UtcTime). No device profile lists it. Known
-/// from the MicroStrain MIP SDK only.
+/// Has the layout of [`gnss_1::UtcTime`](crate::gnss_1::UtcTime). May be supported by 3DM-GX5-35
+/// and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
 pub type UtcTime = crate::gnss_1::UtcTime;
@@ -75,8 +75,8 @@ pub type UtcTime = crate::gnss_1::UtcTime;
 ///
 /// GPS time as the receiver knows it.
 ///
-/// Has the layout of [`gnss_1::GpsTime`](crate::gnss_1::GpsTime). No device profile lists it. Known
-/// from the MicroStrain MIP SDK only.
+/// Has the layout of [`gnss_1::GpsTime`](crate::gnss_1::GpsTime). May be supported by 3DM-GX5-35
+/// and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
 pub type GpsTime = crate::gnss_1::GpsTime;
@@ -85,8 +85,8 @@ pub type GpsTime = crate::gnss_1::GpsTime;
 ///
 /// Bias and drift of the receiver clock.
 ///
-/// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). No device profile lists it.
-/// Known from the MicroStrain MIP SDK only.
+/// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). May be supported by
+/// 3DM-GX5-35 and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 ///
 /// - Clock info 2 replaces it and tells more.
 ///
@@ -97,8 +97,8 @@ pub type ClockInfo = crate::gnss_1::ClockInfo;
 ///
 /// Type of the position fix and what it is made of.
 ///
-/// Has the layout of [`gnss_1::FixInfo`](crate::gnss_1::FixInfo). No device profile lists it. Known
-/// from the MicroStrain MIP SDK only.
+/// Has the layout of [`gnss_1::FixInfo`](crate::gnss_1::FixInfo). May be supported by 3DM-GX5-35
+/// and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
 pub type FixInfo = crate::gnss_1::FixInfo;
@@ -107,9 +107,9 @@ pub type FixInfo = crate::gnss_1::FixInfo;
 ///
 /// One satellite that is tracked.
 ///
-/// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). No device profile lists it. Known
-/// from the MicroStrain MIP SDK only. Uncertain: Whether a packet holds one of these fields or
-/// several.
+/// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). Supported by 3DM-GX5-45. May be
+/// supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK only. Uncertain: Whether a packet
+/// holds one of these fields or several.
 ///
 /// - The satellites come as one field each, in packets apart from other GNSS data.
 ///
@@ -121,7 +121,8 @@ pub type SvInfo = crate::gnss_1::SvInfo;
 /// State of the receiver and of its antenna.
 ///
 /// Has the layout of [`gnss_1::HardwareStatus`](crate::gnss_1::HardwareStatus). Also called
-/// `hw_status`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+/// `hw_status`. Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35. Known from the MicroStrain
+/// MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
 pub type HardwareStatus = crate::gnss_1::HardwareStatus;
@@ -130,11 +131,12 @@ pub type HardwareStatus = crate::gnss_1::HardwareStatus;
 ///
 /// State of the differential corrections.
 ///
-/// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). No device profile lists it.
-/// Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of the
-/// vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8, three floats and
-/// u16, which is that of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel) and does not agree
-/// with its own valid flags (age, base station id, base station status, number of channels).
+/// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). Supported by 3DM-GX5-35 and
+/// 3DM-GX5-45. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
+/// library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8,
+/// three floats and u16, which is that of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel) and
+/// does not agree with its own valid flags (age, base station id, base station status, number of
+/// channels).
 ///
 /// Source: 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E); mip-sdk-4: Dgps Info (0x81,0x0E).
 pub type DgpsInfo = crate::gnss_1::DgpsInfo;
@@ -143,8 +145,8 @@ pub type DgpsInfo = crate::gnss_1::DgpsInfo;
 ///
 /// Differential correction for one satellite.
 ///
-/// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). No device profile lists
-/// it. Known from the MicroStrain MIP SDK only.
+/// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). Supported by 3DM-GX5-45.
+/// May be supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK only.
 ///
 /// - The active satellites come as one field each, all in one packet.
 ///

@@ -18,7 +18,7 @@ pub const SET: u8 = 0x94;
 /// GNSS position as latitude, longitude and height.
 ///
 /// Has the layout of [`gnss_1::LlhPosition`](crate::gnss_1::LlhPosition). Also called `pos_llh`.
-/// Supported by 3DM-CV7-GNSS/INS.
+/// Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-INS.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03).
 pub type LlhPosition = crate::gnss_1::LlhPosition;
@@ -28,7 +28,7 @@ pub type LlhPosition = crate::gnss_1::LlhPosition;
 /// GNSS position in Earth-fixed coordinates.
 ///
 /// Has the layout of [`gnss_1::EcefPosition`](crate::gnss_1::EcefPosition). Also called `pos_ecef`.
-/// No device profile lists it. Known from the MicroStrain MIP SDK only.
+/// May be supported by 3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss4 Data (0x94).
 pub type EcefPosition = crate::gnss_1::EcefPosition;
@@ -38,7 +38,7 @@ pub type EcefPosition = crate::gnss_1::EcefPosition;
 /// GNSS velocity in the local level frame.
 ///
 /// Has the layout of [`gnss_1::NedVelocity`](crate::gnss_1::NedVelocity). Also called `vel_ned`.
-/// Supported by 3DM-CV7-GNSS/INS.
+/// Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-INS.
 ///
 /// Source: 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05).
 pub type NedVelocity = crate::gnss_1::NedVelocity;
@@ -48,7 +48,7 @@ pub type NedVelocity = crate::gnss_1::NedVelocity;
 /// GNSS velocity in Earth-fixed coordinates.
 ///
 /// Has the layout of [`gnss_1::EcefVelocity`](crate::gnss_1::EcefVelocity). Also called `vel_ecef`.
-/// No device profile lists it. Known from the MicroStrain MIP SDK only.
+/// May be supported by 3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss4 Data (0x94).
 pub type EcefVelocity = crate::gnss_1::EcefVelocity;
@@ -57,8 +57,8 @@ pub type EcefVelocity = crate::gnss_1::EcefVelocity;
 ///
 /// Dilution of precision of the satellite geometry.
 ///
-/// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). No device profile lists it. Known from
-/// the MicroStrain MIP SDK only.
+/// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). May be supported by 3DM-CV7-INS. Known
+/// from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss4 Data (0x94).
 pub type Dop = crate::gnss_1::Dop;
@@ -68,6 +68,7 @@ pub type Dop = crate::gnss_1::Dop;
 /// Coordinated universal time as the receiver knows it.
 ///
 /// Has the layout of [`gnss_1::UtcTime`](crate::gnss_1::UtcTime). Supported by 3DM-CV7-GNSS/INS.
+/// May be supported by 3DM-CV7-INS.
 ///
 /// Source: 3dm-cv7-gnss-ins: UTC Time (0x94,0x08).
 pub type UtcTime = crate::gnss_1::UtcTime;
@@ -99,6 +100,7 @@ pub type ClockInfo = crate::gnss_1::ClockInfo;
 /// Type of the position fix and what it is made of.
 ///
 /// Has the layout of [`gnss_1::FixInfo`](crate::gnss_1::FixInfo). Supported by 3DM-CV7-GNSS/INS.
+/// May be supported by 3DM-CV7-INS.
 ///
 /// Source: 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B).
 pub type FixInfo = crate::gnss_1::FixInfo;
@@ -156,8 +158,8 @@ pub type DgpsChannel = crate::gnss_1::DgpsChannel;
 ///
 /// Bias and drift of the receiver clock.
 ///
-/// Has the layout of [`gnss_1::ClockInfo2`](crate::gnss_1::ClockInfo2). No device profile lists it.
-/// Known from the MicroStrain MIP SDK only.
+/// Has the layout of [`gnss_1::ClockInfo2`](crate::gnss_1::ClockInfo2). May be supported by
+/// 3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
 ///
 /// - It supersedes clock info.
 ///
@@ -168,8 +170,8 @@ pub type ClockInfo2 = crate::gnss_1::ClockInfo2;
 ///
 /// Difference between GPS time and UTC.
 ///
-/// Has the layout of [`gnss_1::GpsLeapSeconds`](crate::gnss_1::GpsLeapSeconds). No device profile
-/// lists it. Known from the MicroStrain MIP SDK only.
+/// Has the layout of [`gnss_1::GpsLeapSeconds`](crate::gnss_1::GpsLeapSeconds). May be supported by
+/// 3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss4 Data (0x94).
 pub type GpsLeapSeconds = crate::gnss_1::GpsLeapSeconds;
@@ -202,8 +204,8 @@ pub type SbasCorrection = crate::gnss_1::SbasCorrection;
 ///
 /// Jamming and spoofing as the receiver detects them in one band.
 ///
-/// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). No device
-/// profile lists it. Known from the MicroStrain MIP SDK only.
+/// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). May be
+/// supported by 3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
 ///
 /// Source: mip-sdk-4: Gnss4 Data (0x94).
 pub type RfErrorDetection = crate::gnss_1::RfErrorDetection;
@@ -213,7 +215,7 @@ pub type RfErrorDetection = crate::gnss_1::RfErrorDetection;
 /// Where one satellite stands, and its health.
 ///
 /// Has the layout of [`gnss_1::SatelliteStatus`](crate::gnss_1::SatelliteStatus). Supported by
-/// 3DM-CV7-GNSS/INS.
+/// 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-INS.
 ///
 /// - An epoch is sent as one field for each satellite; index and count number the fields.
 ///

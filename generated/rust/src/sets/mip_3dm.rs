@@ -327,7 +327,8 @@ record! {
     /// Asks for one sensor data packet (0x80) with the fields listed, in their order.
     ///
     /// Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    /// 3DM-GX5-15.
+    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    /// 3DM-GX5-45.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
     /// `descriptors`.
@@ -372,8 +373,9 @@ record! {
     ///
     /// Asks for one GNSS data packet with the fields listed, in their order.
     ///
-    /// Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. Supported by
+    /// 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
+    /// Known from the MicroStrain MIP SDK only.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
     /// `descriptors`. Range: 0 to 83.
@@ -423,7 +425,7 @@ record! {
     /// Asks for one filter data packet (0x82) with the fields listed, in their order.
     ///
     /// Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    /// 3DM-GX5-15.
+    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
     /// `descriptors`.
@@ -469,7 +471,7 @@ record! {
     /// Asks for the NMEA sentences listed, once.
     ///
     /// Also called `nmea_poll_data`. Not acknowledged if `suppress_ack` is true. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
     ///
     /// On the wire there is also `count`: Number of sentences. The number of elements of
     /// `format_entries`.
@@ -516,7 +518,8 @@ record! {
     /// Asks for the rate that the decimations of the IMU message format divide.
     ///
     /// Also called `imu_get_base_rate`. Answered by [`GetImuBaseRateResponse`]. Supported by
-    /// 3DM-GX5-15.
+    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    /// 3DM-GX5-35.
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
     #[derive(Default)]
@@ -544,8 +547,9 @@ record! {
     ///
     /// Asks for the rate that the decimations of the GNSS message format divide.
     ///
-    /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`]. No device profile
-    /// lists it. Known from the MicroStrain MIP SDK only.
+    /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`]. Supported by
+    /// 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Default)]
@@ -574,7 +578,8 @@ record! {
     /// Fields of the sensor data packets (0x80), in order, with their decimations.
     ///
     /// Functions: write, read, save, load and default. Answered by [`ImuMessageFormatResponse`].
-    /// Supported by 3DM-GX5-15.
+    /// Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
+    /// 3DM-RQ1-45-ST.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
     /// `descriptors`. Required for write.
@@ -636,7 +641,7 @@ record! {
     /// Fields of the GNSS data packets, in order, with their decimations.
     ///
     /// Functions: write, read, save, load and default. Answered by [`GnssMessageFormatResponse`].
-    /// No device profile lists it.
+    /// Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
     /// `descriptors`. Range: 0 to 82. Required for write.
@@ -697,7 +702,7 @@ record! {
     /// Fields of the filter data packets (0x82), in order, with their decimations.
     ///
     /// Functions: write, read, save, load and default. Answered by [`FilterMessageFormatResponse`].
-    /// Supported by 3DM-GX5-15.
+    /// Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
     /// `descriptors`. Required for write.
@@ -759,7 +764,7 @@ record! {
     /// Asks for the rate that the decimations of the estimation filter message format divide.
     ///
     /// Also called `filter_get_base_rate`. Answered by [`GetFilterBaseRateResponse`]. Supported by
-    /// 3DM-GX5-15.
+    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
     #[derive(Default)]
@@ -1033,7 +1038,11 @@ record! {
     /// Switches a data stream on or off.
     ///
     /// Also called `datastream_control`. Functions: write, read, save, load and default. Answered
-    /// by [`DataStreamControlResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// by [`DataStreamControlResponse`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    /// 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
+    /// 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+    /// 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
     ///
     /// - 5-series devices name the stream by a number of their own ([`LegacyDataStream`]), others
     ///   by its descriptor set.
@@ -1045,7 +1054,11 @@ record! {
         pub function: types::FunctionSelector,
         /// Data descriptor set; 0 means all streams (save, load, default).
         ///
-        /// On the 3DM-GX5-15: values of [`LegacyDataStream`].
+        /// On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
+        /// 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15,
+        /// 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+        /// 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and
+        /// 3DM-RQ1-45-ST: values of [`LegacyDataStream`].
         pub descriptor_set: Option<u8>,
         /// Whether the stream is sent.
         ///
@@ -1082,7 +1095,11 @@ constructors! {
 impl DataStreamControl {
     /// Reads `descriptor_set` as [`LegacyDataStream`].
     ///
-    /// On the 3DM-GX5-15: values of [`LegacyDataStream`].
+    /// On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
+    /// 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
+    /// 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25,
+    /// 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
+    /// [`LegacyDataStream`].
     #[must_use]
     pub fn descriptor_set_as_legacy_data_stream(&self) -> Option<LegacyDataStream> {
         self.descriptor_set.map(Into::into)
@@ -1104,9 +1121,9 @@ record! {
     /// Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`ConstellationSettingsResponse`]. No device profile lists it. Uncertain: The factory
-    /// default, as the SDK gives it, names GPS and GLONASS alone as enabled but has channels for
-    /// SBAS and QZSS too.
+    /// [`ConstellationSettingsResponse`]. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported
+    /// by 3DM-GX5-45. Uncertain: The factory default, as the SDK gives it, names GPS and GLONASS
+    /// alone as enabled but has channels for SBAS and QZSS too.
     ///
     /// On the wire there is also `config_count`: Number of entries. The number of elements of
     /// `settings`. Range: 0 to 41. Required for write.
@@ -1178,7 +1195,7 @@ record! {
     /// How the GNSS receivers use satellite based augmentation.
     ///
     /// Functions: write, read, save, load and default. Answered by [`GnssSbasSettingsResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
     ///
     /// On the wire there is also `num_included_prns`: Number of satellites listed; 0 searches for
     /// all. The number of elements of `included_prns`. Required for write.
@@ -1189,11 +1206,13 @@ record! {
         pub function: types::FunctionSelector,
         /// 1 switches SBAS on, 0 off.
         ///
-        /// Range: 0 to 1. Required for write.
+        /// Range: 0 to 1. Required for write. On the 3DM-GX5-35: default 1.
         pub enable_sbas: Option<u8>,
         /// What SBAS is used for.
         ///
-        /// Required for write.
+        /// Required for write. On the 3DM-GX5-35: default
+        /// [`enable_ranging`](SbasOptions::enable_ranging) and
+        /// [`enable_corrections`](SbasOptions::enable_corrections).
         pub sbas_options: Option<SbasOptions>,
         /// PRN numbers of the SBAS satellites to search for.
         ///
@@ -1248,8 +1267,9 @@ record! {
     ///
     /// Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`GnssAssistedFixResponse`]. No
-    /// device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Functions: write, read, save, load and default. Answered by [`GnssAssistedFixResponse`].
+    /// Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
+    /// only.
     ///
     /// - The last fix is kept in the flash memory and the FRAM of the receiver.
     /// - With the time of [`GnssTimeAssistance`] right after power-up, the first fix takes 1 s at
@@ -1264,9 +1284,10 @@ record! {
         pub function: types::FunctionSelector,
         /// Assisted fix.
         ///
-        /// Default: [`AssistedFixOption::NONE`]. Required for write.
+        /// Default: [`AssistedFixOption::NONE`]. Required for write. On the 3DM-GX5-35: default
+        /// [`AssistedFixOption::NONE`].
         pub option: Option<AssistedFixOption>,
-        /// Reserved: send 255. Required for write.
+        /// Reserved: send 255. Required for write. On the 3DM-GX5-35: default 255.
         pub flags: Option<u8>,
     }
     wire 3 {
@@ -1309,8 +1330,8 @@ record! {
     ///
     /// Tells the GNSS receiver the present GPS time.
     ///
-    /// Functions: write and read. Answered by [`GnssTimeAssistanceResponse`]. No device profile
-    /// lists it. Known from the MicroStrain MIP SDK only.
+    /// Functions: write and read. Answered by [`GnssTimeAssistanceResponse`]. Supported by
+    /// 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
     ///
     /// - It is needed right after power-up if [`GnssAssistedFix`] was on at power-off.
     ///
@@ -1368,7 +1389,8 @@ record! {
     /// Where the device takes its pulse per second from.
     ///
     /// Also called `pps_source`. Functions: write, read, save, load and default. Answered by
-    /// [`PpsSourceControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`PpsSourceControlResponse`]. Supported by 3DM-CV7-GNSS/INS. May be supported by
+    /// 3DM-CV7-AHRS and 3DM-CV7-AR.
     ///
     /// - The pins are configured apart from this by the GPIO configuration command.
     /// - The filter needs a valid pulse. disabled and generated are seldom what is wanted.
@@ -1379,7 +1401,9 @@ record! {
         pub function: types::FunctionSelector,
         /// Source of the pulse.
         ///
-        /// Default: [`PpsSource::RECEIVER_1`]. Required for write.
+        /// Default: [`PpsSource::RECEIVER_1`]. Required for write. On the 3DM-CV7-AHRS and
+        /// 3DM-CV7-AR: only [`PpsSource::DISABLED`], [`PpsSource::GPIO`] and
+        /// [`PpsSource::GENERATED`].
         pub source: Option<PpsSource>,
     }
     wire 2 {
@@ -1762,7 +1786,8 @@ record! {
     /// Saves, loads or resets all settings of the device at once.
     ///
     /// Functions: save, load and default. The device may take 1 s to answer. Supported by
-    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
+    /// 3DM-RQ1-45-ST.
     ///
     /// - A save may disturb the data output for a short time.
     ///
@@ -1806,7 +1831,7 @@ record! {
     ///
     /// Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and
     /// default. Answered by [`SensorToVehicleTransformEulerResponse`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
     ///
     /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
     ///   back may be another form of it.
@@ -1999,8 +2024,9 @@ record! {
     /// Bias that is subtracted from the scaled acceleration.
     ///
     /// For advanced use. Functions: write, read, save, load, default and apply. Answered by
-    /// [`AccelBiasResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
-    /// 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+    /// [`AccelBiasResponse`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS:
+    /// write, read, save, load and default only.
     ///
     /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
     /// Configuration (0x0C,0x37).
@@ -2056,8 +2082,11 @@ record! {
     /// Bias that is subtracted from the scaled angular rate.
     ///
     /// For advanced use. Functions: write, read, save, load, default and apply. Answered by
-    /// [`GyroBiasResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS:
-    /// write, read, save, load and default only.
+    /// [`GyroBiasResponse`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+    /// 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// On the 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write,
+    /// read, save, load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and
+    /// default only.
     ///
     /// Source: 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38); 3dm-cv7-gnss-ins: Gyroscope Bias
     /// Configuration (0x0C,0x38).
@@ -2113,7 +2142,8 @@ record! {
     /// Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
     ///
     /// Answered by [`GyroBiasResponse`]. The device may take 31 s to answer. Supported by
-    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
+    /// 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
     ///
     /// - The device must stand still, with as little vibration as possible, for the whole time.
     /// - The reply comes after the averaging time.
@@ -2153,23 +2183,29 @@ record! {
     ///
     /// Offset that corrects the scaled magnetic field for hard iron.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`MagHardIronOffsetResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: write, read, save, load, default and apply. Answered by
+    /// [`MagHardIronOffsetResponse`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    /// 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35. On
+    /// the 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read,
+    /// save, load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default
+    /// only.
     ///
     /// - The values come from a calibration of the device as it is installed.
     ///
-    /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A).
+    /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
+    /// 0x3A).
     pub struct MagHardIronOffset {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Hard iron offset.
         ///
-        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write.
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write and apply. On the
+        /// 3DM-GX5-45: default 0, 0, 0.
         pub offset: Option<types::Vector3f>,
     }
     wire 13 {
         [function selects]
-        [offset for WRITE]
+        [offset for WRITE APPLY]
     }
 }
 
@@ -2190,6 +2226,9 @@ constructors! {
 
     /// Load the factory default setting.
     fn load_default() = DEFAULT;
+
+    /// Apply the new setting and send no acknowledge (5-series devices).
+    fn apply(offset: impl Into<types::Vector3f>) = APPLY;
 }
 
 field! {
@@ -2199,6 +2238,7 @@ field! {
 command! {
     MagHardIronOffset -> MagHardIronOffsetResponse;
     responds MagHardIronOffsetResponse for READ;
+    silent for APPLY;
 }
 
 record! {
@@ -2206,24 +2246,29 @@ record! {
     ///
     /// Matrix that corrects the scaled magnetic field for soft iron.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`MagSoftIronMatrixResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: write, read, save, load, default and apply. Answered by
+    /// [`MagSoftIronMatrixResponse`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    /// 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On
+    /// the 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read,
+    /// save, load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default
+    /// only.
     ///
     /// - The values come from a calibration of the device as it is installed.
     ///
-    /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B).
+    /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
+    /// 0x3B).
     pub struct MagSoftIronMatrix {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Soft iron matrix in row-major order.
         ///
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor. Required
-        /// for write.
+        /// for write and apply.
         pub matrix: Option<types::Matrix3f>,
     }
     wire 37 {
         [function selects]
-        [matrix for WRITE]
+        [matrix for WRITE APPLY]
     }
 }
 
@@ -2244,6 +2289,9 @@ constructors! {
 
     /// Load the factory default setting.
     fn load_default() = DEFAULT;
+
+    /// Apply the new setting and send no acknowledge (5-series devices).
+    fn apply(matrix: impl Into<types::Matrix3f>) = APPLY;
 }
 
 field! {
@@ -2253,6 +2301,7 @@ field! {
 command! {
     MagSoftIronMatrix -> MagSoftIronMatrixResponse;
     responds MagSoftIronMatrixResponse for READ;
+    silent for APPLY;
 }
 
 record! {
@@ -2261,7 +2310,8 @@ record! {
     /// Switches the compensation of coning and sculling on or off.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`ConingScullingEnableResponse`]. Supported by 3DM-GX5-15.
+    /// [`ConingScullingEnableResponse`]. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
+    /// 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
     pub struct ConingScullingEnable {
@@ -2312,7 +2362,8 @@ record! {
     /// Baud rate of the main port.
     ///
     /// Also called `uart_baudrate`. Functions: write, read, save, load and default. Answered by
-    /// [`UartBaudRateResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// [`UartBaudRateResponse`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
+    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
     ///
     /// - The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
     /// - The 3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then
@@ -2327,7 +2378,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Baud rate.
         ///
-        /// Unit: Bd. Required for write. On the 3DM-GX5-15: default 115200.
+        /// Unit: Bd. Required for write. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200.
         pub baud: Option<u32>,
     }
     wire 5 {
@@ -2370,7 +2421,8 @@ record! {
     /// What a GPIO pin is used for.
     ///
     /// Functions: write, read, save, load and default. Answered by [`GpioConfigResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
+    /// 3DM-GQ7-GNSS/INS.
     ///
     /// - Not every pin has every feature.
     /// - Configure the function behind an output before its pin, and the pin of an input before its
@@ -2630,16 +2682,19 @@ record! {
     ///
     /// Low-pass filter of one quantity of the sensor data.
     ///
-    /// Deprecated: use [`LowPassFilter`] where the device has it. For advanced use. Also called
-    /// `imu_lowpass_filter`. Functions: write, read, save, load and default. Answered by
-    /// [`ImuLowPassFilterResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// For advanced use. Also called `imu_lowpass_filter`. Functions: write, read, save, load and
+    /// default. Answered by [`ImuLowPassFilterResponse`]. Supported by 3DM-CV7-GNSS/INS,
+    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CV7-AHRS,
+    /// 3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45. Deprecated on the 3DM-CV7-AHRS: use
+    /// [`LowPassFilter`] instead. Deprecated on the 3DM-CV7-AR: use [`LowPassFilter`] instead.
+    /// Deprecated on the 3DM-CV7-GNSS/INS: use [`LowPassFilter`] instead. Deprecated on the
+    /// 3DM-GQ7-GNSS/INS: use [`LowPassFilter`] instead.
     ///
     /// - The filter has one pole. By default it is on and its cutoff is half the rate of the
     ///   message format.
     ///
     /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
-    #[deprecated(note = "use `3dm.low_pass_filter` where the device has it")]
     pub struct ImuLowPassFilter {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2715,7 +2770,8 @@ record! {
     /// filter.
     ///
     /// Functions: write, read, save, load and default. Answered by [`ComplementaryFilterResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. May be supported by
+    /// 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15, 3DM-GX5-10 and 3DM-GX5-45.
     ///
     /// - Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
     /// - The heading follows the magnetometer, if the device has one.
@@ -2734,7 +2790,8 @@ record! {
         pub pitch_roll_enable: Option<crate::Bool>,
         /// Corrects the heading (north, in terms of the 5-series).
         ///
-        /// Required for write. On the 3DM-GX5-15: default true.
+        /// Required for write. On the 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15
+        /// and 3DM-GX5-10: MSCL does not offer it. On the 3DM-GX5-15: default true.
         pub heading_enable: Option<crate::Bool>,
         /// Time constant of the correction of pitch and roll.
         ///
@@ -2882,7 +2939,8 @@ record! {
     /// Low-pass filter of a data field.
     ///
     /// Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
-    /// [`LowPassFilterResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`LowPassFilterResponse`]. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS,
+    /// 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
     ///
     /// - Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all
     ///   sets.
@@ -2961,7 +3019,10 @@ record! {
     /// [`DeviceStatusBasicWithoutStateResponse`], [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`] or
-    /// [`DeviceStatusDiagnosticImuResponse`]. Supported by 3DM-GX5-15.
+    /// [`DeviceStatusDiagnosticImuResponse`]. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    /// 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25,
+    /// 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    /// 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
     ///
     /// - The device expects its own model number, which
     ///   [`base::GetDeviceInfo`](crate::base::GetDeviceInfo) tells.
@@ -2974,6 +3035,9 @@ record! {
     #[derive(Default)]
     pub struct DeviceStatus {
         /// Model number of the device that is asked.
+        ///
+        /// On the 3DM-GX5-15: always 6254. On the 3DM-GX5-35: always 6252. On the 3DM-GX5-45:
+        /// always 6251.
         pub model_number: u16,
         /// How much the answer tells.
         pub status_selector: DeviceStatusSelector,
@@ -3022,7 +3086,8 @@ responses! {
 record! {
     /// IMU Message Format response (0x0C,0x80).
     ///
-    /// Answers [`ImuMessageFormat`]. Supported by 3DM-GX5-15.
+    /// Answers [`ImuMessageFormat`]. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
+    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
     /// `descriptors`.
@@ -3047,7 +3112,8 @@ field! {
 record! {
     /// GNSS Message Format response (0x0C,0x81).
     ///
-    /// Answers [`GnssMessageFormat`].
+    /// Answers [`GnssMessageFormat`]. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45,
+    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
     /// `descriptors`. Range: 0 to 82.
@@ -3073,7 +3139,8 @@ field! {
 record! {
     /// Estimation Filter Message Format response (0x0C,0x82).
     ///
-    /// Answers [`FilterMessageFormat`]. Supported by 3DM-GX5-15.
+    /// Answers [`FilterMessageFormat`]. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
+    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
     /// `descriptors`.
@@ -3099,7 +3166,8 @@ record! {
     /// Get IMU Data Base Rate response (0x0C,0x83).
     ///
     /// Also called `imu_get_base_rate_response`. Answers [`GetImuBaseRate`]. Supported by
-    /// 3DM-GX5-15.
+    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    /// 3DM-GX5-35.
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
     #[derive(Default)]
@@ -3119,7 +3187,8 @@ field! {
 record! {
     /// Get GNSS Data Base Rate response (0x0C,0x84).
     ///
-    /// Also called `gnss_get_base_rate_response`. Answers [`GetGnssBaseRate`]. Known from the
+    /// Also called `gnss_get_base_rate_response`. Answers [`GetGnssBaseRate`]. Supported by
+    /// 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
@@ -3141,7 +3210,11 @@ record! {
     /// Data Stream Control response (0x0C,0x85).
     ///
     /// Also called `datastream_control_response`. Answers [`DataStreamControl`]. Supported by
-    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
+    /// 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3,
+    /// 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    /// 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
@@ -3149,7 +3222,11 @@ record! {
     pub struct DataStreamControlResponse {
         /// Stream of the command.
         ///
-        /// On the 3DM-GX5-15: values of [`LegacyDataStream`].
+        /// On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
+        /// 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15,
+        /// 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+        /// 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and
+        /// 3DM-RQ1-45-ST: values of [`LegacyDataStream`].
         pub descriptor_set: u8,
         /// Whether the stream is sent.
         pub enabled: crate::Bool,
@@ -3160,7 +3237,11 @@ record! {
 impl DataStreamControlResponse {
     /// Reads `descriptor_set` as [`LegacyDataStream`].
     ///
-    /// On the 3DM-GX5-15: values of [`LegacyDataStream`].
+    /// On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
+    /// 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
+    /// 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25,
+    /// 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
+    /// [`LegacyDataStream`].
     #[must_use]
     pub fn descriptor_set_as_legacy_data_stream(&self) -> LegacyDataStream {
         self.descriptor_set.into()
@@ -3176,7 +3257,8 @@ record! {
     /// UART Baud Rate response (0x0C,0x87).
     ///
     /// Also called `uart_baudrate_response`. Answers [`UartBaudRate`]. Supported by
-    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May
+    /// be supported by 3DM-GX5-35.
     ///
     /// Source: 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40); 3dm-cv7-gnss-ins: UART Baudrate
     /// (0x0C,0x40).
@@ -3198,7 +3280,7 @@ record! {
     /// Get Estimation Filter Data Base Rate response (0x0C,0x8A).
     ///
     /// Also called `filter_get_base_rate_response`. Answers [`GetFilterBaseRate`]. Supported by
-    /// 3DM-GX5-15.
+    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
     #[derive(Default)]
@@ -3219,7 +3301,8 @@ record! {
     /// Advanced Low-Pass Filter Settings response (0x0C,0x8B).
     ///
     /// Also called `imu_lowpass_filter_response`. Answers [`ImuLowPassFilter`]. Supported by
-    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported
+    /// by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
@@ -3332,7 +3415,10 @@ record! {
     ///
     /// Answers [`DeviceStatus`]. Told from [`DeviceStatusBasicWithoutStateResponse`] by the size of
     /// its data. Sent if `status_selector` is [`DeviceStatusSelector::BASIC`]. Supported by
-    /// 3DM-GX5-15.
+    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+    /// supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
+    /// 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    /// 3DM-GX5-10 and 3DM-GX5-25.
     ///
     /// On the wire there is also `status_selector`: Basic status. Always 1.
     ///
@@ -3374,10 +3460,13 @@ record! {
     /// Timer alone.
     ///
     /// Answers [`DeviceStatus`]. Told from [`DeviceStatusBasicResponse`] by the size of its data.
-    /// Sent if `status_selector` is [`DeviceStatusSelector::BASIC`]. Supported by 3DM-GX5-15.
-    /// Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and
-    /// 3DM-CV5-10. Uncertain: The manual of the 3DM-GX5-45 prints it too, but for the model number
-    /// of another device; MSCL has the layout with a state for that device.
+    /// Sent if `status_selector` is [`DeviceStatusSelector::BASIC`]. Supported by 3DM-GQ4-45,
+    /// 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    /// 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
+    /// 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and
+    /// 3DM-GX5-25. Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10
+    /// and 3DM-CV5-10. Uncertain: The manual of the 3DM-GX5-45 prints it too, but for the model
+    /// number of another device; MSCL has the layout with a state for that device.
     ///
     /// On the wire there is also `status_selector`: Basic status. Always 1.
     ///
@@ -3419,7 +3508,10 @@ record! {
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
     /// of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by
-    /// 3DM-GX5-15.
+    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+    /// supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
+    /// 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    /// 3DM-GX5-10 and 3DM-GX5-25.
     ///
     /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
     ///
@@ -3515,9 +3607,12 @@ record! {
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
     /// of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by
-    /// 3DM-GX5-15. Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and -45 of the GX5 and
-    /// CX5; its length is that of a manual. Uncertain: MSCL names the values only; the descriptions
-    /// follow from the names, and times in ms from the system timer.
+    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+    /// supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
+    /// 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    /// 3DM-GX5-10 and 3DM-GX5-25. Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and -45 of
+    /// GX5 and CX5; its length is that of a manual. Uncertain: MSCL names the values only; the
+    /// descriptions follow from the names, and times in ms from the system timer.
     ///
     /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
     ///
@@ -3649,8 +3744,12 @@ record! {
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
     /// of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by
-    /// 3DM-GX5-15. Uncertain: No manual is known that prints it. Uncertain: MSCL names the values
-    /// only; the descriptions follow from the names, and times in ms from the system timer.
+    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+    /// supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
+    /// 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    /// 3DM-GX5-10 and 3DM-GX5-25. Uncertain: No manual is known that prints it. Uncertain: MSCL
+    /// names the values only; the descriptions follow from the names, and times in ms from the
+    /// system timer.
     ///
     /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
     ///
@@ -3791,8 +3890,12 @@ record! {
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
     /// of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by
-    /// 3DM-GX5-15. Uncertain: No manual is known that prints it. Uncertain: MSCL names the values
-    /// only; the descriptions follow from the names, and times in ms from the system timer.
+    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
+    /// supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
+    /// 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
+    /// 3DM-GX5-10 and 3DM-GX5-25. Uncertain: No manual is known that prints it. Uncertain: MSCL
+    /// names the values only; the descriptions follow from the names, and times in ms from the
+    /// system timer.
     ///
     /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
     ///
@@ -3937,9 +4040,13 @@ record! {
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticRq1_45Response`] and [`DeviceStatusDiagnosticImuResponse`] by the
     /// size of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`].
-    /// Supported by 3DM-GX5-15. Uncertain: No manual is known that prints it for these devices; the
-    /// offsets 49 to 69 of that of the 3DM-GX5-45 agree. Uncertain: MSCL names the values only; the
-    /// descriptions follow from the names, and times in ms from the system timer.
+    /// Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
+    /// 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+    /// 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15,
+    /// 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain: No manual is known that prints
+    /// it for these devices; the offsets 49 to 69 of that of the 3DM-GX5-45 agree. Uncertain: MSCL
+    /// names the values only; the descriptions follow from the names, and times in ms from the
+    /// system timer.
     ///
     /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
     ///
@@ -4063,10 +4170,13 @@ record! {
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticRq1_45Response`] and [`DeviceStatusDiagnosticGx4Response`] by the
     /// size of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`].
-    /// Supported by 3DM-GX5-15. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and
-    /// 3DM-CV5-10; no manual is known that prints it. Uncertain: MSCL names the values only; the
-    /// descriptions follow from the names, and times in ms from the system timer. Uncertain: The
-    /// units of the ranges are open.
+    /// Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
+    /// 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
+    /// 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15,
+    /// 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain: MSCL has it for the
+    /// 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no manual is known that prints it. Uncertain: MSCL
+    /// names the values only; the descriptions follow from the names, and times in ms from the
+    /// system timer. Uncertain: The units of the ranges are open.
     ///
     /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
     ///
@@ -4171,7 +4281,9 @@ field! {
 record! {
     /// Complementary Filter Configuration response (0x0C,0x97).
     ///
-    /// Answers [`ComplementaryFilter`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`ComplementaryFilter`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
+    /// 3DM-GX5-35. May be supported by 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15,
+    /// 3DM-GX5-10 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51); 3dm-cv7-gnss-ins:
     /// Complementary Filter Configuration (0x0C,0x51).
@@ -4200,7 +4312,8 @@ field! {
 record! {
     /// Accelerometer Bias Configuration response (0x0C,0x9A).
     ///
-    /// Answers [`AccelBias`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`AccelBias`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
     /// Configuration (0x0C,0x37).
@@ -4224,7 +4337,8 @@ record! {
     /// The bias in use.
     ///
     /// Also called `capture_gyro_bias_response`. Answers [`GyroBias`] and [`CaptureGyroBias`].
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
+    /// 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38); 3dm-cv7-gnss-ins: Gyroscope Bias
     /// Configuration (0x0C,0x38).
@@ -4245,9 +4359,11 @@ field! {
 record! {
     /// Magnetometer Hard Iron Offset response (0x0C,0x9C).
     ///
-    /// Answers [`MagHardIronOffset`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`MagHardIronOffset`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    /// 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
     ///
-    /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A).
+    /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
+    /// 0x3A).
     #[derive(Default)]
     pub struct MagHardIronOffsetResponse {
         /// Hard iron offset.
@@ -4265,9 +4381,11 @@ field! {
 record! {
     /// Magnetometer Soft Iron Matrix response (0x0C,0x9D).
     ///
-    /// Answers [`MagSoftIronMatrix`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`MagSoftIronMatrix`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    /// 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
     ///
-    /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B).
+    /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
+    /// 0x3B).
     #[derive(Default)]
     pub struct MagSoftIronMatrixResponse {
         /// Soft iron matrix in row-major order.
@@ -4285,7 +4403,8 @@ field! {
 record! {
     /// Coning and Sculling Enable response (0x0C,0x9E).
     ///
-    /// Answers [`ConingScullingEnable`]. Supported by 3DM-GX5-15.
+    /// Answers [`ConingScullingEnable`]. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
+    /// 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
     #[derive(Default)]
@@ -4307,7 +4426,8 @@ record! {
     ///
     /// Tracking channels of the receiver and the setting of each constellation.
     ///
-    /// Answers [`ConstellationSettings`].
+    /// Answers [`ConstellationSettings`]. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported
+    /// by 3DM-GX5-45.
     ///
     /// On the wire there is also `config_count`: Number of entries. The number of elements of
     /// `settings`. Range: 0 to 41.
@@ -4343,7 +4463,8 @@ field! {
 record! {
     /// GNSS SBAS Settings response (0x0C,0xA1).
     ///
-    /// Answers [`GnssSbasSettings`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`GnssSbasSettings`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May
+    /// be supported by 3DM-GX5-45.
     ///
     /// On the wire there is also `num_included_prns`: Number of satellites listed; 0 searches for
     /// all. The number of elements of `included_prns`.
@@ -4376,7 +4497,8 @@ field! {
 record! {
     /// GNSS Assisted Fix response (0x0C,0xA2).
     ///
-    /// Answers [`GnssAssistedFix`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`GnssAssistedFix`]. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known
+    /// from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
     pub struct GnssAssistedFixResponse {
@@ -4407,7 +4529,8 @@ field! {
 record! {
     /// GNSS Time Assistance response (0x0C,0xA3).
     ///
-    /// Answers [`GnssTimeAssistance`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`GnssTimeAssistance`]. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    /// Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
     #[derive(Default)]
@@ -4436,7 +4559,7 @@ record! {
     /// PPS Source Control response (0x0C,0xA8).
     ///
     /// Also called `pps_source_response`. Answers [`PpsSourceControl`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS and 3DM-CV7-AR.
     ///
     /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
     #[derive(Default)]
@@ -4457,7 +4580,7 @@ record! {
     /// Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
     ///
     /// Also called `sensor_2_vehicle_transform_euler_response`. Answers
-    /// [`SensorToVehicleTransformEuler`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`SensorToVehicleTransformEuler`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
     #[derive(Default)]
@@ -4702,7 +4825,8 @@ field! {
 record! {
     /// GPIO Configuration response (0x0C,0xC1).
     ///
-    /// Answers [`GpioConfig`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`GpioConfig`]. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS,
+    /// 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
     #[derive(Default)]
@@ -4899,7 +5023,7 @@ record! {
     /// Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
     ///
     /// Also called `lowpass_filter_response`. Answers [`LowPassFilter`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54).
     #[derive(Default)]

@@ -123,7 +123,8 @@ record! {
     ///
     /// Measured acceleration, temperature compensated.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and
+    /// 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04); 3dm-cv7-gnss-ins: Scaled
     /// Accel (0x80,0x04).
@@ -145,7 +146,7 @@ record! {
     ///
     /// Measured angular rate, temperature compensated.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05); 3dm-cv7-gnss-ins: Scaled Gyro
     /// (0x80,0x05).
@@ -167,7 +168,7 @@ record! {
     ///
     /// Measured magnetic field, temperature compensated.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06).
     #[derive(Default)]
@@ -188,7 +189,7 @@ record! {
     ///
     /// Time integral of the angular rate over the period that the message format sets.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07); 3dm-cv7-gnss-ins: Delta Theta
     /// (0x80,0x07).
@@ -210,7 +211,7 @@ record! {
     ///
     /// Time integral of the acceleration over the period that the message format sets.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// - Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
     ///
@@ -235,7 +236,7 @@ record! {
     /// Attitude by the complementary filter as a direction cosine matrix, relative to the NED
     /// frame.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// - `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the
     ///   3DM-GX5-15.
@@ -261,7 +262,7 @@ record! {
     ///
     /// Attitude by the complementary filter as a quaternion, relative to the NED frame.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// - `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on
     ///   the 3DM-GX5-15.
@@ -310,7 +311,7 @@ record! {
     ///
     /// Attitude by the complementary filter as Euler angles, relative to the NED frame.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// - The rotations are in the order yaw, pitch, roll (3-2-1).
     ///
@@ -415,7 +416,7 @@ record! {
     ///
     /// Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
     ///
-    /// Supported by 3DM-GX5-15.
+    /// Supported by 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// - Without magnetic disturbance it equals the measured magnetic field.
     /// - A lasting disturbance is not compensated.
@@ -439,7 +440,7 @@ record! {
     ///
     /// Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
     ///
-    /// Supported by 3DM-GX5-15.
+    /// Supported by 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
     ///
     /// - At rest it equals the measured acceleration.
     ///
@@ -462,7 +463,7 @@ record! {
     ///
     /// GPS time of the sensor data.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
     ///
     /// - Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
     /// - The fraction of the time of week is the time since the last pulse.
@@ -477,7 +478,7 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s. Valid if [`valid_flags.tow_valid`](types::SensorGpsTimestampFlags::tow_valid)
-        /// is set. On the 3DM-GX5-15: valid if
+        /// is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set.
         pub tow: f64,
@@ -485,13 +486,13 @@ record! {
         ///
         /// Unit: week. Valid if
         /// [`valid_flags.week_number_valid`](types::SensorGpsTimestampFlags::week_number_valid) is
-        /// set. On the 3DM-GX5-15: valid if
+        /// set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set.
         pub week_number: u16,
         /// State of the time.
         ///
-        /// On the 3DM-GX5-15: values of [`types::Gx5SensorGpsTimestampFlags`].
+        /// On the 3DM-GX5-15 and 3DM-GX5-35: values of [`types::Gx5SensorGpsTimestampFlags`].
         pub valid_flags: types::SensorGpsTimestampFlags,
     }
 }
@@ -500,7 +501,7 @@ record! {
 impl GpsTimestamp {
     /// Reads `valid_flags` as [`types::Gx5SensorGpsTimestampFlags`].
     ///
-    /// On the 3DM-GX5-15: values of [`types::Gx5SensorGpsTimestampFlags`].
+    /// On the 3DM-GX5-15 and 3DM-GX5-35: values of [`types::Gx5SensorGpsTimestampFlags`].
     #[must_use]
     pub fn valid_flags_as_gx5_sensor_gps_timestamp_flags(&self) -> types::Gx5SensorGpsTimestampFlags {
         self.valid_flags.into()
@@ -568,7 +569,7 @@ record! {
     ///
     /// Measured ambient pressure, temperature compensated.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17); 3dm-cv7-gnss-ins: Scaled
     /// Pressure (0x80,0x17).

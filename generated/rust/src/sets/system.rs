@@ -141,7 +141,7 @@ record! {
     /// Switches the port between the device and one of the sensors inside it.
     ///
     /// For advanced use. Functions: write, read, save, load and default. Answered by
-    /// [`CommModeResponse`]. Supported by 3DM-GX5-15.
+    /// [`CommModeResponse`]. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// - The acknowledge is sent in the old mode, just before the switch.
     /// - In a direct mode only this command and
@@ -153,7 +153,8 @@ record! {
         pub function: types::FunctionSelector,
         /// Communication mode.
         ///
-        /// Default: [`ProtocolMode::STANDARD`]. Required for write.
+        /// Default: [`ProtocolMode::STANDARD`]. Required for write. On the 3DM-GX5-35: default
+        /// [`ProtocolMode::STANDARD`].
         pub mode: Option<ProtocolMode>,
     }
     wire 2 {
@@ -217,7 +218,7 @@ field! {
 record! {
     /// Communication mode response (0x7F,0x90).
     ///
-    /// Answers [`CommMode`]. Supported by 3DM-GX5-15.
+    /// Answers [`CommMode`]. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).
     #[derive(Default)]
