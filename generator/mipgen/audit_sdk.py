@@ -169,12 +169,13 @@ class _Layouts:
         mine, theirs = [p.name for p in ours], [n["name"].value for n in given]
         for p, node in zip(ours, given, strict=True):
             name = f"{inside}.{p.name}" if inside else p.name
+            bounds = _given_range(node, self.above)
             for what, own, other in (
                 ("type", _wire(p, mine), _given_wire(node, theirs)),
                 ("for", _letters(p), node.scalar("for", "") if self.functions and not inside else ""),
                 ("unit", {*p.units} - {"1"}, {node.scalar("unit")} - {None, "1"}),
                 ("frame", p.frame, node.scalar("frame")),
-                ("range", _range(p), _given_range(node, self.above)),
+                ("range", _range(p, bounds), bounds),
                 ("default", p.default, node.scalar("default")),
                 ("reserved", p.reserved, node.scalar("reserved")),
                 ("valid", _valid(p, ours), _given_valid(node, given)),
@@ -290,10 +291,13 @@ def _letters(p: m.Parameter) -> str:
     return m.letters(p.required_for).replace("A", "")
 
 
-def _range(p: m.Parameter) -> str:
-    """The bounds, apart from those that the type or the room in a field gives; of a vector's length, for each element."""
-    if p.magnitude[1] is not None and p.minimum is p.maximum is None:
-        return f">= {-p.magnitude[1]} <= {p.magnitude[1]}"
+def _range(p: m.Parameter, given: str) -> str:
+    """The bounds, apart from those that the type or the room in a field gives.
+
+    Where the length of a vector is limited, the source may give that limit for each element, or none.
+    """
+    if p.magnitude[1] is not None and given in ("", f">= {-p.magnitude[1]} <= {p.magnitude[1]}"):
+        return given
     low = f"> {p.above}" if p.above is not None else f">= {p.minimum}" if p.minimum is not None else ""
     high = f"< {p.below}" if p.below is not None else f"<= {p.maximum}" if p.maximum is not None else ""
     return f"{low} {high}".strip()

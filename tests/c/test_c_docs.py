@@ -161,7 +161,7 @@ def test_what_is_compared_holds_all_topics() -> None:
 
 
 def test_words_of_c() -> None:
-    """References are names of C, but descriptors stay as they are."""
+    """References are names of C."""
     found = comments("invented")
     assert found["mip_tools_settings.mode"] == (
         "What to do. Default: MIP_MODE_FAST. Required for write, read and apply. "
@@ -180,9 +180,16 @@ def test_words_of_c() -> None:
     assert found["mip_tools_choice_parameters.label"] == "If shape is MIP_TOOLS_SHAPE_LABEL. A name."
     assert "Use measurements.numbers instead" not in found["mip_measurements_health"]
     assert "Deprecated: use mip_measurements_numbers instead." in found["mip_measurements_health"]
+    gust = found["mip_measurements_gust"]
+    assert "mip_measurements_breeze has the same place." in gust and "see mip_mode and mip_tools_shape." in gust
     ping = model("real").field("base.ping")
-    assert reference(describe.Ref(ping, "(0x01,0x01)")) == "(0x01,0x01)"
     assert reference(describe.Ref(ping, "base.ping")) == "mip_base_ping"
+
+
+def test_the_text_of_a_set() -> None:
+    of = model("invented")
+    s = replace(of.sets[0], description="As `tools.ping`.", uncertain=("How `mode` is.",))
+    assert Comments(of).set(s) == ["@file", "Tools (0x01). As mip_tools_ping. Uncertain: How mip_mode is."]
 
 
 def test_a_repeated_field_says_what_differs() -> None:

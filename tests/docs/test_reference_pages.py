@@ -21,7 +21,7 @@ from mipgen import naming, render
 from mipgen.problems import Problems
 from mipgen.resolve import load_model
 from mipgen.targets import markdown
-from reference import ANCHOR, LINK, Manual, cells, made, manual_of, prose, without_code, words
+from reference import ANCHOR, LINK, Manual, bullets, cells, made, manual_of, prose, without_code, words
 from support import ROOT, SPECS, model
 
 
@@ -94,13 +94,33 @@ def test_code_is_not_taken_for_a_link(manual: Manual) -> None:
         assert not [code for code in spans if "](" in code], path
 
 
-def test_fields_between_backticks_are_links() -> None:
-    text = "As `tools.ping` (0x01,0x01), tools.ping and `tools.bias.x`."
+def test_fields_and_types_between_backticks_are_links() -> None:
+    text = "As `tools.ping` and `tools.shape`; (0x01,0x01), `tools.bias.x`."
     f = dataclasses.replace(model("invented").sets[0].fields[0], description=text, notes=(text,))
     first = dataclasses.replace(model("invented").sets[0], fields=(f, *model("invented").sets[0].fields[1:]))
     manual = made(dataclasses.replace(model("invented"), sets=(first, *model("invented").sets[1:])))
-    link = "[Ping (0x01,0x01)](#tools.ping)"
-    assert manual.field(f).count(f"As {link} [(0x01,0x01)](#tools.ping), {link} and `tools.bias.x`.") == 2
+    links = "[Ping (0x01,0x01)](#tools.ping) and [`shape`](../types/tools.md#tools.shape)"
+    assert manual.field(f).count(f"As {links}; (0x01,0x01), `tools.bias.x`.") == 2
+
+
+def test_descriptors_in_quotations_are_links() -> None:
+    errata = manual_of("invented").page("errata.md")
+    assert "- Printed: See (0x01,0x7F)." in errata
+    text = "The text refers to `tools.ping` by (0x01,0x01)."
+    quoting = dataclasses.replace(model("invented").errata[0], printed=text, right=text, reason=text)
+    page = made(dataclasses.replace(model("invented"), errata=(quoting,))).page("errata.md")
+    quoted = "The text refers to `tools.ping` by [(0x01,0x01)](sets/tools.md#tools.ping)."
+    assert f"- Printed: {quoted}\n- Right: {quoted}\n" in page
+    assert "- Why: The text refers to [Ping (0x01,0x01)](sets/tools.md#tools.ping) by (0x01,0x01)." in page
+
+
+def test_what_is_said_of_the_protocol(manual: Manual) -> None:
+    page = manual.page("packets.md")
+    for note in manual.model.protocol.notes:
+        section = page.partition(f"\n## {note.title}\n")[2].partition("\n## ")[0]
+        cited = [f"{s.manual}: {s.section}" for s in note.sources]
+        assert bullets(section) == [*(prose(text, manual.model) for text in note.text), *cited]
+    assert manual.model.protocol.notes
 
 
 def test_every_page_can_be_reached(manual: Manual) -> None:

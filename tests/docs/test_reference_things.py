@@ -33,7 +33,8 @@ def test_contents(manual: Manual) -> None:
         for x in of.protocol.manuals:
             errata = sum(e.manual == x.id for e in of.errata)
             examples = sum(e.manual == x.id for e in of.examples)
-            assert [x.id, x.title, x.document, str(errata), str(examples)] in rows, x.id
+            lengths = seen(describe.lengths(x, of))
+            assert [x.id, x.title, x.document, lengths, str(errata), str(examples)] in rows, x.id
 
 
 def test_every_set_has_its_page(manual: Manual) -> None:

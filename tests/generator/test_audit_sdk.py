@@ -7,10 +7,11 @@ from pathlib import Path
 
 import pytest
 from corpus import BASE
-from mipgen import cli
+from mipgen import audit_sdk, cli
 from mipgen.audit_sdk import audit
 from mipgen.problems import SpecError
 from mipgen.resolve import load_model
+from specimen import field
 from terse import filled
 
 COMMANDS = """\
@@ -288,3 +289,10 @@ def test_command_line(spec: Path, tmp_path: Path, capsys: pytest.CaptureFixture[
     assert "nothing to compare with" in capsys.readouterr().err
     assert cli.main([*arguments, "--sdk", str(tmp_path / "no")]) == 1
     assert "no such folder" in capsys.readouterr().err
+
+
+def test_a_magnitude_bounds_the_elements() -> None:
+    vectors = "[{name: a, type: vector3f, magnitude: [~, 5]}, {name: b, type: vector3f, magnitude: [0.9, 1.1]}]"
+    a, b = field(vectors).parameters
+    assert [audit_sdk._range(a, given) for given in ("", ">= -5 <= 5", ">= -6 <= 6")] == ["", ">= -5 <= 5", ""]
+    assert audit_sdk._range(b, "") == ""

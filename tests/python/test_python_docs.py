@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -145,11 +146,17 @@ def test_references_are_names_of_python() -> None:
     assert "Has the layout of `measurements.Accel`." in more["Accel"]
 
 
-def test_prose_keeps_the_numbers_of_a_field_that_it_names() -> None:
+def test_prose_names_fields_and_types() -> None:
     of = model("invented")
-    assert docs.say(describe.prose("After (0x01,0x01), see tools.status.", of), "more") == (
-        "After `tools.Ping` (0x01,0x01), see `tools.Status`."
+    assert docs.say(describe.prose("After `tools.ping`, see `tools.shape` and `a.b`.", of), "more") == (
+        "After `tools.Ping`, see `tools.Shape` and `a.b`."
     )
+
+
+def test_the_text_of_a_set() -> None:
+    of = model("invented")
+    s = replace(of.sets[0], description="As `tools.ping`.", uncertain=("How `mode` is.",))
+    assert ast.literal_eval(docs.of_set(s, of)) == "Tools (0x01).\n\nAs `Ping`.\n\nUncertain: How `types.Mode` is.\n"
 
 
 def test_layout_of_docstrings() -> None:

@@ -80,7 +80,8 @@ class Expected:
     def all(self) -> Iterator[tuple[Item, str]]:
         for s in self.model.sets:
             module = names.module(s.name)
-            texts = (s.title, self.prose(s.description, module), *describe.sources(s))
+            unsure = [said(fact.sentence, module) for fact in describe.uncertain(s, self.model)]
+            texts = [s.title, self.prose(s.description, module), *unsure, *describe.sources(s)]
             yield from (((module, "", ""), text) for text in texts)
             for f in s.fields:
                 yield from self.field(f)

@@ -87,9 +87,9 @@ def home(thing: m.Type | Record) -> str:
 
 
 def path(thing: m.Type | Record, here: str) -> str:
-    """What a type is called inside the module `here`; anywhere in the crate, if that is none."""
+    """What a type is called inside the module `here`."""
     name, where = type_name(thing.name), home(thing)
-    return name if where == here else f"types::{name}" if where == "types" and here else f"crate::{where}::{name}"
+    return name if where == here else f"types::{name}" if where == "types" else f"crate::{where}::{name}"
 
 
 # --------------------------------------------------------------------------- scalars
