@@ -114,7 +114,7 @@ def test_an_overlay_extends_what_others_inherit(tmp_path: Path) -> None:
     (tmp_path / "devices").mkdir()
     (tmp_path / "devices/a.yaml").write_text("extend: model-a\nsupports: {tools: [hello]}\n")
     (tmp_path / "devices/c.yaml").write_text("extend: model-c\nsupports: {copy: [health]}\nalso: [See]\n")
-    with pytest.raises(SpecError, match="'model-a' already supports 'tools.hello'; remove it"):
+    with pytest.raises(SpecError, match=r"'model-a' already supports 'tools\.hello'; remove it"):
         load_model(SPECS["invented"][0], tmp_path)
     (tmp_path / "devices/a.yaml").write_text("extend: model-a\nsupports: {measurements: [gust]}\n")
     c = device("model-c", load_model(SPECS["invented"][0], tmp_path))

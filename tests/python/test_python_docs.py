@@ -130,8 +130,8 @@ def test_references_are_names_of_python() -> None:
     package = SPECS["invented"][1] / "python/mip_protocol"
     tools, more = documentation(package / "tools.py"), documentation(package / "more.py")
     assert tools["SetTimeSlowResponse"] == (
-        "Set time response (0x01,0x84). Answers `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A and "
-        "Model C. - guide: Set time"
+        "Set time response (0x01,0x84). Answers `SetTime`. Sent if `part` is `types.Mode.SLOW`. "
+        "Supported by Model A and Model C. - guide: Set time"
     )
     assert tools["Settings.mode"] == (
         "What to do. Default: `types.Mode.FAST`. Required for `write`, `read` and `apply`. "
