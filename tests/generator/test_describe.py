@@ -225,7 +225,7 @@ def test_devices(device: str, facts: list[str]) -> None:
 
 def test_valid_by_device_is_a_bit_of_its_own_type() -> None:
     said = variants("sensor.gps_timestamp:tow", REAL)
-    assert "On the <3DM-GX5-15>: valid if <valid_flags.time_initialized> is set." in said
+    assert said == ["On the <3DM-GX5-15> and <3DM-GX5-35>: valid if <valid_flags.time_initialized> is set."]
 
 
 def test_variants_by_value_are_told_one_by_one() -> None:

@@ -37,9 +37,10 @@ def test_of_a_device(device: m.Device) -> None:
     part = select(REAL, Selection(devices=(device.id,)))
     whole(part)
     supported = {s.field.full_name for s in device.supports}
-    assert {n for n in names(part) if part.field(n).role != m.RESPONSE} - supported == {  # type: ignore[union-attr]
-        f.definition for f in part.fields if f.definition and f.definition not in supported
-    }
+    needed = {f.definition for f in part.fields if f.definition}
+    needed |= {c.full_name for s in device.supports for r in REAL.responses(s.field) for c in REAL.commands(r)}
+    asked = {n for n in names(part) if part.field(n).role != m.RESPONSE}  # type: ignore[union-attr]
+    assert asked - supported == needed - supported
     assert [d.id for d in part.devices] == [device.id]
 
 
@@ -82,7 +83,7 @@ def test_what_was_left_out() -> None:
 @pytest.mark.parametrize(
     ("selection", "message"),
     [
-        (Selection(devices=("3dm-gx5",)), "unknown device '3dm-gx5', did you mean '3dm-gx5-15'?"),
+        (Selection(devices=("3dm-gx5_15",)), "unknown device '3dm-gx5_15', did you mean '3dm-gx5-15'?"),
         (Selection(sets=("sensr",)), "unknown set 'sensr', did you mean 'sensor'?"),
         (Selection(fields=("base.pin",)), "unknown field 'base.pin', did you mean 'base.ping'?"),
     ],
