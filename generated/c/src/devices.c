@@ -50,12 +50,16 @@ static const char *const cl5_15_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char cl5_15_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char cl5_15_evidence_2[] = "MSCL asks for it on this device.";
+
 static const struct mip_device_field cl5_15_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+    {0x0C, 0x11, "WRSLD", cl5_15_evidence_1}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", cl5_15_evidence_1}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", cl5_15_evidence_2},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", cl5_15_evidence_1}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", cl5_15_evidence_1}, /* filter.heading_source */
 };
 
 static const struct mip_device_note cl5_15_notes[] = {
@@ -107,11 +111,15 @@ static const char *const cl5_25_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char cl5_25_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char cl5_25_evidence_2[] = "MSCL asks for it on this device.";
+
 static const struct mip_device_field cl5_25_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+    {0x0C, 0x11, "WRSLD", cl5_25_evidence_1}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", cl5_25_evidence_2},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", cl5_25_evidence_1}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", cl5_25_evidence_1}, /* filter.heading_source */
 };
 
 static const struct mip_device_note cl5_25_notes[] = {
@@ -163,10 +171,14 @@ static const char *const cv5_10_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char cv5_10_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char cv5_10_evidence_2[] = "MSCL asks for it on this device.";
+
 static const struct mip_device_field cv5_10_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+    {0x0C, 0x11, "WRSLD", cv5_10_evidence_1}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", cv5_10_evidence_1}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", cv5_10_evidence_2},      /* 3dm.device_status */
 };
 
 static const struct mip_device_note cv5_10_notes[] = {
@@ -218,12 +230,16 @@ static const char *const cv5_15_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char cv5_15_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char cv5_15_evidence_2[] = "MSCL asks for it on this device.";
+
 static const struct mip_device_field cv5_15_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+    {0x0C, 0x11, "WRSLD", cv5_15_evidence_1}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", cv5_15_evidence_1}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", cv5_15_evidence_2},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", cv5_15_evidence_1}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", cv5_15_evidence_1}, /* filter.heading_source */
 };
 
 static const struct mip_device_note cv5_15_notes[] = {
@@ -275,11 +291,15 @@ static const char *const cv5_25_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char cv5_25_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char cv5_25_evidence_2[] = "MSCL asks for it on this device.";
+
 static const struct mip_device_field cv5_25_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+    {0x0C, 0x11, "WRSLD", cv5_25_evidence_1}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", cv5_25_evidence_2},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", cv5_25_evidence_1}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", cv5_25_evidence_1}, /* filter.heading_source */
 };
 
 static const struct mip_device_note cv5_25_notes[] = {
@@ -328,29 +348,31 @@ static const char *const cv7_ahrs_incomplete[] = {
     "The limits are those of firmware 1.0.04 and later.",
 };
 
+static const char cv7_ahrs_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char cv7_ahrs_evidence_2[] =
+    "The manual says of what firmware which filter can be set.";
+
 static const struct mip_device_field cv7_ahrs_fields[] = {
-    {0x0C, 0x11, "WRSLD", NULL},                                   /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.pps_source_control */
-    {0x0C, 0x38, "WRSLD", NULL},                                   /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                                        /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLD", NULL},                                   /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLD", NULL},                                   /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.gpio_config */
-    {0x0C, 0x50, "WRSLD",
-     "The manual says of what firmware which filter can be set."}, /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x54, "WRSLD",
-     "The manual says of what firmware which filter can be set."}, /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", NULL},                                        /* filter.reset */
-    {0x0D, 0x03, "", NULL},                                        /* filter.set_initial_heading */
-    {0x0D, 0x43, "WRSLD", NULL}, /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD",
-     "MSCL lists what can be chosen on it."}, /* filter.aiding_measurement_enable */
-    {0x13, 0x01, "WRSLD", NULL},              /* aiding.frame_config */
-    {0x13, 0x1F, "WRSLD", NULL},              /* aiding.echo_control */
-    {0x13, 0x31, "", NULL},                   /* aiding.true_heading */
-    {0x13, 0x32, "", NULL},                   /* aiding.magnetic_field */
-    {0x80, 0x04, "", NULL},                   /* sensor.scaled_accel */
-    {0x82, 0x06, "", NULL},                   /* filter_data.gyro_bias */
+    {0x0C, 0x11, "WRSLD", NULL},                /* 3dm.data_stream_control */
+    {0x0C, 0x28, "WRSLD", cv7_ahrs_evidence_1}, /* 3dm.pps_source_control */
+    {0x0C, 0x38, "WRSLD", NULL},                /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", NULL},                     /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLD", NULL},                /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLD", NULL},                /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x41, "WRSLD", cv7_ahrs_evidence_1}, /* 3dm.gpio_config */
+    {0x0C, 0x50, "WRSLD", cv7_ahrs_evidence_2}, /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x54, "WRSLD", cv7_ahrs_evidence_2}, /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", NULL},                     /* filter.reset */
+    {0x0D, 0x03, "", NULL},                     /* filter.set_initial_heading */
+    {0x0D, 0x43, "WRSLD", NULL},                /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD", cv7_ahrs_evidence_1}, /* filter.aiding_measurement_enable */
+    {0x13, 0x01, "WRSLD", NULL},                /* aiding.frame_config */
+    {0x13, 0x1F, "WRSLD", NULL},                /* aiding.echo_control */
+    {0x13, 0x31, "", NULL},                     /* aiding.true_heading */
+    {0x13, 0x32, "", NULL},                     /* aiding.magnetic_field */
+    {0x80, 0x04, "", NULL},                     /* sensor.scaled_accel */
+    {0x82, 0x06, "", NULL},                     /* filter_data.gyro_bias */
 };
 
 static const struct mip_device_rate cv7_ahrs_rates[] = {
@@ -427,23 +449,24 @@ static const char *const cv7_ar_incomplete[] = {
     "The limits are those of firmware 1.0.04 and later.",
 };
 
+static const char cv7_ar_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char cv7_ar_evidence_2[] = "The manual says of what firmware which filter can be set.";
+
 static const struct mip_device_field cv7_ar_fields[] = {
-    {0x0C, 0x11, "WRSLD", NULL},                                   /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.pps_source_control */
-    {0x0C, 0x38, "WRSLD", NULL},                                   /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                                        /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLD", NULL},                                   /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLD", NULL},                                   /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.gpio_config */
-    {0x0C, 0x50, "WRSLD",
-     "The manual says of what firmware which filter can be set."}, /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x54, "WRSLD",
-     "The manual says of what firmware which filter can be set."}, /* 3dm.low_pass_filter */
-    {0x0D, 0x01, "", NULL},                                        /* filter.reset */
-    {0x0D, 0x03, "", NULL},                                        /* filter.set_initial_heading */
-    {0x0D, 0x43, "WRSLD", NULL}, /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD",
-     "MSCL lists what can be chosen on it."}, /* filter.aiding_measurement_enable */
+    {0x0C, 0x11, "WRSLD", NULL},              /* 3dm.data_stream_control */
+    {0x0C, 0x28, "WRSLD", cv7_ar_evidence_1}, /* 3dm.pps_source_control */
+    {0x0C, 0x38, "WRSLD", NULL},              /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", NULL},                   /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLD", NULL},              /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLD", NULL},              /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x41, "WRSLD", cv7_ar_evidence_1}, /* 3dm.gpio_config */
+    {0x0C, 0x50, "WRSLD", cv7_ar_evidence_2}, /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x54, "WRSLD", cv7_ar_evidence_2}, /* 3dm.low_pass_filter */
+    {0x0D, 0x01, "", NULL},                   /* filter.reset */
+    {0x0D, 0x03, "", NULL},                   /* filter.set_initial_heading */
+    {0x0D, 0x43, "WRSLD", NULL},              /* filter.magnetic_declination_source */
+    {0x0D, 0x50, "WRSLD", cv7_ar_evidence_1}, /* filter.aiding_measurement_enable */
     {0x13, 0x01, "WRSLD", NULL},              /* aiding.frame_config */
     {0x13, 0x1F, "WRSLD", NULL},              /* aiding.echo_control */
     {0x13, 0x31, "", NULL},                   /* aiding.true_heading */
@@ -1037,42 +1060,23 @@ static const char *const cv7_ins_incomplete[] = {
     "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.",
 };
 
+static const char cv7_ins_evidence_1[] =
+    "A test site of the vendor lists it for this device; the firmware is not known.";
+
 static const struct mip_device_field cv7_ins_fields[] = {
-    {0x0D, 0x13, "WRSLD", NULL}, /* filter.antenna_offset */
-    {0x0D, 0x20, "WRSLD", NULL}, /* filter.auto_angular_zupt */
-    {0x94, 0x03, "",
-     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.llh_position
-                                                                                         */
-    {0x94, 0x04, "",
-     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.ecef_position
-                                                                                         */
-    {0x94, 0x05, "",
-     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.ned_velocity
-                                                                                         */
-    {0x94, 0x06, "",
-     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.ecef_velocity
-                                                                                         */
-    {0x94, 0x07, "",
-     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.dop
-                                                                                         */
-    {0x94, 0x08, "",
-     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.utc_time
-                                                                                         */
-    {0x94, 0x0B, "",
-     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.fix_info
-                                                                                         */
-    {0x94, 0x10, "",
-     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.clock_info_2
-                                                                                         */
-    {0x94, 0x11, "",
-     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.gps_leap_seconds
-                                                                                         */
-    {0x94, 0x14, "",
-     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.rf_error_detection
-                                                                                         */
-    {0x94, 0x20, "",
-     "A test site of the vendor lists it for this device; the firmware is not known."}, /* gnss_external.satellite_status
-                                                                                         */
+    {0x0D, 0x13, "WRSLD", NULL},          /* filter.antenna_offset */
+    {0x0D, 0x20, "WRSLD", NULL},          /* filter.auto_angular_zupt */
+    {0x94, 0x03, "", cv7_ins_evidence_1}, /* gnss_external.llh_position */
+    {0x94, 0x04, "", cv7_ins_evidence_1}, /* gnss_external.ecef_position */
+    {0x94, 0x05, "", cv7_ins_evidence_1}, /* gnss_external.ned_velocity */
+    {0x94, 0x06, "", cv7_ins_evidence_1}, /* gnss_external.ecef_velocity */
+    {0x94, 0x07, "", cv7_ins_evidence_1}, /* gnss_external.dop */
+    {0x94, 0x08, "", cv7_ins_evidence_1}, /* gnss_external.utc_time */
+    {0x94, 0x0B, "", cv7_ins_evidence_1}, /* gnss_external.fix_info */
+    {0x94, 0x10, "", cv7_ins_evidence_1}, /* gnss_external.clock_info_2 */
+    {0x94, 0x11, "", cv7_ins_evidence_1}, /* gnss_external.gps_leap_seconds */
+    {0x94, 0x14, "", cv7_ins_evidence_1}, /* gnss_external.rf_error_detection */
+    {0x94, 0x20, "", cv7_ins_evidence_1}, /* gnss_external.satellite_status */
 };
 
 static const struct mip_device_rate cv7_ins_rates[] = {
@@ -1120,10 +1124,14 @@ static const char *const cx5_10_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char cx5_10_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char cx5_10_evidence_2[] = "MSCL asks for it on this device.";
+
 static const struct mip_device_field cx5_10_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+    {0x0C, 0x11, "WRSLD", cx5_10_evidence_1}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", cx5_10_evidence_1}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", cx5_10_evidence_2},      /* 3dm.device_status */
 };
 
 static const struct mip_device_note cx5_10_notes[] = {
@@ -1175,10 +1183,14 @@ static const char *const cx5_15_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char cx5_15_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char cx5_15_evidence_2[] = "MSCL asks for it on this device.";
+
 static const struct mip_device_field cx5_15_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+    {0x0C, 0x11, "WRSLD", cx5_15_evidence_1}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", cx5_15_evidence_1}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", cx5_15_evidence_2},      /* 3dm.device_status */
 };
 
 static const struct mip_device_note cx5_15_notes[] = {
@@ -1230,9 +1242,13 @@ static const char *const cx5_25_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char cx5_25_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char cx5_25_evidence_2[] = "MSCL asks for it on this device.";
+
 static const struct mip_device_field cx5_25_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+    {0x0C, 0x11, "WRSLD", cx5_25_evidence_1}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", cx5_25_evidence_2},      /* 3dm.device_status */
 };
 
 static const struct mip_device_note cx5_25_notes[] = {
@@ -1284,9 +1300,13 @@ static const char *const cx5_35_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char cx5_35_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char cx5_35_evidence_2[] = "MSCL asks for it on this device.";
+
 static const struct mip_device_field cx5_35_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+    {0x0C, 0x11, "WRSLD", cx5_35_evidence_1}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", cx5_35_evidence_2},      /* 3dm.device_status */
 };
 
 static const struct mip_device_note cx5_35_notes[] = {
@@ -1338,9 +1358,13 @@ static const char *const cx5_45_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char cx5_45_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char cx5_45_evidence_2[] = "MSCL asks for it on this device.";
+
 static const struct mip_device_field cx5_45_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+    {0x0C, 0x11, "WRSLD", cx5_45_evidence_1}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", cx5_45_evidence_2},      /* 3dm.device_status */
 };
 
 static const struct mip_device_note cx5_45_notes[] = {
@@ -1388,8 +1412,10 @@ static const char *const dh3_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char dh3_evidence_1[] = "MSCL lists what can be chosen on it.";
+
 static const struct mip_device_field dh3_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x11, "WRSLD", dh3_evidence_1}, /* 3dm.data_stream_control */
 };
 
 static const struct mip_device_reading dh3_readings[] = {
@@ -1426,44 +1452,45 @@ static const char *const gq4_45_incomplete[] = {
     "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
 };
 
+static const char gq4_45_evidence_1[] = "MSCL lists what can be chosen on it.";
+
 static const struct mip_device_field gq4_45_fields[] = {
-    {0x01, 0x01, "", NULL},                                        /* base.ping */
-    {0x01, 0x02, "", NULL},                                        /* base.set_idle */
-    {0x01, 0x03, "", NULL},                                        /* base.get_device_info */
-    {0x01, 0x04, "", NULL},                                        /* base.get_device_descriptors */
-    {0x01, 0x05, "", NULL},                                        /* base.built_in_test */
-    {0x01, 0x06, "", NULL},                                        /* base.resume */
-    {0x01, 0x72, "WRA", NULL},                                     /* base.gps_time_update */
-    {0x01, 0x7E, "", NULL},                                        /* base.soft_reset */
-    {0x0C, 0x01, "", NULL},                                        /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", NULL},                                        /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", NULL},                                        /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", NULL},                                        /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", NULL},                                        /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},                                   /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", NULL},                                   /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", NULL},                                   /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", NULL},                                        /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", NULL},                                   /* 3dm.data_stream_control */
-    {0x0C, 0x21, "WRSLD", NULL},                                   /* 3dm.constellation_settings */
-    {0x0C, 0x22, "WRSLD", NULL},                                   /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x30, "SLD", NULL},                                     /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", NULL},                                  /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", NULL},                                  /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                                        /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", NULL},                                  /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", NULL},                                  /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", NULL},                                   /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", NULL},                                   /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", NULL},                                   /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", NULL},                                   /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", NULL},                                        /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
-    {0x0D, 0x44, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.accel_magnitude_error_adaptive_measurement
-                                                                    */
-    {0x0D, 0x45, "WRSLD",
-     "MSCL lists what can be chosen on it."}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x01, 0x01, "", NULL},                   /* base.ping */
+    {0x01, 0x02, "", NULL},                   /* base.set_idle */
+    {0x01, 0x03, "", NULL},                   /* base.get_device_info */
+    {0x01, 0x04, "", NULL},                   /* base.get_device_descriptors */
+    {0x01, 0x05, "", NULL},                   /* base.built_in_test */
+    {0x01, 0x06, "", NULL},                   /* base.resume */
+    {0x01, 0x72, "WRA", NULL},                /* base.gps_time_update */
+    {0x01, 0x7E, "", NULL},                   /* base.soft_reset */
+    {0x0C, 0x01, "", NULL},                   /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", NULL},                   /* 3dm.poll_gnss_data */
+    {0x0C, 0x03, "", NULL},                   /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", NULL},                   /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", NULL},                   /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", NULL},              /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", NULL},              /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", NULL},              /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", NULL},                   /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", NULL},              /* 3dm.data_stream_control */
+    {0x0C, 0x21, "WRSLD", NULL},              /* 3dm.constellation_settings */
+    {0x0C, 0x22, "WRSLD", NULL},              /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x30, "SLD", NULL},                /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", NULL},             /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", NULL},             /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", NULL},                   /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", NULL},             /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", NULL},             /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", NULL},              /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", NULL},              /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", NULL},              /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", NULL},              /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", NULL},                   /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", gq4_45_evidence_1}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", gq4_45_evidence_1}, /* filter.heading_source */
+    {0x0D, 0x44, "WRSLD",
+     gq4_45_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD", gq4_45_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
 static const struct mip_device_note gq4_45_notes[] = {
@@ -1516,25 +1543,27 @@ static const char *const gq7_incomplete[] = {
     "The baud rates of the Aux port are not known, nor all of its protocols.",
 };
 
+static const char gq7_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char gq7_evidence_2[] = "The manual says of what firmware which filter can be set.";
+
 static const struct mip_device_field gq7_fields[] = {
-    {0x0C, 0x04, "", NULL},      /* 3dm.poll_nmea_data */
-    {0x0C, 0x31, "WRSLD", NULL}, /* 3dm.sensor_to_vehicle_transform_euler */
-    {0x0C, 0x39, "", NULL},      /* 3dm.capture_gyro_bias */
-    {0x0C, 0x41, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.gpio_config */
-    {0x0C, 0x50, "WRSLD",
-     "The manual says of what firmware which filter can be set."}, /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x54, "WRSLD",
-     "The manual says of what firmware which filter can be set."}, /* 3dm.low_pass_filter */
-    {0x0D, 0x05, "", NULL},                                        /* filter.run */
-    {0x0D, 0x15, "WRSLD", NULL},                                   /* filter.gnss_source */
-    {0x0D, 0x1E, "WRSLD", NULL},                                   /* filter.auto_zupt */
-    {0x0D, 0x20, "WRSLD", NULL},                                   /* filter.auto_angular_zupt */
-    {0x0D, 0x43, "WRSLD", NULL}, /* filter.magnetic_declination_source */
-    {0x0D, 0x52, "WRSLD", NULL}, /* filter.initialization_config */
-    {0x0D, 0x64, "WRSLD", NULL}, /* filter.gnss_antenna_calibration_control */
-    {0x91, 0x03, "", NULL},      /* gnss_1.llh_position */
-    {0x91, 0x0B, "", NULL},      /* gnss_1.fix_info */
-    {0x92, 0x0D, "", NULL},      /* gnss_2.hardware_status */
+    {0x0C, 0x04, "", NULL},                /* 3dm.poll_nmea_data */
+    {0x0C, 0x31, "WRSLD", NULL},           /* 3dm.sensor_to_vehicle_transform_euler */
+    {0x0C, 0x39, "", NULL},                /* 3dm.capture_gyro_bias */
+    {0x0C, 0x41, "WRSLD", gq7_evidence_1}, /* 3dm.gpio_config */
+    {0x0C, 0x50, "WRSLD", gq7_evidence_2}, /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x54, "WRSLD", gq7_evidence_2}, /* 3dm.low_pass_filter */
+    {0x0D, 0x05, "", NULL},                /* filter.run */
+    {0x0D, 0x15, "WRSLD", NULL},           /* filter.gnss_source */
+    {0x0D, 0x1E, "WRSLD", NULL},           /* filter.auto_zupt */
+    {0x0D, 0x20, "WRSLD", NULL},           /* filter.auto_angular_zupt */
+    {0x0D, 0x43, "WRSLD", NULL},           /* filter.magnetic_declination_source */
+    {0x0D, 0x52, "WRSLD", NULL},           /* filter.initialization_config */
+    {0x0D, 0x64, "WRSLD", NULL},           /* filter.gnss_antenna_calibration_control */
+    {0x91, 0x03, "", NULL},                /* gnss_1.llh_position */
+    {0x91, 0x0B, "", NULL},                /* gnss_1.fix_info */
+    {0x92, 0x0D, "", NULL},                /* gnss_2.hardware_status */
 };
 
 static const struct mip_device_rate gq7_rates[] = {
@@ -1707,8 +1736,10 @@ static const char *const gx3_15_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char gx3_15_evidence_1[] = "MSCL lists what can be chosen on it.";
+
 static const struct mip_device_field gx3_15_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x11, "WRSLD", gx3_15_evidence_1}, /* 3dm.data_stream_control */
 };
 
 static const struct mip_device_reading gx3_15_readings[] = {
@@ -1749,8 +1780,10 @@ static const char *const gx3_25_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char gx3_25_evidence_1[] = "MSCL lists what can be chosen on it.";
+
 static const struct mip_device_field gx3_25_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x11, "WRSLD", gx3_25_evidence_1}, /* 3dm.data_stream_control */
 };
 
 static const struct mip_device_reading gx3_25_readings[] = {
@@ -1791,8 +1824,10 @@ static const char *const gx3_35_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char gx3_35_evidence_1[] = "MSCL lists what can be chosen on it.";
+
 static const struct mip_device_field gx3_35_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x11, "WRSLD", gx3_35_evidence_1}, /* 3dm.data_stream_control */
 };
 
 static const struct mip_device_reading gx3_35_readings[] = {
@@ -1833,16 +1868,16 @@ static const char *const gx3_45_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char gx3_45_evidence_1[] = "MSCL lists what can be chosen on it.";
+
 static const struct mip_device_field gx3_45_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0D, 0x10, "WRSLD",
-     "MSCL lists what can be chosen on it."}, /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
-    {0x0D, 0x44, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.accel_magnitude_error_adaptive_measurement
-                                                                    */
-    {0x0D, 0x45, "WRSLD",
-     "MSCL lists what can be chosen on it."}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0C, 0x11, "WRSLD", gx3_45_evidence_1}, /* 3dm.data_stream_control */
+    {0x0D, 0x10, "WRSLD", gx3_45_evidence_1}, /* filter.vehicle_dynamics_mode */
+    {0x0D, 0x14, "WRSLD", gx3_45_evidence_1}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", gx3_45_evidence_1}, /* filter.heading_source */
+    {0x0D, 0x44, "WRSLD",
+     gx3_45_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD", gx3_45_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
 static const struct mip_device_reading gx3_45_readings[] = {
@@ -1883,14 +1918,17 @@ static const char *const gx4_15_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char gx4_15_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char gx4_15_evidence_2[] = "MSCL asks for it on this device.";
+
 static const struct mip_device_field gx4_15_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
-    {0x0D, 0x44, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.accel_magnitude_error_adaptive_measurement
-                                                                    */
-    {0x0D, 0x45, "WRSLD",
-     "MSCL lists what can be chosen on it."}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0C, 0x11, "WRSLD", gx4_15_evidence_1}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", gx4_15_evidence_2},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", gx4_15_evidence_1}, /* filter.estimation_control */
+    {0x0D, 0x44, "WRSLD",
+     gx4_15_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD", gx4_15_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
 static const struct mip_device_note gx4_15_notes[] = {
@@ -1938,15 +1976,18 @@ static const char *const gx4_25_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char gx4_25_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char gx4_25_evidence_2[] = "MSCL asks for it on this device.";
+
 static const struct mip_device_field gx4_25_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
-    {0x0D, 0x44, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.accel_magnitude_error_adaptive_measurement
-                                                                    */
-    {0x0D, 0x45, "WRSLD",
-     "MSCL lists what can be chosen on it."}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0C, 0x11, "WRSLD", gx4_25_evidence_1}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", gx4_25_evidence_2},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", gx4_25_evidence_1}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", gx4_25_evidence_1}, /* filter.heading_source */
+    {0x0D, 0x44, "WRSLD",
+     gx4_25_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD", gx4_25_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
 static const struct mip_device_note gx4_25_notes[] = {
@@ -1994,15 +2035,18 @@ static const char *const gx4_45_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char gx4_45_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char gx4_45_evidence_2[] = "MSCL asks for it on this device.";
+
 static const struct mip_device_field gx4_45_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
-    {0x0D, 0x44, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.accel_magnitude_error_adaptive_measurement
-                                                                    */
-    {0x0D, 0x45, "WRSLD",
-     "MSCL lists what can be chosen on it."}, /* filter.mag_magnitude_error_adaptive_measurement */
+    {0x0C, 0x11, "WRSLD", gx4_45_evidence_1}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", gx4_45_evidence_2},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", gx4_45_evidence_1}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", gx4_45_evidence_1}, /* filter.heading_source */
+    {0x0D, 0x44, "WRSLD",
+     gx4_45_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD", gx4_45_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
 static const struct mip_device_note gx4_45_notes[] = {
@@ -2054,10 +2098,14 @@ static const char *const gx5_10_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char gx5_10_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char gx5_10_evidence_2[] = "MSCL asks for it on this device.";
+
 static const struct mip_device_field gx5_10_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
+    {0x0C, 0x11, "WRSLD", gx5_10_evidence_1}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", gx5_10_evidence_1}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", gx5_10_evidence_2},      /* 3dm.device_status */
 };
 
 static const struct mip_device_note gx5_10_notes[] = {
@@ -2284,11 +2332,15 @@ static const char *const gx5_25_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char gx5_25_evidence_1[] = "MSCL lists what can be chosen on it.";
+
+static const char gx5_25_evidence_2[] = "MSCL asks for it on this device.";
+
 static const struct mip_device_field gx5_25_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", "MSCL asks for it on this device."},          /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
+    {0x0C, 0x11, "WRSLD", gx5_25_evidence_1}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", gx5_25_evidence_2},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", gx5_25_evidence_1}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", gx5_25_evidence_1}, /* filter.heading_source */
 };
 
 static const struct mip_device_note gx5_25_notes[] = {
@@ -2340,118 +2392,67 @@ static const char *const gx5_35_incomplete[] = {
     "Only single pages of the manual are known, so it has more commands and data.",
 };
 
+static const char gx5_35_evidence_1[] = "The numbers of the sections leave room for it, and the "
+                                        "manual of a sister device has it there.";
+
 static const struct mip_device_field gx5_35_fields[] = {
-    {0x01, 0x01, "", NULL}, /* base.ping */
-    {0x01, 0x02, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},             /* base.set_idle */
-    {0x01, 0x03, "", NULL}, /* base.get_device_info */
-    {0x01, 0x04, "", NULL}, /* base.get_device_descriptors */
-    {0x01, 0x05, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* base.built_in_test */
-    {0x01, 0x06, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},                /* base.resume */
-    {0x01, 0x07, "", NULL},    /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA", NULL}, /* base.gps_time_update */
-    {0x01, 0x7E, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},             /* base.soft_reset */
-    {0x0C, 0x01, "", NULL}, /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* 3dm.poll_gnss_data */
-    {0x0C, 0x06, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},                   /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", NULL},       /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},  /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", NULL},  /* 3dm.gnss_message_format */
-    {0x0C, 0x11, "WRSLD", NULL},  /* 3dm.data_stream_control */
-    {0x0C, 0x21, "WRSLD", NULL},  /* 3dm.constellation_settings */
-    {0x0C, 0x22, "WRSLD", NULL},  /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x23, "WRSLD", NULL},  /* 3dm.gnss_assisted_fix */
-    {0x0C, 0x24, "WR", NULL},     /* 3dm.gnss_time_assistance */
-    {0x0C, 0x30, "SLD", NULL},    /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", NULL}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},             /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL}, /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},                   /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", NULL}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},                  /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD", NULL}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", NULL},      /* 3dm.device_status */
-    {0x7F, 0x10, "WRSLD", NULL}, /* system.comm_mode */
-    {0x80, 0x04, "", NULL},      /* sensor.scaled_accel */
-    {0x80, 0x05, "", NULL},      /* sensor.scaled_gyro */
-    {0x80, 0x06, "", NULL},      /* sensor.scaled_mag */
-    {0x80, 0x07, "", NULL},      /* sensor.delta_theta */
-    {0x80, 0x08, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* sensor.delta_velocity */
-    {0x80, 0x09, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* sensor.comp_quaternion */
-    {0x80, 0x0C, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* sensor.comp_euler_angles */
-    {0x80, 0x10, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},             /* sensor.north_vector */
-    {0x80, 0x11, "", NULL}, /* sensor.up_vector */
-    {0x80, 0x12, "", NULL}, /* sensor.gps_timestamp */
-    {0x80, 0x17, "", NULL}, /* sensor.scaled_pressure */
-    {0x81, 0x03, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.llh_position */
-    {0x81, 0x04, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.ecef_position */
-    {0x81, 0x05, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},             /* gnss_data.ned_velocity */
-    {0x81, 0x06, "", NULL}, /* gnss_data.ecef_velocity */
-    {0x81, 0x07, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.dop */
-    {0x81, 0x08, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.utc_time */
-    {0x81, 0x09, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.gps_time */
-    {0x81, 0x0A, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.clock_info */
-    {0x81, 0x0B, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.fix_info */
-    {0x81, 0x0C, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.sv_info */
-    {0x81, 0x0D, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},             /* gnss_data.hardware_status */
-    {0x81, 0x0E, "", NULL}, /* gnss_data.dgps_info */
-    {0x81, 0x0F, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.dgps_channel */
+    {0x01, 0x01, "", NULL},                    /* base.ping */
+    {0x01, 0x02, "", gx5_35_evidence_1},       /* base.set_idle */
+    {0x01, 0x03, "", NULL},                    /* base.get_device_info */
+    {0x01, 0x04, "", NULL},                    /* base.get_device_descriptors */
+    {0x01, 0x05, "", gx5_35_evidence_1},       /* base.built_in_test */
+    {0x01, 0x06, "", gx5_35_evidence_1},       /* base.resume */
+    {0x01, 0x07, "", NULL},                    /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", NULL},                 /* base.gps_time_update */
+    {0x01, 0x7E, "", gx5_35_evidence_1},       /* base.soft_reset */
+    {0x0C, 0x01, "", NULL},                    /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", gx5_35_evidence_1},       /* 3dm.poll_gnss_data */
+    {0x0C, 0x06, "", gx5_35_evidence_1},       /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", NULL},                    /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", NULL},               /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", NULL},               /* 3dm.gnss_message_format */
+    {0x0C, 0x11, "WRSLD", NULL},               /* 3dm.data_stream_control */
+    {0x0C, 0x21, "WRSLD", NULL},               /* 3dm.constellation_settings */
+    {0x0C, 0x22, "WRSLD", NULL},               /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x23, "WRSLD", NULL},               /* 3dm.gnss_assisted_fix */
+    {0x0C, 0x24, "WR", NULL},                  /* 3dm.gnss_time_assistance */
+    {0x0C, 0x30, "SLD", NULL},                 /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", NULL},              /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", gx5_35_evidence_1}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", NULL},                    /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", gx5_35_evidence_1}, /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", NULL},              /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", gx5_35_evidence_1},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", gx5_35_evidence_1},  /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", gx5_35_evidence_1},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", NULL},               /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", NULL},                    /* 3dm.device_status */
+    {0x7F, 0x10, "WRSLD", NULL},               /* system.comm_mode */
+    {0x80, 0x04, "", NULL},                    /* sensor.scaled_accel */
+    {0x80, 0x05, "", NULL},                    /* sensor.scaled_gyro */
+    {0x80, 0x06, "", NULL},                    /* sensor.scaled_mag */
+    {0x80, 0x07, "", NULL},                    /* sensor.delta_theta */
+    {0x80, 0x08, "", gx5_35_evidence_1},       /* sensor.delta_velocity */
+    {0x80, 0x09, "", gx5_35_evidence_1},       /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", gx5_35_evidence_1},       /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", gx5_35_evidence_1},       /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", gx5_35_evidence_1},       /* sensor.north_vector */
+    {0x80, 0x11, "", NULL},                    /* sensor.up_vector */
+    {0x80, 0x12, "", NULL},                    /* sensor.gps_timestamp */
+    {0x80, 0x17, "", NULL},                    /* sensor.scaled_pressure */
+    {0x81, 0x03, "", gx5_35_evidence_1},       /* gnss_data.llh_position */
+    {0x81, 0x04, "", gx5_35_evidence_1},       /* gnss_data.ecef_position */
+    {0x81, 0x05, "", gx5_35_evidence_1},       /* gnss_data.ned_velocity */
+    {0x81, 0x06, "", NULL},                    /* gnss_data.ecef_velocity */
+    {0x81, 0x07, "", gx5_35_evidence_1},       /* gnss_data.dop */
+    {0x81, 0x08, "", gx5_35_evidence_1},       /* gnss_data.utc_time */
+    {0x81, 0x09, "", gx5_35_evidence_1},       /* gnss_data.gps_time */
+    {0x81, 0x0A, "", gx5_35_evidence_1},       /* gnss_data.clock_info */
+    {0x81, 0x0B, "", gx5_35_evidence_1},       /* gnss_data.fix_info */
+    {0x81, 0x0C, "", gx5_35_evidence_1},       /* gnss_data.sv_info */
+    {0x81, 0x0D, "", gx5_35_evidence_1},       /* gnss_data.hardware_status */
+    {0x81, 0x0E, "", NULL},                    /* gnss_data.dgps_info */
+    {0x81, 0x0F, "", gx5_35_evidence_1},       /* gnss_data.dgps_channel */
 };
 
 static const struct mip_device_rate gx5_35_rates[] = {
@@ -2520,188 +2521,112 @@ static const char *const gx5_45_incomplete[] = {
     "Of the filter data four fields are listed, and the manual has 27 or more.",
 };
 
+static const char gx5_45_evidence_1[] = "The numbers of the sections leave room for it, and the "
+                                        "manual of a sister device has it there.";
+
+static const char gx5_45_evidence_2[] = "MSCL lists what can be chosen on it.";
+
 static const struct mip_device_field gx5_45_fields[] = {
-    {0x01, 0x01, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* base.ping */
-    {0x01, 0x02, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},             /* base.set_idle */
-    {0x01, 0x03, "", NULL}, /* base.get_device_info */
-    {0x01, 0x04, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* base.get_device_descriptors */
-    {0x01, 0x05, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* base.built_in_test */
-    {0x01, 0x06, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* base.resume */
-    {0x01, 0x07, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* base.get_extended_descriptors */
-    {0x01, 0x72, "WRA",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},             /* base.gps_time_update */
-    {0x01, 0x7E, "", NULL}, /* base.soft_reset */
-    {0x0C, 0x01, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},                  /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", NULL},      /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", NULL},      /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", NULL},      /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", NULL},      /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL}, /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", NULL}, /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", NULL}, /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", NULL},      /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* 3dm.data_stream_control */
-    {0x0C, 0x21, "WRSLD",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* 3dm.constellation_settings */
-    {0x0C, 0x22, "WRSLD",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* 3dm.gnss_sbas_settings */
-    {0x0C, 0x23, "WRSLD",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* 3dm.gnss_assisted_fix */
-    {0x0C, 0x24, "WR",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},                /* 3dm.gnss_time_assistance */
-    {0x0C, 0x30, "SLD", NULL}, /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* 3dm.gyro_bias */
-    {0x0C, 0x39, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},                   /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", NULL}, /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},                  /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", NULL}, /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x51, "WRSLD",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},             /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", NULL}, /* 3dm.device_status */
-    {0x0D, 0x01, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* filter.reset */
-    {0x0D, 0x02, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},                  /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", NULL},      /* filter.set_initial_heading */
-    {0x0D, 0x10, "WRSLD", NULL}, /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x11, "WRSLD", NULL}, /* filter.sensor_to_vehicle_rotation_euler */
-    {0x0D, 0x12, "WRSLD", NULL}, /* filter.sensor_to_vehicle_offset */
-    {0x0D, 0x13, "WRSLD", NULL}, /* filter.antenna_offset */
-    {0x0D, 0x14, "WRSLD", NULL}, /* filter.estimation_control */
-    {0x0D, 0x15, "WRSLD", NULL}, /* filter.gnss_source */
-    {0x0D, 0x16, "", NULL},      /* filter.external_gnss_update */
-    {0x0D, 0x17, "", NULL},      /* filter.external_heading_update */
-    {0x0D, 0x18, "WRSLD", NULL}, /* filter.heading_source */
-    {0x0D, 0x19, "WRSLD", NULL}, /* filter.auto_initialization_control */
-    {0x0D, 0x1A, "WRSLD", NULL}, /* filter.accel_noise */
-    {0x0D, 0x1B, "WRSLD", NULL}, /* filter.gyro_noise */
-    {0x0D, 0x1C, "WRSLD", NULL}, /* filter.accel_bias_model */
-    {0x0D, 0x1D, "WRSLD", NULL}, /* filter.gyro_bias_model */
-    {0x0D, 0x1E, "WRSLD", NULL}, /* filter.auto_zupt */
-    {0x0D, 0x1F, "", NULL},      /* filter.external_heading_update_with_time */
-    {0x0D, 0x20, "WRSLD", NULL}, /* filter.auto_angular_zupt */
-    {0x0D, 0x21, "WSLD", NULL},  /* filter.tare_orientation */
-    {0x0D, 0x22, "", NULL},      /* filter.commanded_zupt */
-    {0x0D, 0x23, "", NULL},      /* filter.commanded_angular_zupt */
-    {0x0D, 0x27, "WS", NULL},    /* filter.mag_capture_auto_calibration */
-    {0x0D, 0x28, "WRSLD", NULL}, /* filter.gravity_noise */
-    {0x0D, 0x29, "WRSLD", NULL}, /* filter.pressure_altitude_noise */
-    {0x0D, 0x2B, "WRSLD", NULL}, /* filter.hard_iron_offset_noise */
-    {0x0D, 0x2C, "WRSLD", NULL}, /* filter.soft_iron_matrix_noise */
-    {0x0D, 0x42, "WRSLD", NULL}, /* filter.mag_noise */
-    {0x0D, 0x43, "WRSLD", NULL}, /* filter.magnetic_declination_source */
+    {0x01, 0x01, "", gx5_45_evidence_1},       /* base.ping */
+    {0x01, 0x02, "", gx5_45_evidence_1},       /* base.set_idle */
+    {0x01, 0x03, "", NULL},                    /* base.get_device_info */
+    {0x01, 0x04, "", gx5_45_evidence_1},       /* base.get_device_descriptors */
+    {0x01, 0x05, "", gx5_45_evidence_1},       /* base.built_in_test */
+    {0x01, 0x06, "", gx5_45_evidence_1},       /* base.resume */
+    {0x01, 0x07, "", gx5_45_evidence_1},       /* base.get_extended_descriptors */
+    {0x01, 0x72, "WRA", gx5_45_evidence_1},    /* base.gps_time_update */
+    {0x01, 0x7E, "", NULL},                    /* base.soft_reset */
+    {0x0C, 0x01, "", gx5_45_evidence_1},       /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", NULL},                    /* 3dm.poll_gnss_data */
+    {0x0C, 0x03, "", NULL},                    /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", NULL},                    /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", NULL},                    /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", NULL},               /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", NULL},               /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", NULL},               /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", NULL},                    /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", gx5_45_evidence_1},  /* 3dm.data_stream_control */
+    {0x0C, 0x21, "WRSLD", gx5_45_evidence_1},  /* 3dm.constellation_settings */
+    {0x0C, 0x22, "WRSLD", gx5_45_evidence_1},  /* 3dm.gnss_sbas_settings */
+    {0x0C, 0x23, "WRSLD", gx5_45_evidence_1},  /* 3dm.gnss_assisted_fix */
+    {0x0C, 0x24, "WR", gx5_45_evidence_1},     /* 3dm.gnss_time_assistance */
+    {0x0C, 0x30, "SLD", NULL},                 /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", gx5_45_evidence_1}, /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", gx5_45_evidence_1}, /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", gx5_45_evidence_1},       /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", NULL},              /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", gx5_45_evidence_1}, /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", gx5_45_evidence_1},  /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", NULL},               /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", gx5_45_evidence_1},  /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x51, "WRSLD", gx5_45_evidence_1},  /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", NULL},                    /* 3dm.device_status */
+    {0x0D, 0x01, "", gx5_45_evidence_1},       /* filter.reset */
+    {0x0D, 0x02, "", gx5_45_evidence_1},       /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", NULL},                    /* filter.set_initial_heading */
+    {0x0D, 0x10, "WRSLD", NULL},               /* filter.vehicle_dynamics_mode */
+    {0x0D, 0x11, "WRSLD", NULL},               /* filter.sensor_to_vehicle_rotation_euler */
+    {0x0D, 0x12, "WRSLD", NULL},               /* filter.sensor_to_vehicle_offset */
+    {0x0D, 0x13, "WRSLD", NULL},               /* filter.antenna_offset */
+    {0x0D, 0x14, "WRSLD", NULL},               /* filter.estimation_control */
+    {0x0D, 0x15, "WRSLD", NULL},               /* filter.gnss_source */
+    {0x0D, 0x16, "", NULL},                    /* filter.external_gnss_update */
+    {0x0D, 0x17, "", NULL},                    /* filter.external_heading_update */
+    {0x0D, 0x18, "WRSLD", NULL},               /* filter.heading_source */
+    {0x0D, 0x19, "WRSLD", NULL},               /* filter.auto_initialization_control */
+    {0x0D, 0x1A, "WRSLD", NULL},               /* filter.accel_noise */
+    {0x0D, 0x1B, "WRSLD", NULL},               /* filter.gyro_noise */
+    {0x0D, 0x1C, "WRSLD", NULL},               /* filter.accel_bias_model */
+    {0x0D, 0x1D, "WRSLD", NULL},               /* filter.gyro_bias_model */
+    {0x0D, 0x1E, "WRSLD", NULL},               /* filter.auto_zupt */
+    {0x0D, 0x1F, "", NULL},                    /* filter.external_heading_update_with_time */
+    {0x0D, 0x20, "WRSLD", NULL},               /* filter.auto_angular_zupt */
+    {0x0D, 0x21, "WSLD", NULL},                /* filter.tare_orientation */
+    {0x0D, 0x22, "", NULL},                    /* filter.commanded_zupt */
+    {0x0D, 0x23, "", NULL},                    /* filter.commanded_angular_zupt */
+    {0x0D, 0x27, "WS", NULL},                  /* filter.mag_capture_auto_calibration */
+    {0x0D, 0x28, "WRSLD", NULL},               /* filter.gravity_noise */
+    {0x0D, 0x29, "WRSLD", NULL},               /* filter.pressure_altitude_noise */
+    {0x0D, 0x2B, "WRSLD", NULL},               /* filter.hard_iron_offset_noise */
+    {0x0D, 0x2C, "WRSLD", NULL},               /* filter.soft_iron_matrix_noise */
+    {0x0D, 0x42, "WRSLD", NULL},               /* filter.mag_noise */
+    {0x0D, 0x43, "WRSLD", NULL},               /* filter.magnetic_declination_source */
     {0x0D, 0x44, "WRSLD", NULL}, /* filter.accel_magnitude_error_adaptive_measurement */
     {0x0D, 0x45, "WRSLD", NULL}, /* filter.mag_magnitude_error_adaptive_measurement */
     {0x0D, 0x46, "WRSLD", NULL}, /* filter.mag_dip_angle_error_adaptive_measurement */
     {0x0D, 0x47, "WRSLD", NULL}, /* filter.altitude_aiding */
     {0x0D, 0x4B, "WRSLD", NULL}, /* filter.pitch_roll_aiding */
-    {0x0D, 0x53, "WRSLD",
-     "MSCL lists what can be chosen on it."}, /* filter.adaptive_filter_options */
+    {0x0D, 0x53, "WRSLD", gx5_45_evidence_2}, /* filter.adaptive_filter_options */
     {0x7F, 0x10, "WRSLD", NULL},              /* system.comm_mode */
     {0x80, 0x04, "", NULL},                   /* sensor.scaled_accel */
     {0x80, 0x05, "", NULL},                   /* sensor.scaled_gyro */
     {0x80, 0x06, "", NULL},                   /* sensor.scaled_mag */
-    {0x80, 0x07, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* sensor.delta_theta */
-    {0x80, 0x08, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* sensor.delta_velocity */
-    {0x80, 0x09, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* sensor.comp_orientation_matrix */
-    {0x80, 0x0A, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* sensor.comp_quaternion */
-    {0x80, 0x0C, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* sensor.comp_euler_angles */
-    {0x80, 0x10, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* sensor.north_vector */
-    {0x80, 0x11, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* sensor.up_vector */
-    {0x80, 0x12, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* sensor.gps_timestamp */
-    {0x80, 0x17, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* sensor.scaled_pressure */
-    {0x81, 0x03, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.llh_position */
-    {0x81, 0x04, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.ecef_position */
-    {0x81, 0x05, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.ned_velocity */
-    {0x81, 0x06, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.ecef_velocity */
-    {0x81, 0x07, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.dop */
-    {0x81, 0x08, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.utc_time */
-    {0x81, 0x09, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.gps_time */
-    {0x81, 0x0A, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."}, /* gnss_data.clock_info */
-    {0x81, 0x0B, "",
-     "The numbers of the sections leave room for it, and the manual of a sister device has it "
-     "there."},             /* gnss_data.fix_info */
-    {0x81, 0x0C, "", NULL}, /* gnss_data.sv_info */
-    {0x81, 0x0D, "", NULL}, /* gnss_data.hardware_status */
-    {0x81, 0x0E, "", NULL}, /* gnss_data.dgps_info */
-    {0x81, 0x0F, "", NULL}, /* gnss_data.dgps_channel */
-    {0x82, 0x04, "", NULL}, /* filter_data.attitude_dcm */
-    {0x82, 0x05, "", NULL}, /* filter_data.euler_angles */
-    {0x82, 0x0E, "", NULL}, /* filter_data.comp_angular_rate */
-    {0x82, 0x14, "", NULL}, /* filter_data.heading_update_state */
+    {0x80, 0x07, "", gx5_45_evidence_1},      /* sensor.delta_theta */
+    {0x80, 0x08, "", gx5_45_evidence_1},      /* sensor.delta_velocity */
+    {0x80, 0x09, "", gx5_45_evidence_1},      /* sensor.comp_orientation_matrix */
+    {0x80, 0x0A, "", gx5_45_evidence_1},      /* sensor.comp_quaternion */
+    {0x80, 0x0C, "", gx5_45_evidence_1},      /* sensor.comp_euler_angles */
+    {0x80, 0x10, "", gx5_45_evidence_1},      /* sensor.north_vector */
+    {0x80, 0x11, "", gx5_45_evidence_1},      /* sensor.up_vector */
+    {0x80, 0x12, "", gx5_45_evidence_1},      /* sensor.gps_timestamp */
+    {0x80, 0x17, "", gx5_45_evidence_1},      /* sensor.scaled_pressure */
+    {0x81, 0x03, "", gx5_45_evidence_1},      /* gnss_data.llh_position */
+    {0x81, 0x04, "", gx5_45_evidence_1},      /* gnss_data.ecef_position */
+    {0x81, 0x05, "", gx5_45_evidence_1},      /* gnss_data.ned_velocity */
+    {0x81, 0x06, "", gx5_45_evidence_1},      /* gnss_data.ecef_velocity */
+    {0x81, 0x07, "", gx5_45_evidence_1},      /* gnss_data.dop */
+    {0x81, 0x08, "", gx5_45_evidence_1},      /* gnss_data.utc_time */
+    {0x81, 0x09, "", gx5_45_evidence_1},      /* gnss_data.gps_time */
+    {0x81, 0x0A, "", gx5_45_evidence_1},      /* gnss_data.clock_info */
+    {0x81, 0x0B, "", gx5_45_evidence_1},      /* gnss_data.fix_info */
+    {0x81, 0x0C, "", NULL},                   /* gnss_data.sv_info */
+    {0x81, 0x0D, "", NULL},                   /* gnss_data.hardware_status */
+    {0x81, 0x0E, "", NULL},                   /* gnss_data.dgps_info */
+    {0x81, 0x0F, "", NULL},                   /* gnss_data.dgps_channel */
+    {0x82, 0x04, "", NULL},                   /* filter_data.attitude_dcm */
+    {0x82, 0x05, "", NULL},                   /* filter_data.euler_angles */
+    {0x82, 0x0E, "", NULL},                   /* filter_data.comp_angular_rate */
+    {0x82, 0x14, "", NULL},                   /* filter_data.heading_update_state */
 };
 
 static const struct mip_device_rate gx5_45_rates[] = {
@@ -2780,8 +2705,10 @@ static const char *const mv5_ar_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char mv5_ar_evidence_1[] = "MSCL lists what can be chosen on it.";
+
 static const struct mip_device_field mv5_ar_fields[] = {
-    {0x0C, 0x11, "WRSLD", "MSCL lists what can be chosen on it."}, /* 3dm.data_stream_control */
+    {0x0C, 0x11, "WRSLD", mv5_ar_evidence_1}, /* 3dm.data_stream_control */
 };
 
 static const struct mip_device_reading mv5_ar_readings[] = {
@@ -2828,43 +2755,45 @@ static const char *const rq1_45_lt_incomplete[] = {
     "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
 };
 
+static const char rq1_45_lt_evidence_1[] = "MSCL lists what can be chosen on it.";
+
 static const struct mip_device_field rq1_45_lt_fields[] = {
-    {0x01, 0x01, "", NULL},                                        /* base.ping */
-    {0x01, 0x02, "", NULL},                                        /* base.set_idle */
-    {0x01, 0x03, "", NULL},                                        /* base.get_device_info */
-    {0x01, 0x04, "", NULL},                                        /* base.get_device_descriptors */
-    {0x01, 0x05, "", NULL},                                        /* base.built_in_test */
-    {0x01, 0x06, "", NULL},                                        /* base.resume */
-    {0x01, 0x7E, "", NULL},                                        /* base.soft_reset */
-    {0x0C, 0x01, "", NULL},                                        /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", NULL},                                        /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", NULL},                                        /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", NULL},                                        /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", NULL},                                        /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},                                   /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", NULL},                                   /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", NULL},                                   /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", NULL},                                        /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", NULL},                                   /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", NULL},                                     /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", NULL},                                  /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", NULL},                                  /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                                        /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", NULL},                                  /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", NULL},                                  /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", NULL},                                   /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", NULL},                                   /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", NULL},                                   /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x64, "", NULL},                                        /* 3dm.device_status */
-    {0x0D, 0x01, "", NULL},                                        /* filter.reset */
-    {0x0D, 0x02, "", NULL},                                        /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", NULL},                                        /* filter.set_initial_heading */
-    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
-    {0x0D, 0x44, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.accel_magnitude_error_adaptive_measurement
-                                                                    */
+    {0x01, 0x01, "", NULL},                      /* base.ping */
+    {0x01, 0x02, "", NULL},                      /* base.set_idle */
+    {0x01, 0x03, "", NULL},                      /* base.get_device_info */
+    {0x01, 0x04, "", NULL},                      /* base.get_device_descriptors */
+    {0x01, 0x05, "", NULL},                      /* base.built_in_test */
+    {0x01, 0x06, "", NULL},                      /* base.resume */
+    {0x01, 0x7E, "", NULL},                      /* base.soft_reset */
+    {0x0C, 0x01, "", NULL},                      /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", NULL},                      /* 3dm.poll_gnss_data */
+    {0x0C, 0x03, "", NULL},                      /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", NULL},                      /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", NULL},                      /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", NULL},                 /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", NULL},                 /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", NULL},                 /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", NULL},                      /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", NULL},                 /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", NULL},                   /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", NULL},                /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", NULL},                /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", NULL},                      /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", NULL},                /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", NULL},                /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", NULL},                 /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", NULL},                 /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", NULL},                 /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x64, "", NULL},                      /* 3dm.device_status */
+    {0x0D, 0x01, "", NULL},                      /* filter.reset */
+    {0x0D, 0x02, "", NULL},                      /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", NULL},                      /* filter.set_initial_heading */
+    {0x0D, 0x14, "WRSLD", rq1_45_lt_evidence_1}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", rq1_45_lt_evidence_1}, /* filter.heading_source */
+    {0x0D, 0x44, "WRSLD",
+     rq1_45_lt_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
     {0x0D, 0x45, "WRSLD",
-     "MSCL lists what can be chosen on it."}, /* filter.mag_magnitude_error_adaptive_measurement */
+     rq1_45_lt_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
 static const struct mip_device_note rq1_45_lt_notes[] = {
@@ -2922,43 +2851,45 @@ static const char *const rq1_45_st_incomplete[] = {
     "It has the data sets 0x80, 0x81 and 0x82, of which no field is known.",
 };
 
+static const char rq1_45_st_evidence_1[] = "MSCL lists what can be chosen on it.";
+
 static const struct mip_device_field rq1_45_st_fields[] = {
-    {0x01, 0x01, "", NULL},                                        /* base.ping */
-    {0x01, 0x02, "", NULL},                                        /* base.set_idle */
-    {0x01, 0x03, "", NULL},                                        /* base.get_device_info */
-    {0x01, 0x04, "", NULL},                                        /* base.get_device_descriptors */
-    {0x01, 0x05, "", NULL},                                        /* base.built_in_test */
-    {0x01, 0x06, "", NULL},                                        /* base.resume */
-    {0x01, 0x7E, "", NULL},                                        /* base.soft_reset */
-    {0x0C, 0x01, "", NULL},                                        /* 3dm.poll_imu_data */
-    {0x0C, 0x02, "", NULL},                                        /* 3dm.poll_gnss_data */
-    {0x0C, 0x03, "", NULL},                                        /* 3dm.poll_filter_data */
-    {0x0C, 0x06, "", NULL},                                        /* 3dm.get_imu_base_rate */
-    {0x0C, 0x07, "", NULL},                                        /* 3dm.get_gnss_base_rate */
-    {0x0C, 0x08, "WRSLD", NULL},                                   /* 3dm.imu_message_format */
-    {0x0C, 0x09, "WRSLD", NULL},                                   /* 3dm.gnss_message_format */
-    {0x0C, 0x0A, "WRSLD", NULL},                                   /* 3dm.filter_message_format */
-    {0x0C, 0x0B, "", NULL},                                        /* 3dm.get_filter_base_rate */
-    {0x0C, 0x11, "WRSLD", NULL},                                   /* 3dm.data_stream_control */
-    {0x0C, 0x30, "SLD", NULL},                                     /* 3dm.device_settings */
-    {0x0C, 0x37, "WRSLDA", NULL},                                  /* 3dm.accel_bias */
-    {0x0C, 0x38, "WRSLDA", NULL},                                  /* 3dm.gyro_bias */
-    {0x0C, 0x39, "", NULL},                                        /* 3dm.capture_gyro_bias */
-    {0x0C, 0x3A, "WRSLDA", NULL},                                  /* 3dm.mag_hard_iron_offset */
-    {0x0C, 0x3B, "WRSLDA", NULL},                                  /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x3E, "WRSLD", NULL},                                   /* 3dm.coning_sculling_enable */
-    {0x0C, 0x40, "WRSLD", NULL},                                   /* 3dm.uart_baud_rate */
-    {0x0C, 0x50, "WRSLD", NULL},                                   /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x64, "", NULL},                                        /* 3dm.device_status */
-    {0x0D, 0x01, "", NULL},                                        /* filter.reset */
-    {0x0D, 0x02, "", NULL},                                        /* filter.set_initial_attitude */
-    {0x0D, 0x03, "", NULL},                                        /* filter.set_initial_heading */
-    {0x0D, 0x14, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.heading_source */
-    {0x0D, 0x44, "WRSLD", "MSCL lists what can be chosen on it."}, /* filter.accel_magnitude_error_adaptive_measurement
-                                                                    */
+    {0x01, 0x01, "", NULL},                      /* base.ping */
+    {0x01, 0x02, "", NULL},                      /* base.set_idle */
+    {0x01, 0x03, "", NULL},                      /* base.get_device_info */
+    {0x01, 0x04, "", NULL},                      /* base.get_device_descriptors */
+    {0x01, 0x05, "", NULL},                      /* base.built_in_test */
+    {0x01, 0x06, "", NULL},                      /* base.resume */
+    {0x01, 0x7E, "", NULL},                      /* base.soft_reset */
+    {0x0C, 0x01, "", NULL},                      /* 3dm.poll_imu_data */
+    {0x0C, 0x02, "", NULL},                      /* 3dm.poll_gnss_data */
+    {0x0C, 0x03, "", NULL},                      /* 3dm.poll_filter_data */
+    {0x0C, 0x06, "", NULL},                      /* 3dm.get_imu_base_rate */
+    {0x0C, 0x07, "", NULL},                      /* 3dm.get_gnss_base_rate */
+    {0x0C, 0x08, "WRSLD", NULL},                 /* 3dm.imu_message_format */
+    {0x0C, 0x09, "WRSLD", NULL},                 /* 3dm.gnss_message_format */
+    {0x0C, 0x0A, "WRSLD", NULL},                 /* 3dm.filter_message_format */
+    {0x0C, 0x0B, "", NULL},                      /* 3dm.get_filter_base_rate */
+    {0x0C, 0x11, "WRSLD", NULL},                 /* 3dm.data_stream_control */
+    {0x0C, 0x30, "SLD", NULL},                   /* 3dm.device_settings */
+    {0x0C, 0x37, "WRSLDA", NULL},                /* 3dm.accel_bias */
+    {0x0C, 0x38, "WRSLDA", NULL},                /* 3dm.gyro_bias */
+    {0x0C, 0x39, "", NULL},                      /* 3dm.capture_gyro_bias */
+    {0x0C, 0x3A, "WRSLDA", NULL},                /* 3dm.mag_hard_iron_offset */
+    {0x0C, 0x3B, "WRSLDA", NULL},                /* 3dm.mag_soft_iron_matrix */
+    {0x0C, 0x3E, "WRSLD", NULL},                 /* 3dm.coning_sculling_enable */
+    {0x0C, 0x40, "WRSLD", NULL},                 /* 3dm.uart_baud_rate */
+    {0x0C, 0x50, "WRSLD", NULL},                 /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x64, "", NULL},                      /* 3dm.device_status */
+    {0x0D, 0x01, "", NULL},                      /* filter.reset */
+    {0x0D, 0x02, "", NULL},                      /* filter.set_initial_attitude */
+    {0x0D, 0x03, "", NULL},                      /* filter.set_initial_heading */
+    {0x0D, 0x14, "WRSLD", rq1_45_st_evidence_1}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", rq1_45_st_evidence_1}, /* filter.heading_source */
+    {0x0D, 0x44, "WRSLD",
+     rq1_45_st_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
     {0x0D, 0x45, "WRSLD",
-     "MSCL lists what can be chosen on it."}, /* filter.mag_magnitude_error_adaptive_measurement */
+     rq1_45_st_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
 static const struct mip_device_note rq1_45_st_notes[] = {

@@ -149,32 +149,34 @@ static const char *const model_c_also[] = {
     "c",
 };
 
+static const char model_c_evidence_1[] = "The sheet names it.";
+
 static const struct mip_device_field model_c_fields[] = {
-    {0x01, 0x01, "", NULL},                  /* tools.ping */
-    {0x01, 0x02, "WRS", NULL},               /* tools.settings */
-    {0x01, 0x03, "WRA", NULL},               /* tools.set_time */
-    {0x01, 0x04, "", NULL},                  /* tools.status */
-    {0x01, 0x05, "WRSLD", NULL},             /* tools.bias */
-    {0x01, 0x06, "", NULL},                  /* tools.capture_bias */
-    {0x01, 0x07, "", NULL},                  /* tools.formats */
-    {0x01, 0x09, "WRS", NULL},               /* tools.list */
-    {0x01, 0x0A, "", NULL},                  /* tools.inventory */
-    {0x01, 0x0B, "WR", NULL},                /* tools.pin */
-    {0x01, 0x0C, "", "The sheet names it."}, /* tools.hello */
-    {0x01, 0x0D, "", NULL},                  /* tools.readings */
-    {0x80, 0x01, "", NULL},                  /* measurements.accel */
-    {0x80, 0x02, "", NULL},                  /* measurements.numbers */
-    {0x80, 0x03, "", NULL},                  /* measurements.strings */
-    {0x80, 0x04, "", NULL},                  /* measurements.health */
-    {0x80, 0x05, "", NULL},                  /* measurements.arrays */
-    {0x80, 0x06, "", NULL},                  /* measurements.growing */
-    {0x80, 0x07, "", NULL},                  /* measurements.radio */
-    {0x80, 0x08, "", NULL},                  /* measurements.cloud */
-    {0x80, 0x0A, "", NULL},                  /* measurements.breeze */
-    {0x81, 0x01, "", NULL},                  /* more.accel */
-    {0x81, 0x07, "", NULL},                  /* more.own */
-    {0x92, 0x01, "", "The sheet names it."}, /* copy.accel */
-    {0xFF, 0xD3, "", NULL},                  /* shared.timestamp */
+    {0x01, 0x01, "", NULL},               /* tools.ping */
+    {0x01, 0x02, "WRS", NULL},            /* tools.settings */
+    {0x01, 0x03, "WRA", NULL},            /* tools.set_time */
+    {0x01, 0x04, "", NULL},               /* tools.status */
+    {0x01, 0x05, "WRSLD", NULL},          /* tools.bias */
+    {0x01, 0x06, "", NULL},               /* tools.capture_bias */
+    {0x01, 0x07, "", NULL},               /* tools.formats */
+    {0x01, 0x09, "WRS", NULL},            /* tools.list */
+    {0x01, 0x0A, "", NULL},               /* tools.inventory */
+    {0x01, 0x0B, "WR", NULL},             /* tools.pin */
+    {0x01, 0x0C, "", model_c_evidence_1}, /* tools.hello */
+    {0x01, 0x0D, "", NULL},               /* tools.readings */
+    {0x80, 0x01, "", NULL},               /* measurements.accel */
+    {0x80, 0x02, "", NULL},               /* measurements.numbers */
+    {0x80, 0x03, "", NULL},               /* measurements.strings */
+    {0x80, 0x04, "", NULL},               /* measurements.health */
+    {0x80, 0x05, "", NULL},               /* measurements.arrays */
+    {0x80, 0x06, "", NULL},               /* measurements.growing */
+    {0x80, 0x07, "", NULL},               /* measurements.radio */
+    {0x80, 0x08, "", NULL},               /* measurements.cloud */
+    {0x80, 0x0A, "", NULL},               /* measurements.breeze */
+    {0x81, 0x01, "", NULL},               /* more.accel */
+    {0x81, 0x07, "", NULL},               /* more.own */
+    {0x92, 0x01, "", model_c_evidence_1}, /* copy.accel */
+    {0xFF, 0xD3, "", NULL},               /* shared.timestamp */
 };
 
 static const struct mip_device_rate model_c_rates[] = {
@@ -236,9 +238,11 @@ static const char *const old_1_incomplete[] = {
     "No manual is known; see `tools.ping`.",
 };
 
+static const char old_1_evidence_1[] = "All old devices have it.";
+
 static const struct mip_device_field old_1_fields[] = {
-    {0x01, 0x01, "", NULL},                       /* tools.ping */
-    {0x80, 0x02, "", "All old devices have it."}, /* measurements.numbers */
+    {0x01, 0x01, "", NULL},             /* tools.ping */
+    {0x80, 0x02, "", old_1_evidence_1}, /* measurements.numbers */
 };
 
 const struct mip_device mip_device_old_1 = {
@@ -274,9 +278,11 @@ static const char *const old_2_incomplete[] = {
     "Nothing is known of its data.",
 };
 
+static const char old_2_evidence_1[] = "All old devices have it.";
+
 static const struct mip_device_field old_2_fields[] = {
-    {0x01, 0x01, "", "All old devices have it."}, /* tools.ping */
-    {0x80, 0x02, "", "All old devices have it."}, /* measurements.numbers */
+    {0x01, 0x01, "", old_2_evidence_1}, /* tools.ping */
+    {0x80, 0x02, "", old_2_evidence_1}, /* measurements.numbers */
 };
 
 const struct mip_device mip_device_old_2 = {
