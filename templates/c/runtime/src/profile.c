@@ -44,7 +44,8 @@ uint16_t mip_model_number(const char *text, size_t size) {
             return 0;
         }
     }
-    const bool ends = at == size || text[at] == '.' || text[at] == '-' || text[at] == ' ' || text[at] == '\0';
+    const bool ends =
+        at == size || text[at] == '.' || text[at] == '-' || text[at] == ' ' || text[at] == '\0';
     return (uint16_t)(ends && at - first >= 4 ? number : 0);
 }
 
