@@ -237,3 +237,9 @@ def decode_request(packet: bytes) -> dict[str, Any]:
 def encode_request(number: int, field: m.Field, values: dict[str, Any]) -> dict[str, Any]:
     entry = {"descriptor": field.descriptor, "name": field.full_name, "values": values}
     return {"op": "encode", "set": number, "fields": [entry]}
+
+
+def tree(folder: Path) -> dict[str, bytes]:
+    """All files below a folder, but for what Python leaves beside modules that a test has imported."""
+    files = [p for p in sorted(folder.rglob("*")) if p.is_file() and p.parent.name != "__pycache__"]
+    return {p.relative_to(folder).as_posix(): p.read_bytes() for p in files}

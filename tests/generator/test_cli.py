@@ -14,7 +14,7 @@ import pytest
 from mipgen import __version__, cli, discovery, parallel, stamp
 from mipgen.errors import Failure
 from mipgen.resolve import load_model
-from support import ROOT, SPECS, need
+from support import ROOT, SPECS, need, tree
 
 INVENTED, GOLDEN = SPECS["invented"]
 
@@ -24,10 +24,6 @@ def mipgen(*arguments: str | Path, cwd: Path, **environment: str) -> subprocess.
         [sys.executable, "-m", "mipgen", *map(str, arguments)], capture_output=True, text=True, cwd=cwd,
         env={**os.environ, "PYTHONPATH": str(ROOT / "generator"), **environment},
     )  # fmt: skip
-
-
-def tree(folder: Path) -> dict[str, bytes]:
-    return {p.relative_to(folder).as_posix(): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
 
 
 # --------------------------------------------------------------------------- a specification to start from

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from mipgen import cli, render
-from support import ROOT, SPECS, all_fields, model, parse_as
+from support import ROOT, SPECS, all_fields, model, parse_as, tree
 
 
 def mipgen(*arguments: str, root: Path = ROOT, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -19,10 +19,6 @@ def mipgen(*arguments: str, root: Path = ROOT, **environment: str) -> subprocess
         [sys.executable, "-m", "mipgen", *arguments], capture_output=True, text=True, cwd=ROOT,
         env={**os.environ, "PYTHONPATH": str(root / "generator"), **environment},
     )  # fmt: skip
-
-
-def tree(folder: Path) -> dict[str, bytes]:
-    return {p.relative_to(folder).as_posix(): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
 
 
 @pytest.fixture(scope="module")
