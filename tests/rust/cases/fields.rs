@@ -427,7 +427,20 @@ fn model_numbers_begin_model_and_serial_numbers() {
     for (text, number) in found.into_iter().zip(numbers) {
         assert_eq!(devices::model_number(text), Some(number), "{text:?}");
     }
-    let not = ["", " ", "625", "625-1234", "GX5-15", "6254x", "-6254", "65536", "99999999999", "0000", "+6254", "6254\u{b2}"];
+    let not = [
+        "",
+        " ",
+        "625",
+        "625-1234",
+        "GX5-15",
+        "6254x",
+        "-6254",
+        "65536",
+        "99999999999",
+        "0000",
+        "+6254",
+        "6254\u{b2}",
+    ];
     for text in not {
         assert_eq!(devices::model_number(text), None, "{text:?}");
     }
