@@ -128,7 +128,10 @@ def parser() -> argparse.ArgumentParser:
         "--manual", action="append", default=[], metavar="ID=FILE", help="a manual as plain text; may be repeated"
     )
     audit.add_argument(
-        "--sdk", type=Path, metavar="FOLDER", help="facts about the vendor's SDK: layouts.yaml and names.yaml"
+        "--sdk",
+        type=Path,
+        metavar="FOLDER",
+        help="facts about the vendor's SDK and devices: layouts.yaml, names.yaml, models.yaml, devices.yaml",
     )
 
     targets = command("targets", "targets", "list the targets")

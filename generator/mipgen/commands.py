@@ -185,7 +185,7 @@ def _of_another_time(name: str, *folders: Path) -> Model:
 
 def audit(options: Namespace) -> int:
     from . import audit as manuals
-    from . import audit_sdk
+    from . import audit_devices, audit_sdk
     from .problems import nearest
 
     if not options.manual and options.sdk is None:
@@ -203,7 +203,7 @@ def audit(options: Namespace) -> int:
     if options.sdk is not None:
         if not options.sdk.is_dir():
             raise Failure(f"'{options.sdk}': no such folder; write --sdk FOLDER")
-        findings += audit_sdk.audit(model, options.sdk)
+        findings += [*audit_sdk.audit(model, options.sdk), *audit_devices.audit(model, options.sdk)]
     print("".join(f"{f}\n" for f in findings), end="")
     print(f"{len(findings)} findings")
     return 1 if findings else 0

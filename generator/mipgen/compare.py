@@ -305,9 +305,12 @@ def _devices(old: m.Model, new: m.Model) -> Iterator[Change]:
 
 
 def _profile(d: m.Device) -> tuple[object, ...]:
-    supports = tuple((s.field.set, s.field.descriptor, m.letters(s.functions)) for s in d.supports)
+    supports = tuple(
+        (s.field.set, s.field.descriptor, m.letters(s.functions), s.evidence, s.deprecated) for s in d.supports
+    )
     rates = tuple((r.set.number, r.hertz) for r in d.base_rates)
-    return (d.title, d.model_number, supports, rates, d.ports, d.limits, d.notes, d.ack_codes)
+    identity = (d.title, d.description, d.also, d.model_number, d.generation, d.manual)
+    return (*identity, supports, rates, d.ports, d.limits, d.notes, d.ack_codes, d.incomplete, d.uncertain)
 
 
 def _functions(old: m.Model, new: m.Model) -> Iterable[Change]:

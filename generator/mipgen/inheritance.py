@@ -97,9 +97,10 @@ class _Heir:
         lacked = self.lacked()
         value["supports"] = self.supports(lacked)
         value["may_support"] = self.may_support(lacked, value["supports"])
-        supported = self.names(value["supports"], value["may_support"])
+        before = self.names(self.parent.get("supports"), self.parent.get("may_support"))
+        gone = before - self.names(value["supports"], value["may_support"])
         for key in KEYED:
-            value[key] = self.keyed(key, supported)
+            value[key] = self.keyed(key, gone)
         for key in NAMED:
             value[key] = self.named(key)
         keys = {key: self.own.keys.get(key, self.own.position) for key in value}
@@ -155,17 +156,17 @@ class _Heir:
         if full in inherited and full not in lacked:
             self.problems.add(entry.position, f"'{self.like}' already supports '{full}'; remove it")
 
-    def names(self, supports: Node, may_support: Node) -> set[str]:
+    def names(self, supports: Node | None, may_support: Node | None) -> set[str]:
         """The fields that are supported, perhaps, with their responses; and their sets."""
-        found = {self.model.protocol.acknowledge.full_name}
-        for full in (*_fields(supports), *(full for group in may_support for full in _fields(group["fields"]))):
+        found = set()
+        for full in (*_fields(supports), *(full for group in may_support or () for full in _fields(group["fields"]))):
             f = self.model.field(full)
             found |= {full, full.partition(".")[0], *(r.full_name for r in (self.model.responses(f) if f else ()))}
         return found
 
     # ----------------------------------------------------------------------- the rest
 
-    def keyed(self, key: str, supported: set[str]) -> Node:
+    def keyed(self, key: str, gone: set[str]) -> Node:
         """What is said of fields and sets that are still there, then what is said here."""
         inherited, own = self.parent.get(key), self.own.get(key)
         without = self.without(key, list(inherited.value) if inherited else [])
@@ -173,7 +174,7 @@ class _Heir:
         keys: dict[str, m.Position] = {}
         for name, node in inherited.items() if inherited else ():
             of = name.rpartition(".")[0] if key == "varies" else name
-            if of in supported and name not in without:
+            if of not in gone and name not in without:
                 assert inherited is not None
                 found[name], keys[name] = node, inherited.keys[name]
         return self.mapped(key, {**found, **(own.value if own else {})}, {**keys, **(own.keys if own else {})})

@@ -44,6 +44,13 @@ PORT = "{name: port, type: u8, for: WRS"
         (TYPES, "slow: 1", "slow: 1, turbo: 9", "compatible", "mode.turbo: added: 9"),
         (TYPES, "level: 4-6", "level: 4-7", "wire", "flags.level: is bits 4-7, was bits 4-6"),
         ("devices/model_a.yaml", "title: Model A", "title: Model 1", "compatible", "model-a: another profile"),
+        (
+            "devices/model_a.yaml",
+            "title: Model A",
+            "title: Model A\nalso: [A]",
+            "compatible",
+            "model-a: another profile",
+        ),
         ("protocol.yaml", "save: {value", "store: {value", "source", "function_selector.store: was called save"),
     ],
 )
@@ -65,3 +72,31 @@ def test_the_worst_comes_first() -> None:
     order = ["wire", "source", "compatible"]
     found = [c.verdict for c in report.changes]
     assert found == sorted(found, key=order.index) and report.verdict == "wire"
+
+
+STATUS = """\
+    responses:
+      - response: 0x90
+        name: brief
+        parameters: [{name: a, type: u8, description: A.}]
+"""
+LONGER = """\
+      - response: 0x90
+        name: longer
+        parameters: [{name: b, type: u16, description: B.}]
+"""
+
+
+def test_layouts_that_only_their_size_tells_apart(tmp_path: Path) -> None:
+    """A further layout is an addition; the one that was alone before stays what it was."""
+    for name, more in (("one", STATUS), ("two", STATUS + LONGER)):
+        shutil.copytree(BASE, tmp_path / name)
+        with (tmp_path / name / TOOLS).open("a") as file:
+            file.write(more)
+    one, two = load_model(tmp_path / "one"), load_model(tmp_path / "two")
+    added = "compatible tools.longer: added (0x01,0x90)"
+    assert added in [str(c) for c in compare(one, two).changes]
+    assert not [c for c in compare(one, two).changes if c.verdict != "compatible"]
+    assert [str(c) for c in compare(two, one).changes if "removed" in c.what] == [
+        "source     tools.longer: removed (0x01,0x90)"
+    ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from mipgen import codec
 from mipgen import model as m
 from mipgen.problems import SpecError
 from mipgen.resolve import load_model
@@ -119,3 +120,35 @@ def test_an_overlay_extends_what_others_inherit(tmp_path: Path) -> None:
     (tmp_path / "devices/a.yaml").write_text("extend: model-a\nsupports: {measurements: [gust]}\n")
     c = device("model-c", load_model(SPECS["invented"][0], tmp_path))
     assert {"measurements.gust", "copy.health"} <= names(c) and c.also[-1] == "See"
+
+
+# --------------------------------------------------------------------------- what there is
+
+
+def test_all_models_are_known() -> None:
+    numbers = {d.model_number: d for d in REAL.devices}
+    assert len(numbers) == len(REAL.devices) == 37 and None not in numbers
+    assert sorted({d.generation for d in REAL.devices}) == [3, 4, 5, 7]  # type: ignore[type-var]
+    assert (numbers[6254].id, numbers[6254].also) == ("3dm-gx5-15", ("3DM-GX5-AR",))
+    assert (numbers[6284].title, numbers[6232].like) == ("3DM-GQ7-GNSS/INS", None)
+    whole = {d.id for d in REAL.devices if not d.incomplete}
+    assert whole == {"3dm-gx5-15", "3dm-cv7-gnss-ins"}
+    assert all(d.manual or d.incomplete for d in REAL.devices)
+
+
+def test_device_status() -> None:
+    """The command of the manual of the 3DM-GX5-45, and answers of all families."""
+    packet = bytes.fromhex("75650c050564186d01da83")
+    ((descriptor, data),) = codec.split(REAL, packet)
+    command = codec.choose(REAL.candidates(0x0C, descriptor), data)
+    assert command is not None and codec.decode(command, data) == ({"model_number": 6253, "status_selector": 1}, 0)
+    found = {}
+    for length in (13, 15, 53, 62, 75, 79, 82, 88):
+        head = bytes.fromhex("186d01" if length < 20 else "186d02")
+        layout = codec.choose(REAL.candidates(0x0C, 0x90), head.ljust(length - 2, b"\0"))
+        assert layout is not None and layout.min_size == layout.max_size == length - 2
+        found[length] = layout.name.removeprefix("device_status_").removesuffix("_response")
+    assert found == {
+        13: "basic_without_state", 15: "basic", 53: "diagnostic", 62: "diagnostic_imu", 75: "diagnostic_gx4",
+        79: "diagnostic_gnss", 82: "diagnostic_gq4_45", 88: "diagnostic_rq1_45",
+    }  # fmt: skip

@@ -378,6 +378,7 @@ static const struct mip_device_field cv7_ahrs_fields[] = {
 static const struct mip_device_rate cv7_ahrs_rates[] = {
     {0x80, 1000},
     {0x82, 1000},
+    {0xA0, 1000},
 };
 
 static const uint32_t cv7_ahrs_baud_rates_1[] = {115200, 230400, 460800, 921600};
@@ -425,7 +426,7 @@ const struct mip_device mip_device_cv7_ahrs = {
     0,    /* other names */
     2,    /* what is not known */
     19,   /* fields */
-    2,    /* base rates */
+    3,    /* base rates */
     1,    /* ports */
     5,    /* limits */
     2,    /* notes */
@@ -478,6 +479,7 @@ static const struct mip_device_field cv7_ar_fields[] = {
 static const struct mip_device_rate cv7_ar_rates[] = {
     {0x80, 1000},
     {0x82, 1000},
+    {0xA0, 1000},
 };
 
 static const uint32_t cv7_ar_baud_rates_1[] = {115200, 230400, 460800, 921600};
@@ -525,7 +527,7 @@ const struct mip_device mip_device_cv7_ar = {
     0,    /* other names */
     2,    /* what is not known */
     19,   /* fields */
-    2,    /* base rates */
+    3,    /* base rates */
     1,    /* ports */
     5,    /* limits */
     2,    /* notes */

@@ -259,7 +259,7 @@ CV7_AHRS = Device(
         }
     ),
     functions={(0x0C, 0x38): "WRSLD", (0x0C, 0x3A): "WRSLD", (0x0C, 0x3B): "WRSLD"},
-    base_rates={0x80: 1000, 0x82: 1000},
+    base_rates={0x80: 1000, 0x82: 1000, 0xA0: 1000},
     ports=(Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP",)),),
     limits={
         "event_triggers": Limit(12, None, "Triggers in all."),
@@ -346,7 +346,7 @@ CV7_AR = Device(
         }
     ),
     functions={(0x0C, 0x38): "WRSLD", (0x0C, 0x3A): "WRSLD", (0x0C, 0x3B): "WRSLD"},
-    base_rates={0x80: 1000, 0x82: 1000},
+    base_rates={0x80: 1000, 0x82: 1000, 0xA0: 1000},
     ports=(Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP",)),),
     limits={
         "event_triggers": Limit(12, None, "Triggers in all."),

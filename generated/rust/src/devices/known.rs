@@ -476,6 +476,7 @@ pub static CV7_AHRS: Device = Device {
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
         BaseRate { set: 0x82, hertz: 1000.0 },
+        BaseRate { set: 0xA0, hertz: 1000.0 },
     ],
     ports: &[
         Port {
@@ -602,6 +603,7 @@ pub static CV7_AR: Device = Device {
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
         BaseRate { set: 0x82, hertz: 1000.0 },
+        BaseRate { set: 0xA0, hertz: 1000.0 },
     ],
     ports: &[
         Port {
