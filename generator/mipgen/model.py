@@ -786,7 +786,7 @@ class Model:
     devices: tuple[Device, ...] = ()
     examples: tuple[Example, ...] = ()
     errata: tuple[Erratum, ...] = ()
-    simulation: Simulation = Simulation()
+    simulation: Simulation = field(default_factory=Simulation)
     tastes: tuple[tuple[str, str], ...] = ()  # programs that show the bindings with fields of this specification
 
     def taste(self, name: str) -> str:

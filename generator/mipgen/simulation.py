@@ -25,7 +25,7 @@ def resolve(roots: Sequence[Node], units: Node, model: m.Model, problems: Proble
         Effect(name, tuple(n["arguments"].plain()) if "arguments" in n else (), n["description"].value)
         for name, n, _ in _entries(roots, "effects", problems)
     )
-    factors = {symbol: tuple(n["equals"].plain().items())[0] for symbol, n in units.items() if "equals" in n}
+    factors = {symbol: next(iter(n["equals"].plain().items())) for symbol, n in units.items() if "equals" in n}
     values = _Values(model, {q.name: q for q in quantities}, factors, problems)
     commands = _Commands(model, {e.name: e for e in effects}, problems)
     sources = (values.of(name, n, at) for name, n, at in _entries(roots, "values", problems))
