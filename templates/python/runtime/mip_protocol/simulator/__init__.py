@@ -1,0 +1,6 @@
+"""A simulated device, for development and tests without hardware."""
+
+from .device import VirtualDevice
+from .link import Link
+
+__all__ = ["Link", "VirtualDevice"]
