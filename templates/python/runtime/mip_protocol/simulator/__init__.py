@@ -1,0 +1,1 @@
+"""A virtual device: answers commands and streams data as a device profile says, without hardware."""
