@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Hashable, Iterable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Hashable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from random import Random
 from typing import Any, TextIO
 
-from ..packet import RawField
+from ..packet import SYNC, RawField
 from ..parser import Parser
 from . import damage
 from .fault_kinds import KINDS, Plan, parse_faults, plan
@@ -89,17 +89,20 @@ class Faults:
         log: Callable[[Injected], None] | None = None,
         every_packet: bool = False,
         script: Iterable[str] = (),
-        **rates: float | tuple[float, float] | Plan,
+        plans: Mapping[str, Plan] | None = None,
+        **rates: float | tuple[float, float],
     ) -> None:
-        """`every_packet`: log every packet that is sent, faulty or not. Raises Failure."""
+        """`every_packet`: log every packet that is sent, faulty or not. Raises Failure.
+
+        `plans`: what `parse_faults` returns.
+        """
         self._log = log
         self._every = every_packet
-        self._plans = parse_faults(",".join(script))
+        self._plans = {**(plans or {})}
         for kind, rate in rates.items():
-            if not isinstance(rate, Plan):
-                rate = plan(kind, *rate) if isinstance(rate, tuple) else plan(kind, rate)
-            places = self._plans[kind].places if kind in self._plans else frozenset[int]()
-            self._plans[kind] = plan(kind, rate.rate, rate.amount or None, rate.places | places)
+            self._plans[kind] = plan(kind, *rate) if isinstance(rate, tuple) else plan(kind, rate)
+        for kind, exact in parse_faults(",".join(script)).items():
+            self._plans[kind] = replace(self._plans.get(kind, exact), places=exact.places)
         self._random = {kind: Random(f"{seed}:{kind}") for kind in self._plans}
         self._chances = dict.fromkeys(self._plans, 0)
         self._active = {
@@ -136,10 +139,14 @@ class Faults:
     # ----------------------------------------------------------------- from the device
 
     def transmit(self, now: int, packet: bytes, line: Hashable = None) -> list[tuple[int, bytes]]:
-        """What a line carries in place of a packet: bytes, each with a delay in ns, in order."""
-        if self._every:
+        """What a line carries in place of a packet: bytes, each with a delay in ns, in order.
+
+        Calls for one line are in the order of their times. An NMEA sentence passes as it is.
+        """
+        mip = packet[:2] == SYNC
+        if self._every and mip:
             self._tell(now, "sent", "a packet is sent", packet=packet)
-        struck = self._struck("packet")
+        struck = self._struck("packet") if mip else []
         if not struck and line not in self._lines:
             return [(0, packet)]
         at = self._lines.pop(line, None) or _Line()
@@ -149,7 +156,7 @@ class Faults:
             if kind in struck:
                 before += self._inserted(now, kind, right)
         body, intact = self._body(now, packet, struck)
-        if intact:
+        if intact and mip:
             right.append(packet)
         if "double_packet" in struck:
             self._tell(now, "double_packet", "the packet comes twice", packet=packet, added=packet)
@@ -160,6 +167,10 @@ class Faults:
         if at.pending or at.free > now:
             self._lines[line] = at
         return parts
+
+    def forget(self, line: Hashable) -> None:
+        """The line has been cut."""
+        self._lines.pop(line, None)
 
     def _inserted(self, now: int, kind: str, right: list[bytes]) -> bytes:
         random = self._random[kind]
@@ -227,7 +238,8 @@ class Faults:
             parts = [(first, stream[:cut]), (first + later, stream[cut:])]
             text = f"{len(stream) - cut} bytes at the end come {later / 1e9:.3f} s late"
             self._tell(now, "delay", text, packet=packet)
-        at.free = now + parts[-1][0]
+        if parts[-1][0]:  # what comes at that very moment comes after it
+            at.free = now + parts[-1][0] + 1
         return [part for part in parts if part[1]]
 
     def data(self, now: int, set: int, fields: list[RawField]) -> list[RawField]:
