@@ -54,7 +54,7 @@ def _instances(command: Command, profile: Device, function: int | None) -> None:
             continue
         value = behavior.translate.get(name, {}).get(value, value)
         if what == "data_sets":
-            known = value in data_sets(profile)
+            known = value in data_sets(profile) or not data_sets(profile)  # a profile may not tell them
         elif what == "ports":
             known = any(port.id == value for port in profile.ports)
         else:

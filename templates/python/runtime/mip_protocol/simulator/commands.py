@@ -38,15 +38,16 @@ def carry_out(device: VirtualDevice, link: Link, packet: Packet) -> Iterator[tup
                 group, outcome = _done(device, link, command)
                 yield raw, group, outcome
             except Refused as refusal:
-                code = refusal.code if refusal.code in device.profile.ack_codes else _nearest(device, refusal.code)
+                code = _known(device, refusal.code)
                 yield raw, [_acknowledge(raw.set, raw.descriptor, code)], DONE
     except PacketError:  # nothing can be found behind a malformed field
         return
 
 
-def _nearest(device: VirtualDevice, code: int) -> int:
-    """Devices that know fewer codes say that they do not know the command."""
-    return UNKNOWN_COMMAND if code == UNKNOWN_SET or not device.profile.ack_codes else code
+def _known(device: VirtualDevice, code: int) -> int:
+    """Devices that have no code for an unknown set say that they do not know the command."""
+    codes = device.profile.ack_codes
+    return UNKNOWN_COMMAND if code == UNKNOWN_SET and codes and code not in codes else code
 
 
 def _acknowledge(set: int, descriptor: int, code: int) -> RawField:

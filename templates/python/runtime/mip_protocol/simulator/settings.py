@@ -220,8 +220,6 @@ def _filled(p: Parameter, record: dict[str, Any], default: Any = None, only: fro
 
 def _number(p: Parameter, only: frozenset[int] | None) -> Any:
     """Zero, or the number closest to it that is allowed."""
-    if p.elements:
-        return (0.0,) * len(p.elements)
     if only:
         return min(only)
     if p.scalar == "bool":
@@ -232,7 +230,9 @@ def _number(p: Parameter, only: frozenset[int] | None) -> Any:
     number = max(0, least) if p.maximum is None else min(p.maximum, max(0, least))
     if p.above is not None and number <= p.above:
         number = p.above + 1 if p.maximum is None else (p.above + p.maximum) / 2
-    return float(number) if p.scalar in ("float", "double") else int(number)
+    if p.scalar not in ("float", "double"):
+        return int(number)
+    return (float(number),) * len(p.elements) if p.elements else float(number)
 
 
 def _stored(path: Path, profile: Device) -> dict[Place, Command]:
