@@ -65,6 +65,7 @@ class Behavior:
     setting: str = ""  # the command whose setting it is, if not its own
     key: tuple[tuple[str, int], ...] = ()  # which instance of that setting
     initial: tuple[tuple[str, object], ...] = ()  # values on a new device
+    answers: tuple[tuple[str, tuple[str, ...]], ...] = ()  # response -> the devices that have this layout
 
 
 #: What instances may be beside the numbers up to a limit: the ports of the device, and its data sets.

@@ -184,6 +184,7 @@ class _Commands:
             setting=self.setting(node),
             key=tuple((k, self.number(n)) for k, n in _pairs(node, "key")),
             initial=tuple((k, self.initial(f, k, n)) for k, n in _pairs(node, "initial")),
+            answers=tuple((k, self.devices(n)) for k, n in _pairs(node, "answers")),
         )
 
     def references(self, f: m.Field, node: Node) -> None:
@@ -194,12 +195,14 @@ class _Commands:
                 if name not in known:
                     place = node[part].keys[name]
                     self.problems.add(place, f"'{f.full_name}' has no parameter '{name}'{nearest(name, known)}")
+        for name, _ in _pairs(node, "answers"):
+            if name not in f.responses:
+                place = node["answers"].keys[name]
+                self.problems.add(place, f"'{f.full_name}' has no response '{name}'{nearest(name, f.responses)}")
 
     def effect(self, node: Node) -> str:
         given = node.get("effect")
         if given is None:
-            if "with" in node:
-                self.problems.add(node.keys["with"], "there is no effect to give arguments to; add it, or remove this")
             return ""
         effect = self.effects.get(given.value)
         if effect is None:
@@ -213,6 +216,13 @@ class _Commands:
                     near = nearest(name, effect.arguments)
                     self.problems.add(place, f"the effect '{effect.name}' has no argument '{name}'{near}")
         return str(given.value)
+
+    def devices(self, node: Node) -> tuple[str, ...]:
+        known = [d.id for d in self.model.devices]
+        for entry in node:
+            if entry.value not in known:
+                self.problems.add(entry.position, f"unknown device '{entry.value}'{nearest(entry.value, known)}")
+        return tuple(node.plain())
 
     def argument(self, f: m.Field, node: Node) -> str | int:
         if isinstance(node.value, int):

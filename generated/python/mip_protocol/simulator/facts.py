@@ -42,6 +42,9 @@ class Behavior:
     setting: str = ""  # the command whose setting it is, if not its own
     key: dict[str, int] = field(default_factory=dict)  # which instance of that setting
     initial: dict[str, Any] = field(default_factory=dict)  # values on a new device
+    answers: dict[str, tuple[str, ...]] = field(
+        default_factory=dict
+    )  # response -> devices with this layout
 
 
 @dataclass(frozen=True)

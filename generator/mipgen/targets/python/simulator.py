@@ -25,6 +25,7 @@ def given(x: Value | Behavior) -> str:
             "setting": x.setting,
             "key": dict(x.key),
             "initial": dict(x.initial),
+            "answers": dict(x.answers),
         }
     return ", ".join(f"{k}={v!r}" for k, v in found.items() if v or v == 0)
 

@@ -7,12 +7,16 @@ from functools import cache
 from typing import Any
 
 
-@cache
 def named(kind: Any, names: tuple[str, ...]) -> int:
     """The first value of these names that an enumeration has, or all bits of these names that a bitfield has.
 
     `bits.value` is a number inside a bitfield. Names that the type does not have count nothing.
     """
+    return _named(kind, names)
+
+
+@cache
+def _named(kind: Any, names: tuple[str, ...]) -> int:
     if not isinstance(kind, type) or not issubclass(kind, (IntEnum, IntFlag)):
         return 0
     members = kind.__members__
@@ -25,7 +29,7 @@ def named(kind: Any, names: tuple[str, ...]) -> int:
             continue
         mask = int(members[bits.upper()])
         if inner:
-            numbers = type(getattr(kind(mask), bits))
+            numbers: Any = type(getattr(kind(mask), bits))
             found |= named(numbers, (inner,)) * (mask & -mask)
         else:
             found |= mask

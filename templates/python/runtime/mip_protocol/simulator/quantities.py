@@ -28,6 +28,7 @@ class Aid(NamedTuple):
 
 
 _RECEIVERS = (1, 2)
+_FLAGS = (("pps_valid", "time_initialized"), ("pps_valid", "time_initialized", "time_refresh"))
 _AIDS = (Aid(1, "gnss"), Aid(2, "gnss"), Aid(0, "dual_antenna"), Aid(0, "mag"), Aid(0, "pressure"))
 
 
@@ -68,11 +69,10 @@ def _velocity(w: World, out: Output) -> Vector:
 
 
 def _matrix(w: World, out: Output) -> tuple[float, ...]:
-    """Only for the sensor frame; the vehicle frame is turned against it by a constant rotation."""
     m = matrix(multiplied(conjugate(out.attitude), w.state.quaternion))
     turn = w.sensor_to_vehicle
-    columns = tuple(turn[i] for i in (0, 3, 6, 1, 4, 7, 2, 5, 8))
-    return earth.product(turn, earth.product(m, columns))  # type: ignore[arg-type]
+    columns = (turn[0], turn[3], turn[6], turn[1], turn[4], turn[7], turn[2], turn[5], turn[8])
+    return earth.product(turn, earth.product(m, columns))
 
 
 def _relative(w: World, _: Any) -> Vector:
@@ -148,7 +148,6 @@ _TIME: dict[str, Function] = {
     "ticks.delta": lambda w, out: _ticks(w.now, out) - _ticks(out.previous, out) & 0xFFFFFFFF,
     "event.trigger": lambda w, _: w.trigger,
 }
-_FLAGS = (("pps_valid", "time_initialized"), ("pps_valid", "time_initialized", "time_refresh"))
 
 _SENSORS: dict[str, Function] = {
     "measured.specific_force": _force,
@@ -230,10 +229,10 @@ _GNSS: dict[str, Function] = {
     "dop.tdop": lambda w, _: w.dop.tdop,
     "dop.ndop": lambda w, _: w.dop.ndop,
     "dop.edop": lambda w, _: w.dop.edop,
-    "satellite.index": lambda w, s: s.index,
-    "satellite.count": lambda w, s: s.count,
+    "satellite.index": lambda w, s: s.number,
+    "satellite.count": lambda w, s: s.of,
     "satellite.used": lambda w, _: len(w.satellites(1)),
-    "satellite.channel": lambda w, s: s.index,
+    "satellite.channel": lambda w, s: s.number,
     "satellite.constellation": lambda w, s: s.satellite.constellation,
     "satellite.id": lambda w, s: s.satellite.id,
     "satellite.signal": lambda w, s: s.satellite.signal,
@@ -263,8 +262,8 @@ def _day(e: satellites.Ephemeris) -> tuple[int, float]:
 _EPHEMERIDES: dict[str, Function] = {
     **{f"ephemeris.{name}": _visible(name) for name in ("gps", "glonass", "galileo", "beidou")},
     "ephemeris.satellite": lambda w, e: e.satellite.id,
-    "ephemeris.index": lambda w, e: e.index,
-    "ephemeris.count": lambda w, e: e.count,
+    "ephemeris.index": lambda w, e: e.number,
+    "ephemeris.count": lambda w, e: e.of,
     "ephemeris.issue": lambda w, e: e.time // (7200 * SECOND) % 240,
     "ephemeris.reference_time": lambda w, e: e.time % WEEK / SECOND,
     "ephemeris.semi_major_axis": lambda w, e: e.satellite.axis,

@@ -209,7 +209,7 @@ def _clocks(packet: Packet) -> dict[str, int]:
 
 
 @cache
-def _places(kind: type[Field], names: Sequence[str]) -> tuple[tuple[Any, float], ...]:
+def _places(kind: Any, names: Sequence[str]) -> tuple[tuple[Any, float], ...]:
     """The parameters that show these quantities, with their factors; empty if one is missing."""
     source = VALUES.get(kind.NAME)
     shown = {v.quantity: (path, v.factor) for path, v in source.parameters.items()} if source else {}
@@ -222,9 +222,9 @@ def _places(kind: type[Field], names: Sequence[str]) -> tuple[tuple[Any, float],
 def _shown(set: int, descriptor: int, data: bytes, names: Sequence[str]) -> list[Any] | None:
     """The values of these quantities in a field, if it has them and they are valid."""
     types = registry.types(set, descriptor)
-    kind = types[0] if len(types) == 1 else None
+    kind: Any = types[0] if len(types) == 1 else None
     places = _places(kind, tuple(names)) if kind else ()
-    if not kind or not places:
+    if not places:
         return None
     try:
         field = kind.decode(data)

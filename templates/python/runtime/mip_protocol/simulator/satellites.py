@@ -34,8 +34,8 @@ class Satellite(NamedTuple):
 class Seen(NamedTuple):
     """A satellite as one antenna sees it."""
 
-    index: int
-    count: int
+    number: int  # within the list, from 1
+    of: int  # how many the list has
     satellite: Satellite
     elevation: float
     azimuth: float
@@ -51,8 +51,8 @@ class Seen(NamedTuple):
 class Ephemeris(NamedTuple):
     """The orbit of a satellite at its reference time, in ns."""
 
-    index: int
-    count: int
+    number: int
+    of: int
     satellite: Satellite
     time: int
 
@@ -156,14 +156,14 @@ def seen(
 def only(satellites: Sequence[Seen], constellation: str) -> tuple[Seen, ...]:
     """Those of one constellation, counted anew."""
     found = [s for s in satellites if s.satellite.constellation == constellation]
-    return tuple(s._replace(index=i, count=len(found)) for i, s in enumerate(found, 1))
+    return tuple(s._replace(number=i, of=len(found)) for i, s in enumerate(found, 1))
 
 
 def ephemerides(satellites: Sequence[Seen], constellation: str, gps: int) -> tuple[Ephemeris, ...]:
     """Of the satellites in view of one constellation: the last ones with a reference time before now."""
     step = (1800 if constellation == "glonass" else 7200) * SECOND
     time = gps // step * step
-    return tuple(Ephemeris(s.index, s.count, s.satellite, time) for s in only(satellites, constellation))
+    return tuple(Ephemeris(s.number, s.of, s.satellite, time) for s in only(satellites, constellation))
 
 
 class Dop(NamedTuple):

@@ -101,7 +101,7 @@ def _readers(
         layout += letter * count
         type_ = profile.readings.get(f"{kind.NAME}.{path}") or p.type
         read = _reader(p, source.parameters.get(path), letter, count, type_, world, noise)
-        if isinstance(type_, type) and issubclass(type_, IntFlag):
+        if count == 1 and isinstance(type_, type) and issubclass(type_, IntFlag):
             read = _with(read, _valid(kind, source, path, type_))
         if isinstance(read, tuple):
             constants += read
@@ -217,7 +217,8 @@ def _whole(function: Function, factor: float, letter: str, count: int, world: Wo
     low, high = (-(1 << bits - 1), (1 << bits - 1) - 1) if letter.islower() else (0, (1 << bits) - 1)
 
     def fitting(x: Any) -> int:
-        return min(max(round(x * factor) if factor != 1 else round(x), low), high)
+        whole: int = round(x * factor) if factor != 1 else round(x)
+        return min(max(whole, low), high)
 
     if count == 1:
         return lambda item: (fitting(function(world, item)),)

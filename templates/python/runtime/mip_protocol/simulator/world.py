@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import cos, hypot, pi, sin
 from random import Random
 from typing import Any, TypeVar
 
-from . import earth, satellites
+from . import earth
 from .earth import SECOND, Matrix, Vector, turned, turned_back
+from .satellites import DAY, Dop, Seen, dop, seen
 from .state import Motion, Quaternion, State, quaternion
 
 T = TypeVar("T")
@@ -148,8 +149,11 @@ class World:
         return self._turn or _IDENTITY
 
     @sensor_to_vehicle.setter
-    def sensor_to_vehicle(self, m: Matrix) -> None:
-        self._turn = None if tuple(m) == _IDENTITY else m
+    def sensor_to_vehicle(self, m: Sequence[float]) -> None:
+        a, b, c, d, e, f, g, h, i = m
+        self._turn = (a, b, c, d, e, f, g, h, i)
+        if self._turn == _IDENTITY:
+            self._turn = None
         self._known = {}
 
     def vehicle(self, v: Vector) -> Vector:
@@ -237,20 +241,20 @@ class World:
     def clock(self, receiver: int) -> tuple[float, float]:
         """Bias and drift of the clock of a receiver: it swings once a day."""
         rate = 2 * pi / 86_400
-        angle = self.gps % satellites.DAY / SECOND * rate + receiver
+        angle = self.gps % DAY / SECOND * rate + receiver
         return 1e-4 * sin(angle), 1e-4 * rate * cos(angle)
 
-    def satellites(self, receiver: int) -> tuple[satellites.Seen, ...]:
-        def look() -> tuple[satellites.Seen, ...]:
+    def satellites(self, receiver: int) -> tuple[Seen, ...]:
+        def look() -> tuple[Seen, ...]:
             a = self.antenna(receiver)
             moves = earth.from_ned(a.latitude, a.longitude, a.velocity)
-            return satellites.seen(self.gps, a.latitude, a.longitude, a.height, moves, *self.clock(receiver))
+            return seen(self.gps, a.latitude, a.longitude, a.height, moves, *self.clock(receiver))
 
         return self.once(f"satellites {receiver}", look)
 
     @property
-    def dop(self) -> satellites.Dop:
-        return self.once("dop", lambda: satellites.dop(self.satellites(1)))
+    def dop(self) -> Dop:
+        return self.once("dop", lambda: dop(self.satellites(1)))
 
     def course(self, velocity: Vector) -> float:
         """Direction over ground, 0 to 2 pi; at rest, that of the vehicle."""
