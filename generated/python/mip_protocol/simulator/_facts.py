@@ -109,6 +109,7 @@ QUANTITIES: dict[str, str | None] = {
     "air.temperature": "degC",
     "air.pressure": "mbar",
     "air.density": "kg/m^3",
+    "filter.position_uncertainty": "m",
     "filter.aids": None,
     "aid.source": None,
     "aid.type": None,
@@ -151,6 +152,9 @@ QUANTITIES: dict[str, str | None] = {
     "dop.tdop": "1",
     "dop.ndop": "1",
     "dop.edop": "1",
+    "gnss.horizontal_accuracy": "m",
+    "gnss.vertical_accuracy": "m",
+    "gnss.position_accuracy": "m",
     "satellite.index": None,
     "satellite.count": None,
     "satellite.used": "1",
@@ -477,7 +481,12 @@ VALUES: dict[str, FieldValues] = {
     "filter_data.gyro_bias": FieldValues("", {"bias": Value(quantity="bias.angular_rate")}),
     "filter_data.accel_bias": FieldValues("", {"bias": Value(quantity="bias.specific_force")}),
     "filter_data.llh_position_uncertainty": FieldValues(
-        "", {"north": Value(number=0.6), "east": Value(number=0.6), "down": Value(number=0.6)}
+        "",
+        {
+            "north": Value(quantity="filter.position_uncertainty"),
+            "east": Value(quantity="filter.position_uncertainty"),
+            "down": Value(quantity="filter.position_uncertainty"),
+        },
     ),
     "filter_data.ned_velocity_uncertainty": FieldValues(
         "", {"north": Value(number=0.03), "east": Value(number=0.03), "down": Value(number=0.03)}
@@ -677,12 +686,16 @@ VALUES: dict[str, FieldValues] = {
             "longitude": Value(quantity="gnss_1.longitude", factor=57.29577951308232),
             "ellipsoid_height": Value(quantity="gnss_1.height"),
             "msl_height": Value(quantity="gnss_1.msl_height"),
-            "horizontal_accuracy": Value(number=1.0),
-            "vertical_accuracy": Value(number=1.5),
+            "horizontal_accuracy": Value(quantity="gnss.horizontal_accuracy"),
+            "vertical_accuracy": Value(quantity="gnss.vertical_accuracy"),
         },
     ),
     "gnss_1.ecef_position": FieldValues(
-        "", {"position": Value(quantity="gnss_1.ecef"), "position_accuracy": Value(number=1.8)}
+        "",
+        {
+            "position": Value(quantity="gnss_1.ecef"),
+            "position_accuracy": Value(quantity="gnss.position_accuracy"),
+        },
     ),
     "gnss_1.ned_velocity": FieldValues(
         "",
@@ -1058,12 +1071,16 @@ VALUES: dict[str, FieldValues] = {
             "longitude": Value(quantity="gnss_2.longitude", factor=57.29577951308232),
             "ellipsoid_height": Value(quantity="gnss_2.height"),
             "msl_height": Value(quantity="gnss_2.msl_height"),
-            "horizontal_accuracy": Value(number=1.0),
-            "vertical_accuracy": Value(number=1.5),
+            "horizontal_accuracy": Value(quantity="gnss.horizontal_accuracy"),
+            "vertical_accuracy": Value(quantity="gnss.vertical_accuracy"),
         },
     ),
     "gnss_2.ecef_position": FieldValues(
-        "", {"position": Value(quantity="gnss_2.ecef"), "position_accuracy": Value(number=1.8)}
+        "",
+        {
+            "position": Value(quantity="gnss_2.ecef"),
+            "position_accuracy": Value(quantity="gnss.position_accuracy"),
+        },
     ),
     "gnss_2.ned_velocity": FieldValues(
         "",
