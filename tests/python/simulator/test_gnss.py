@@ -43,7 +43,10 @@ def arriving(e: Any, tow: float, delay: float) -> tuple[float, float, float]:
 def solved(columns: list[list[float]], right: list[float]) -> list[float]:
     """Least squares by the normal equations."""
     size = len(columns[0])
-    rows = [[sum(c[i] * c[j] for c in columns) for j in range(size)] + [sum(c[i] * r for c, r in zip(columns, right))] for i in range(size)]
+    rows = [
+        [sum(c[i] * c[j] for c in columns) for j in range(size)] + [sum(c[i] * r for c, r in zip(columns, right))]
+        for i in range(size)
+    ]
     for i in range(size):
         rows[i] = [x / rows[i][i] for x in rows[i]]
         for j in range(size):
@@ -58,8 +61,12 @@ def solved(columns: list[list[float]], right: list[float]) -> list[float]:
 def test_raw_measurements_and_ephemerides_give_the_position(place: Any, receiver: int, seconds: float) -> None:
     """To 5 cm, though only what the device sends is used; with the clock bias, to 0.1 ns."""
     shown = Shown(Circle(50, 10, *place)).at(seconds)
-    broadcast = {(number, e.satellite_id): e for number, name in EPHEMERIDES.items() for e in shown.all(f"gnss_1.{name}")}
-    seen = [(m, broadcast[m.gnss_id, m.satellite_id]) for m in shown.all(f"gnss_{receiver}.raw") if m.gnss_id in EPHEMERIDES]
+    broadcast = {
+        (number, e.satellite_id): e for number, name in EPHEMERIDES.items() for e in shown.all(f"gnss_1.{name}")
+    }
+    seen = [
+        (m, broadcast[m.gnss_id, m.satellite_id]) for m in shown.all(f"gnss_{receiver}.raw") if m.gnss_id in EPHEMERIDES
+    ]
     assert len(seen) >= 8
     x = [0.0, 0.0, 0.0, 0.0]
     for _ in range(8):
@@ -94,7 +101,9 @@ def test_satellites_stand_where_their_ephemerides_put_them(place: Any) -> None:
     assert checked > 8
     for s in status.values():
         assert 10 <= s.elevation <= 90 and 0 <= s.azimuth <= 360 and s.health is True
-    assert {s.index for s in status.values()} == set(range(1, len(status) + 1)) and {s.count for s in status.values()} == {len(status)}
+    assert {s.index for s in status.values()} == set(range(1, len(status) + 1)) and {
+        s.count for s in status.values()
+    } == {len(status)}
     assert shown("gnss_1.fix_info").num_sv == len(status)
 
 
@@ -128,7 +137,9 @@ def test_glonass_ephemerides_place_the_satellites() -> None:
 def test_phase_and_doppler_are_rates_of_the_pseudorange() -> None:
     """Over a second around the moment, to 0.1 Hz; the pseudorange is of the right order of magnitude."""
     shown = Shown(Circle(50, 10))
-    before, now, after = ({(m.gnss_id, m.satellite_id): m for m in shown.at(t).all("gnss_1.raw")} for t in (99.5, 100.0, 100.5))
+    before, now, after = (
+        {(m.gnss_id, m.satellite_id): m for m in shown.at(t).all("gnss_1.raw")} for t in (99.5, 100.0, 100.5)
+    )
     assert len(now) > 16
     for key, m in now.items():
         if key not in before or key not in after:
@@ -179,12 +190,18 @@ def test_the_receiver_clock_swings() -> None:
     assert shown("gnss_2.clock_info_2").bias != shown("gnss_1.clock_info_2").bias
     corrections = shown.all("filter_data.clock_correction")
     assert [c.receiver_id for c in corrections] == [1, 2]
-    assert [c.bias for c in corrections] == pytest.approx([shown(f"gnss_{i}.clock_info_2").bias for i in (1, 2)], rel=1e-6)
+    assert [c.bias for c in corrections] == pytest.approx(
+        [shown(f"gnss_{i}.clock_info_2").bias for i in (1, 2)], rel=1e-6
+    )
 
 
 def test_the_base_station_is_near() -> None:
     shown = Shown(Standing()).at(1)
-    assert isclose(dist(shown("gnss_corrections.base_station_info").ecef_position, shown("gnss_1.ecef_position").position), 5000, rel_tol=0.01)
+    assert isclose(
+        dist(shown("gnss_corrections.base_station_info").ecef_position, shown("gnss_1.ecef_position").position),
+        5000,
+        rel_tol=0.01,
+    )
 
 
 def test_orbits_do_not_age() -> None:

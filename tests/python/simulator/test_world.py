@@ -19,9 +19,7 @@ TURNED = (0.0, 1.0, 0.0, -0.6, 0.0, 0.8, 0.8, 0.0, 0.6)  # a rotation of the sen
 MOTIONS: dict[str, Motion] = {
     "standing": Standing(-33.0, 151.0, 20.0, heading=200, pitch=12, roll=-7),
     "circle": Circle(20, 5),
-    "track": Track(
-        [Waypoint(47, 8, 400), Waypoint(47.001, 8.0005, 415), Waypoint(47.0012, 8.002, 405)], 12, loop=True
-    ),
+    "track": Track([Waypoint(47, 8, 400), Waypoint(47.001, 8.0005, 415), Waypoint(47.0012, 8.002, 405)], 12, loop=True),
 }
 TIMES = (0.5, 3.0, 7.77, 21.0, 60.123)
 
@@ -240,7 +238,10 @@ def test_two_antennas_stand_along_the_heading() -> None:
         north, east, down = earth.to_ned(radians(p.latitude), radians(p.longitude), tuple(line))  # type: ignore[arg-type]
         status = shown("filter_data.gnss_dual_antenna_status")
         assert isclose(hypot(*line), 1, abs_tol=1e-6)
-        assert hypot(sin(status.heading) - east / hypot(north, east), cos(status.heading) - north / hypot(north, east)) < 1e-5
+        assert (
+            hypot(sin(status.heading) - east / hypot(north, east), cos(status.heading) - north / hypot(north, east))
+            < 1e-5
+        )
         assert status.heading == shown("filter_data.euler_angles").yaw
 
 
@@ -306,7 +307,9 @@ def test_the_magnetic_dipole() -> None:
         assert 0.28 < hypot(*earth.magnetic_field(0, radians(longitude), 0)) < 0.37
     h = 1e-5
     for latitude, longitude in ((0.3, 1.0), (-0.9, -2.0), (1.2, 0.1)):
-        turning = (earth.magnetic_field(latitude, longitude + h, 0)[0] - earth.magnetic_field(latitude, longitude - h, 0)[0]) / (2 * h)
+        turning = (
+            earth.magnetic_field(latitude, longitude + h, 0)[0] - earth.magnetic_field(latitude, longitude - h, 0)[0]
+        ) / (2 * h)
         a, b = (earth.magnetic_field(x, longitude, 0)[1] * cos(x) for x in (latitude + h, latitude - h))
         assert isclose(turning, (a - b) / (2 * h), abs_tol=1e-7), "no curl"
 
@@ -318,9 +321,14 @@ def test_times_of_one_moment() -> None:
     for seconds in (0.0, 12.5, 604_799.999, 31_536_000.001):
         shown = Shown(Standing()).at(seconds)
         gps = START + round(seconds * 1e9)
-        stamps = [shown(f"{name}") for name in ("shared.gps_timestamp", "filter_data.timestamp", "gnss_1.gps_time", "sensor.gps_timestamp")]
+        stamps = [
+            shown(f"{name}")
+            for name in ("shared.gps_timestamp", "filter_data.timestamp", "gnss_1.gps_time", "sensor.gps_timestamp")
+        ]
         for stamp in stamps:
-            assert round(stamp.tow * 1e9) == gps % (604_800 * 10**9) // 1 or isclose(stamp.tow, gps / 1e9 % 604_800, abs_tol=2e-7)
+            assert round(stamp.tow * 1e9) == gps % (604_800 * 10**9) // 1 or isclose(
+                stamp.tow, gps / 1e9 % 604_800, abs_tol=2e-7
+            )
             assert stamp.week_number == gps // (604_800 * 10**9)
         assert shown("shared.external_timestamp").nanoseconds == gps
         assert shown("shared.reference_timestamp").nanoseconds == round(seconds * 1e9)
@@ -333,7 +341,12 @@ def test_times_of_one_moment() -> None:
 
 def test_the_refresh_bit_toggles_each_second() -> None:
     shown = Shown(Standing())
-    bits = [bool(shown.at(t / 2)("sensor.gps_timestamp").valid_flags.TIME_REFRESH & shown("sensor.gps_timestamp").valid_flags) for t in range(8)]
+    bits = [
+        bool(
+            shown.at(t / 2)("sensor.gps_timestamp").valid_flags.TIME_REFRESH & shown("sensor.gps_timestamp").valid_flags
+        )
+        for t in range(8)
+    ]
     assert bits == [False, False, True, True] * 2
 
 
