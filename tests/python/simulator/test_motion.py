@@ -7,7 +7,14 @@ from pathlib import Path
 
 import pytest
 from mip_protocol.simulator.motion import (
-    Circle, Motion, MotionError, Standing, State, Track, Waypoint, parse_motion,
+    Circle,
+    Motion,
+    MotionError,
+    Standing,
+    State,
+    Track,
+    Waypoint,
+    parse_motion,
 )  # fmt: skip
 from mip_protocol.simulator.state import between, euler, matrix, quaternion, rotation, rotation_vector
 
@@ -128,7 +135,11 @@ def test_tracks_pass_their_waypoints() -> None:
     for p in TOWN:
         north, east = radii(radians(p.latitude), p.height)
         nearest = min(
-            hypot((s.latitude - radians(p.latitude)) * north, (s.longitude - radians(p.longitude)) * east, s.height - p.height)
+            hypot(
+                (s.latitude - radians(p.latitude)) * north,
+                (s.longitude - radians(p.longitude)) * east,
+                s.height - p.height,
+            )
             for s in states
         )  # fmt: skip
         assert nearest < 6
@@ -182,13 +193,14 @@ def test_motions_by_name(tmp_path: Path) -> None:
         "circle:radius=big": "circle: radius: 'big' is not a number",
         "circle:radius=nan": "circle: radius: 'nan' is not a number",
         "circle:radius=0": "circle: radius=0 must be above 0",
-        "standing:latitude=95": "standing: latitude 95, longitude 8 is no place; use degrees, with a latitude of -89 to 89",
+        "standing:latitude=95":
+            "standing: latitude 95, longitude 8 is no place; use degrees, with a latitude of -89 to 89",
         "track": "track: needs a file; write track:file=PATH",
         "track:file=": "track: needs a file; write track:file=PATH",
         "track:file=x,loop=maybe": "track: loop: 'maybe' is neither yes nor no",
         "replay": "replay: needs a file; write replay:file=PATH",
     }.items(),
-)
+)  # fmt: skip
 def test_descriptions_that_are_wrong(text: str, message: str) -> None:
     with pytest.raises(MotionError) as error:
         parse_motion(text)
@@ -203,8 +215,10 @@ def test_descriptions_that_are_wrong(text: str, message: str) -> None:
         ("47,8,400\n47.1,eight,400", "", ":2: '47.1,eight,400' is not made of numbers"),
         ("47,8\n47.1,8,400", "", ":1: 2 numbers; a waypoint has latitude, longitude, height and perhaps speed"),
         ("47,8,400\n47,8,500", "", "waypoints 1 and 2 are at the same place; remove one"),
-        ("47,8,400\n47.1,8,400\n47,8,400", "", "at waypoint 2 the way turns back by 180 degrees; put another waypoint beside it"),
-        ("47,8,400\n47.0001,8,500", "", "from waypoint 1 the way climbs 100 m in 11 m; put the waypoints farther apart"),
+        ("47,8,400\n47.1,8,400\n47,8,400", "",
+         "at waypoint 2 the way turns back by 180 degrees; put another waypoint beside it"),
+        ("47,8,400\n47.0001,8,500", "",
+         "from waypoint 1 the way climbs 100 m in 11 m; put the waypoints farther apart"),
         ("47,8,400\n95,8,400", "", "waypoint 2 is at 95, 8; use degrees, with a latitude of -89 to 89"),
         ("47,8,400,0\n47.1,8,400", "", "the speed at waypoint 1 is 0 m/s; it must be above 0"),
         ("47,8,nan\n47.1,8,400", "", "waypoint 1 has a value that is not a number"),
@@ -219,5 +233,5 @@ def test_tracks_that_are_wrong(tmp_path: Path, rows: str, options: str, message:
 
 
 def test_a_track_that_cannot_be_read(tmp_path: Path) -> None:
-    with pytest.raises(MotionError, match="track: cannot read .*none.csv"):
+    with pytest.raises(MotionError, match=r"track: cannot read .*none\.csv"):
         parse_motion(f"track:file={tmp_path}/none.csv")

@@ -14,7 +14,7 @@ from mip_protocol.simulator.world import START
 from simulated_world import TYPES, Shown
 
 SECOND = 10**9
-MOTION = "filter_data.llh_position filter_data.ned_velocity filter_data.attitude_quaternion".split()
+MOTION = ["filter_data.llh_position", "filter_data.ned_velocity", "filter_data.attitude_quaternion"]
 
 
 def record(
@@ -179,7 +179,12 @@ def test_invalid_values_say_nothing_of_the_motion(log: Path) -> None:
     kind: Any = TYPES["filter_data.llh_position"]
     stamp: Any = TYPES["filter_data.timestamp"]
     log.write_bytes(b"".join(
-        bytes(PacketBuilder(0x82).add(0x11, stamp(100.0 + i, 2300, 1).encode()).add(0x01, kind(10.0 * i, 20.0, 0.0, i % 2).encode()).build())
+        bytes(
+            PacketBuilder(0x82)
+            .add(0x11, stamp(100.0 + i, 2300, 1).encode())
+            .add(0x01, kind(10.0 * i, 20.0, 0.0, i % 2).encode())
+            .build()
+        )
         for i in range(4)
     ))  # fmt: skip
     replay = Replay(log)

@@ -235,7 +235,7 @@ def test_two_antennas_stand_along_the_heading() -> None:
         shown = Shown(motion).at(13.0)
         p = shown("gnss_1.llh_position")
         line = [b - a for a, b in zip(shown("gnss_1.ecef_position").position, shown("gnss_2.ecef_position").position)]
-        north, east, down = earth.to_ned(radians(p.latitude), radians(p.longitude), tuple(line))  # type: ignore[arg-type]
+        north, east, _down = earth.to_ned(radians(p.latitude), radians(p.longitude), tuple(line))  # type: ignore[arg-type]
         status = shown("filter_data.gnss_dual_antenna_status")
         assert isclose(hypot(*line), 1, abs_tol=1e-6)
         assert (
@@ -271,7 +271,9 @@ def test_pressure_follows_from_the_height(height: float) -> None:
 
 
 @pytest.mark.parametrize(
-    "geopotential, temperature, pressure", [(11_000, -56.5, 226.32), (20_000, -56.5, 54.749), (32_000, -44.5, 8.6802), (47_000, -2.5, 1.10906), (71_000, -58.5, 0.039564)]
+    "geopotential, temperature, pressure",
+    [(11_000, -56.5, 226.32), (20_000, -56.5, 54.749), (32_000, -44.5, 8.6802), (47_000, -2.5, 1.10906),
+     (71_000, -58.5, 0.039564)],
 )  # fmt: skip
 def test_layers_of_the_standard_atmosphere(geopotential: float, temperature: float, pressure: float) -> None:
     """The tables of 1976; the layers meet."""
