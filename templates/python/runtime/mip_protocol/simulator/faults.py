@@ -10,7 +10,7 @@ from typing import Any, TextIO
 
 from ..packet import SYNC, RawField
 from ..parser import Parser
-from . import damage
+from . import damage, wrong
 from .fault_kinds import KINDS, Plan, parse_faults, plan
 
 __all__ = ["Faults", "Injected", "json_log", "parse_faults"]
@@ -110,7 +110,7 @@ class Faults:
             for chance in {kind.of for kind in KINDS.values()}
         }
         self._lines: dict[Hashable, _Line] = {}
-        self._seen: dict[int, RawField] = {}
+        self._seen: dict[tuple[int, int], RawField] = {}
         self._taken = 0
 
     # ----------------------------------------------------------------- chances
@@ -254,13 +254,13 @@ class Faults:
         """Fields with more than the specification knows."""
         random, fields = self._random[kind], list(fields)
         if kind.startswith("unknown"):
-            added = damage.unknown_field(set, fields, random)
+            added = wrong.unknown_field(set, fields, random)
             if added is not None:
                 fields.append(added)
                 text = f"a field 0x{set:02X},0x{added.descriptor:02X} is added"
                 self._tell(now, kind, text, added=added.data)
             return fields
-        found = damage.longer(fields, places, self._most(kind), random)
+        found = wrong.longer(fields, places, self._most(kind), random)
         if found is not None:
             at, made = found
             more = made.data[len(fields[at].data) :]
@@ -289,48 +289,13 @@ class Faults:
                 if fields and (kind.startswith("unknown") or len(fields) > 1):
                     fields = self._extended(now, kind, command.set, fields, range(1, len(fields)))
             else:
-                changed, what = self._wrong(kind, command, fields, random)
+                changed, what = wrong.answer(kind, command, fields, self._seen, random)
                 if changed != fields:
                     self._tell(now, kind, what, command=command)
                     fields = changed
         if response is not None and self._active["response"]:
-            self._seen[response.descriptor] = response
+            self._seen[response.set, response.descriptor] = response
         return delay, fields
-
-    def _wrong(
-        self, kind: str, command: RawField, fields: list[RawField], random: Random
-    ) -> tuple[list[RawField], str]:
-        """An answer with a fault, and what is wrong with it; the same fields if it cannot have it."""
-        if kind == "lose_answer":
-            return [], "the answer is missing"
-        whole = len(fields) > 1 and fields[0].descriptor == damage.ACKNOWLEDGE
-        if not fields or (KINDS[kind].of == "response" and not whole):
-            return fields, ""  # another fault has taken it
-        ack, rest = fields[0], fields[1:]
-        if kind == "refuse":
-            made = damage.refusal(command, random)
-            return [made], f"refused with code {made.data[1]}"
-        if kind == "wrong_ack":
-            other = damage.other_descriptor({command.descriptor}, random)
-            made = ack._replace(data=bytes((other,)) + ack.data[1:])
-            return [made, *rest], f"the acknowledge names command 0x{other:02X}"
-        if kind == "lose_ack":
-            return rest, "the acknowledge is missing"
-        if kind == "lose_response":
-            return [ack], "the response is missing"
-        if kind == "wrong_descriptor":
-            made, what = damage.unused_response(rest[0], random), "the response has descriptor"
-            return [ack, made, *rest[1:]], f"{what} 0x{made.descriptor:02X}"
-        if kind == "other_response":
-            made, what = damage.other_response(rest[0], self._seen, random), "the response is"
-            return [ack, made, *rest[1:]], f"{what} 0x{made.set:02X},0x{made.descriptor:02X}"
-        if kind == "garbage":
-            made = damage.garbage(rest[0], random)
-            return [ack, made, *rest[1:]], "the data of the response are random"
-        shorter = damage.shorter(rest[0], random)
-        if shorter is None:
-            return fields, ""
-        return [ack, shorter, *rest[1:]], f"the response has {len(shorter.data)} bytes of data"
 
     # ----------------------------------------------------------------- to the device
 
