@@ -1,1 +1,7 @@
-"""A virtual device: answers commands and streams data as a device profile says, without hardware."""
+"""A simulated device, for development and tests without hardware."""
+
+from .device import VirtualDevice
+from .faults import Faults, Injected
+from .link import Link
+
+__all__ = ["Faults", "Injected", "Link", "VirtualDevice"]
