@@ -169,7 +169,7 @@ def test_lines_do_not_disturb_each_other() -> None:
     assert late[0] > 0 and late[1] == packet
     assert faults.transmit(0, packet, "two") == [(0, packet)]
     assert faults.transmit(0, packet, "one")[0][0] >= late[0]
-    faults.forget("one")
+    faults.forget(0, "one")
     assert faults.transmit(0, packet, "one") == [(0, packet)]
 
 

@@ -67,6 +67,7 @@ class _Line:
     free: int = 0  # when the line has sent what was delayed
     pending: bytes = b""  # what may be the start of a packet
     hidden: list[bytes] = field(default_factory=list)  # the packets in it
+    late: list[tuple[int, bytes]] = field(default_factory=list)  # packets, and when they are there
 
 
 class Faults:
@@ -168,9 +169,13 @@ class Faults:
             self._lines[line] = at
         return parts
 
-    def forget(self, line: Hashable) -> None:
-        """The line has been cut."""
-        self._lines.pop(line, None)
+    def forget(self, now: int, line: Hashable = None) -> None:
+        """The line has been cut: what was on the way is lost."""
+        at = self._lines.pop(line, _Line())
+        for arrival, packet in at.late:
+            if arrival > now:
+                text = "the packet was on the way when the line was cut"
+                self._tell(now, "disconnect", text, packet=packet, damaged=True)
 
     def _inserted(self, now: int, kind: str, right: list[bytes]) -> bytes:
         random = self._random[kind]
@@ -238,6 +243,9 @@ class Faults:
             parts = [(first, stream[:cut]), (first + later, stream[cut:])]
             text = f"{len(stream) - cut} bytes at the end come {later / 1e9:.3f} s late"
             self._tell(now, "delay", text, packet=packet)
+        at.late = [entry for entry in at.late if entry[0] > now]
+        if parts[-1][0] and packet[:2] == SYNC:
+            at.late.append((now + parts[-1][0], packet))
         if parts[-1][0]:  # what comes at that very moment comes after it
             at.free = now + parts[-1][0] + 1
         return [part for part in parts if part[1]]
