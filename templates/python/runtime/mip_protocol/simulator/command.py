@@ -184,7 +184,8 @@ def _profile(name: str | None) -> Device:
         names = {
             alias.lower(): d.id for d in DEVICES.values() for alias in (d.id, d.title, *d.also)
         }
-        near = difflib.get_close_matches(name.lower(), names, 1, 0.5)
+        near = [n for n in sorted(names) if name.lower() in n]  # a part of the name, else a similar one
+        near = near or difflib.get_close_matches(name.lower(), names, 1, 0.5)
         hint = f"do you mean {names[near[0]]}? " if near else ""
         raise Failure(f"device '{name}' is unknown; {hint}`mip simulate --list` names them all")
     return found

@@ -18,6 +18,8 @@ TURN = 0.02
 #: Seconds of the clock by which simulated time may be late before it gives up catching up, and
 #: for which clients may read what is left.
 LATE = 1.0
+#: Seconds of the clock by which data may be late, so that they come together at high rates.
+GRAIN = 0.002
 #: Clients of one TCP port.
 CLIENTS = 64
 
@@ -184,7 +186,7 @@ class Server:
         """The time that the device should have now."""
         if not self._speed:
             return self._end if self._hungry() else self._device.now
-        target = (self._clock() - self._origin) * self._speed * SECOND
+        target = int((self._clock() - self._origin) * self._speed * SECOND)
         return min(target, self._end)
 
     def _hungry(self) -> bool:
@@ -194,17 +196,16 @@ class Server:
     def _advance(self) -> None:
         """Brings the device to the present, and what it sends to the clients."""
         device, turn = self._device, self._clock() + TURN
+        while self._clock() < turn:
+            now, following, target = device.now, device.next, self._target()
+            if following is not None and following <= target:
+                device.advance(max(following - now, 1) / SECOND)
+                self._pump()
+                continue
+            if target < math.inf:  # else nothing happens until a client asks
+                device.advance(max(target - now, 0) / SECOND)
+            break
         self._pump()
-        while device.now < (target := self._target()):
-            step = target if device.next is None else min(device.next, target)
-            if not self._speed:
-                if device.next is None and self._end == math.inf:
-                    break  # nothing happens until a client asks
-                step = min(step, device.now + SECOND)
-            device.advance(max(step - device.now, 1) / SECOND)
-            self._pump()
-            if self._clock() > turn:
-                break
         self._slip()
 
     def _slip(self) -> None:
@@ -228,7 +229,7 @@ class Server:
         elif self._hungry() and not (self._device.next is None and self._end == math.inf):
             return 0.0
         first = min(waits, default=math.inf)
-        return None if first == math.inf else min(max(first - now, 0.0), 3600.0)
+        return None if first == math.inf else min(max(first - now, GRAIN), 3600.0)
 
     # ----------------------------------------------------------------- clients
 
