@@ -60,7 +60,7 @@ def _field(name: str, roles: Collection[str], at: m.Position, model: m.Model, pr
         known = [x.full_name for x in model.fields if x.role in roles and not x.definition]
         problems.add(at, f"no {' or '.join(roles)} '{name}'{nearest(name, known)}")
         return None
-    if f.definition:
+    if f.definition and f.role == m.COMMAND:
         problems.add(at, f"'{name}' repeats '{f.definition}'; write that")
         return None
     return f
@@ -122,7 +122,7 @@ class _Values:
         names = tuple(n.plain())
         types = [t for t in (p.element, *(v.type for v in p.readings)) if isinstance(t, (m.Enum, m.Bitfield))]
         wanted = m.Enum if kind == "name" else m.Bitfield
-        known = {x.name for t in types if isinstance(t, wanted) for x in _named(t)}
+        known = {name for t in types if isinstance(t, wanted) for name in _names(t)}
         for entry in n:
             if entry.value not in known:
                 what = "value" if kind == "name" else "bit"
@@ -152,8 +152,12 @@ class _Values:
         return 1.0
 
 
-def _named(t: m.Enum | m.Bitfield) -> tuple[m.EnumValue | m.Bits, ...]:
-    return t.values if isinstance(t, m.Enum) else t.bits
+def _names(t: m.Enum | m.Bitfield) -> Iterator[str]:
+    """Of values; of bits, and for a number inside the bitfield, of its values: bits.value."""
+    for x in t.values if isinstance(t, m.Enum) else t.bits:
+        yield x.name
+        if isinstance(x, m.Bits) and x.enum is not None:
+            yield from (f"{x.name}.{value.name}" for value in x.enum.values)
 
 
 # --------------------------------------------------------------------------- commands
