@@ -34,8 +34,170 @@ QUANTITIES: dict[str, str | None] = {
     "pin.level": None,
     "sensor.ranges": None,
     "receiver.list": None,
-    "gps.week": None,
     "gps.tow": "s",
+    "gps.week": "week",
+    "gps.seconds": "s",
+    "gps.microseconds": "us",
+    "gps.time": "ns",
+    "gps.flags": None,
+    "gps.leap_seconds": "s",
+    "gps.pulse_age": "s",
+    "utc.year": None,
+    "utc.month": None,
+    "utc.day": None,
+    "utc.hour": None,
+    "utc.minute": None,
+    "utc.second": "s",
+    "utc.millisecond": "ms",
+    "reference.time": "ns",
+    "reference.delta": "ns",
+    "external.delta": "ns",
+    "ticks.count": "1",
+    "ticks.delta": "1",
+    "event.trigger": None,
+    "measured.specific_force": "m/s^2",
+    "measured.angular_rate": "rad/s",
+    "measured.magnetic_field": "gauss",
+    "measured.pressure": "mbar",
+    "measured.speed": "m/s",
+    "counts.specific_force": "1",
+    "counts.angular_rate": "1",
+    "counts.magnetic_field": "1",
+    "counts.pressure": "1",
+    "counts.temperature": "1",
+    "delta.rotation": "rad",
+    "delta.velocity": "m/s",
+    "delta.matrix": "1",
+    "stabilized.up": "m/s^2",
+    "stabilized.north": "gauss",
+    "temperature.min": "degC",
+    "temperature.max": "degC",
+    "temperature.mean": "degC",
+    "gpio.states": None,
+    "gpio.voltage": "V",
+    "attitude.quaternion": "1",
+    "attitude.dcm": "1",
+    "attitude.roll": "rad",
+    "attitude.pitch": "rad",
+    "attitude.yaw": "rad",
+    "motion.angular_rate": "rad/s",
+    "motion.specific_force": "m/s^2",
+    "motion.acceleration": "m/s^2",
+    "gravity.vector": "m/s^2",
+    "gravity.magnitude": "m/s^2",
+    "bias.angular_rate": "rad/s",
+    "bias.specific_force": "m/s^2",
+    "identity.matrix": "1",
+    "identity.quaternion": "1",
+    "covariance.magnetic_field": None,
+    "position.latitude": "rad",
+    "position.longitude": "rad",
+    "position.height": "m",
+    "position.msl_height": "m",
+    "position.ecef": "m",
+    "position.relative": "m",
+    "velocity.north": "m/s",
+    "velocity.east": "m/s",
+    "velocity.down": "m/s",
+    "velocity.ecef": "m/s",
+    "magnetic.north": "gauss",
+    "magnetic.east": "gauss",
+    "magnetic.down": "gauss",
+    "magnetic.inclination": "rad",
+    "magnetic.declination": "rad",
+    "air.altitude": "m",
+    "air.temperature": "degC",
+    "air.pressure": "mbar",
+    "air.density": "kg/m^3",
+    "filter.position_uncertainty": "m",
+    "filter.aids": None,
+    "aid.source": None,
+    "aid.type": None,
+    "filter.receivers": None,
+    "receiver.id": None,
+    "receiver.clock_bias": "s",
+    "receiver.clock_drift": "s/s",
+    "gnss_1.latitude": "rad",
+    "gnss_1.longitude": "rad",
+    "gnss_1.height": "m",
+    "gnss_1.msl_height": "m",
+    "gnss_1.ecef": "m",
+    "gnss_1.velocity": "m/s",
+    "gnss_1.ecef_velocity": "m/s",
+    "gnss_1.speed": "m/s",
+    "gnss_1.ground_speed": "m/s",
+    "gnss_1.course": "rad",
+    "gnss_1.course_accuracy": "rad",
+    "gnss_1.clock_bias": "s",
+    "gnss_1.clock_drift": "s/s",
+    "gnss_1.satellites": None,
+    "gnss_2.latitude": "rad",
+    "gnss_2.longitude": "rad",
+    "gnss_2.height": "m",
+    "gnss_2.msl_height": "m",
+    "gnss_2.ecef": "m",
+    "gnss_2.velocity": "m/s",
+    "gnss_2.ecef_velocity": "m/s",
+    "gnss_2.speed": "m/s",
+    "gnss_2.ground_speed": "m/s",
+    "gnss_2.course": "rad",
+    "gnss_2.course_accuracy": "rad",
+    "gnss_2.clock_bias": "s",
+    "gnss_2.clock_drift": "s/s",
+    "gnss_2.satellites": None,
+    "dop.gdop": "1",
+    "dop.pdop": "1",
+    "dop.hdop": "1",
+    "dop.vdop": "1",
+    "dop.tdop": "1",
+    "dop.ndop": "1",
+    "dop.edop": "1",
+    "gnss.horizontal_accuracy": "m",
+    "gnss.vertical_accuracy": "m",
+    "gnss.position_accuracy": "m",
+    "satellite.index": None,
+    "satellite.count": None,
+    "satellite.used": "1",
+    "satellite.channel": None,
+    "satellite.constellation": None,
+    "satellite.id": None,
+    "satellite.signal": None,
+    "satellite.elevation": "rad",
+    "satellite.azimuth": "rad",
+    "satellite.strength": "dB-Hz",
+    "satellite.pseudorange": "m",
+    "satellite.phase": "cycle",
+    "satellite.doppler": "Hz",
+    "satellite.lock_time": "s",
+    "gnss.gps_satellites": None,
+    "sbas.system": None,
+    "sbas.id": None,
+    "sbas.corrections": "1",
+    "base_station.ecef": "m",
+    "ephemeris.gps": None,
+    "ephemeris.glonass": None,
+    "ephemeris.galileo": None,
+    "ephemeris.beidou": None,
+    "ephemeris.satellite": None,
+    "ephemeris.index": None,
+    "ephemeris.count": None,
+    "ephemeris.issue": None,
+    "ephemeris.reference_time": "s",
+    "ephemeris.semi_major_axis": "m",
+    "ephemeris.mean_anomaly": "rad",
+    "ephemeris.eccentricity": "1",
+    "ephemeris.argument_of_perigee": "rad",
+    "ephemeris.node": "rad",
+    "ephemeris.node_rate": "rad/s",
+    "ephemeris.inclination": "rad",
+    "ephemeris.clock_bias": "s",
+    "ephemeris.frequency": None,
+    "ephemeris.time_of_day": "s",
+    "ephemeris.day_time": "s",
+    "ephemeris.day": "day",
+    "ephemeris.odd": None,
+    "ephemeris.position": "m",
+    "ephemeris.velocity": "m/s",
 }
 
 #: Names of effects -> their arguments.
@@ -62,9 +224,9 @@ EFFECTS: dict[str, tuple[str, ...]] = {
     "self_test": (),
     "sentences": ("entries",),
     "switch": ("set", "enable"),
-    "trigger": ("instance", "type"),
+    "trigger": ("instance",),
     "trigger_mode": ("instance", "mode"),
-    "action": ("instance", "trigger", "type"),
+    "action": (),
 }
 
 #: Data fields and responses -> what their values show.
@@ -214,7 +376,929 @@ VALUES: dict[str, FieldValues] = {
     "gnss.receiver_info_response": FieldValues(
         "", {"receiver_info": Value(quantity="receiver.list")}
     ),
+    "sensor.raw_accel": FieldValues("", {"raw_accel": Value(quantity="counts.specific_force")}),
+    "sensor.raw_gyro": FieldValues("", {"raw_gyro": Value(quantity="counts.angular_rate")}),
+    "sensor.raw_mag": FieldValues("", {"raw_mag": Value(quantity="counts.magnetic_field")}),
+    "sensor.scaled_accel": FieldValues(
+        "", {"scaled_accel": Value(quantity="measured.specific_force", factor=0.10197162129779283)}
+    ),
+    "sensor.scaled_gyro": FieldValues("", {"scaled_gyro": Value(quantity="measured.angular_rate")}),
+    "sensor.scaled_mag": FieldValues("", {"scaled_mag": Value(quantity="measured.magnetic_field")}),
+    "sensor.delta_theta": FieldValues("", {"delta_theta": Value(quantity="delta.rotation")}),
+    "sensor.delta_velocity": FieldValues(
+        "", {"delta_velocity": Value(quantity="delta.velocity", factor=0.10197162129779283)}
+    ),
+    "sensor.comp_orientation_matrix": FieldValues("", {"m": Value(quantity="attitude.dcm")}),
+    "sensor.comp_quaternion": FieldValues("", {"q": Value(quantity="attitude.quaternion")}),
+    "sensor.comp_orientation_update_matrix": FieldValues("", {"m": Value(quantity="delta.matrix")}),
+    "sensor.comp_euler_angles": FieldValues(
+        "",
+        {
+            "roll": Value(quantity="attitude.roll"),
+            "pitch": Value(quantity="attitude.pitch"),
+            "yaw": Value(quantity="attitude.yaw"),
+        },
+    ),
+    "sensor.orientation_raw_temperature": FieldValues(
+        "", {"raw_temperature": Value(quantity="counts.temperature")}
+    ),
+    "sensor.internal_timestamp": FieldValues("", {"counts": Value(quantity="ticks.count")}),
+    "sensor.pps_timestamp": FieldValues(
+        "",
+        {"seconds": Value(quantity="gps.seconds"), "useconds": Value(quantity="gps.microseconds")},
+    ),
+    "sensor.north_vector": FieldValues("", {"stabilized_mag": Value(quantity="stabilized.north")}),
+    "sensor.up_vector": FieldValues(
+        "", {"stabilized_accel": Value(quantity="stabilized.up", factor=0.10197162129779283)}
+    ),
+    "sensor.gps_timestamp": FieldValues(
+        "",
+        {
+            "tow": Value(quantity="gps.tow"),
+            "week_number": Value(quantity="gps.week"),
+            "valid_flags": Value(quantity="gps.flags"),
+        },
+    ),
+    "sensor.temperature_statistics": FieldValues(
+        "",
+        {
+            "min_temperature": Value(quantity="temperature.min"),
+            "max_temperature": Value(quantity="temperature.max"),
+            "mean_temperature": Value(quantity="temperature.mean"),
+        },
+    ),
+    "sensor.raw_pressure": FieldValues("", {"raw_pressure": Value(quantity="counts.pressure")}),
+    "sensor.scaled_pressure": FieldValues(
+        "", {"scaled_pressure": Value(quantity="measured.pressure")}
+    ),
+    "sensor.overrange_status": FieldValues("", {"status": Value(number=0)}),
+    "sensor.odometer": FieldValues(
+        "", {"speed": Value(quantity="measured.speed"), "uncertainty": Value(number=0.05)}
+    ),
+    "shared.event_source": FieldValues("", {"trigger_id": Value(quantity="event.trigger")}),
+    "shared.ticks": FieldValues("", {"ticks": Value(quantity="ticks.count")}),
+    "shared.delta_ticks": FieldValues("", {"ticks": Value(quantity="ticks.delta")}),
+    "shared.gps_timestamp": FieldValues(
+        "", {"tow": Value(quantity="gps.tow"), "week_number": Value(quantity="gps.week")}
+    ),
+    "shared.delta_time": FieldValues(
+        "", {"seconds": Value(quantity="external.delta", factor=1e-09)}
+    ),
+    "shared.reference_timestamp": FieldValues(
+        "", {"nanoseconds": Value(quantity="reference.time")}
+    ),
+    "shared.reference_time_delta": FieldValues("", {"dt_nanos": Value(quantity="reference.delta")}),
+    "shared.external_timestamp": FieldValues("", {"nanoseconds": Value(quantity="gps.time")}),
+    "shared.external_time_delta": FieldValues("", {"dt_nanos": Value(quantity="external.delta")}),
+    "filter_data.llh_position": FieldValues(
+        "",
+        {
+            "latitude": Value(quantity="position.latitude", factor=57.29577951308232),
+            "longitude": Value(quantity="position.longitude", factor=57.29577951308232),
+            "ellipsoid_height": Value(quantity="position.height"),
+        },
+    ),
+    "filter_data.ned_velocity": FieldValues(
+        "",
+        {
+            "north": Value(quantity="velocity.north"),
+            "east": Value(quantity="velocity.east"),
+            "down": Value(quantity="velocity.down"),
+        },
+    ),
+    "filter_data.attitude_quaternion": FieldValues(
+        "", {"q": Value(quantity="attitude.quaternion")}
+    ),
+    "filter_data.attitude_dcm": FieldValues("", {"dcm": Value(quantity="attitude.dcm")}),
+    "filter_data.euler_angles": FieldValues(
+        "",
+        {
+            "roll": Value(quantity="attitude.roll"),
+            "pitch": Value(quantity="attitude.pitch"),
+            "yaw": Value(quantity="attitude.yaw"),
+        },
+    ),
+    "filter_data.gyro_bias": FieldValues("", {"bias": Value(quantity="bias.angular_rate")}),
+    "filter_data.accel_bias": FieldValues("", {"bias": Value(quantity="bias.specific_force")}),
+    "filter_data.llh_position_uncertainty": FieldValues(
+        "",
+        {
+            "north": Value(quantity="filter.position_uncertainty"),
+            "east": Value(quantity="filter.position_uncertainty"),
+            "down": Value(quantity="filter.position_uncertainty"),
+        },
+    ),
+    "filter_data.ned_velocity_uncertainty": FieldValues(
+        "", {"north": Value(number=0.03), "east": Value(number=0.03), "down": Value(number=0.03)}
+    ),
+    "filter_data.euler_angles_uncertainty": FieldValues(
+        "", {"roll": Value(number=0.002), "pitch": Value(number=0.002), "yaw": Value(number=0.01)}
+    ),
+    "filter_data.gyro_bias_uncertainty": FieldValues("", {"bias_uncertainty": Value(number=2e-05)}),
+    "filter_data.accel_bias_uncertainty": FieldValues(
+        "", {"bias_uncertainty": Value(number=0.005)}
+    ),
+    "filter_data.linear_accel": FieldValues("", {"accel": Value(quantity="motion.acceleration")}),
+    "filter_data.comp_angular_rate": FieldValues(
+        "", {"gyro": Value(quantity="motion.angular_rate")}
+    ),
+    "filter_data.wgs84_gravity_magnitude": FieldValues(
+        "", {"gravity_magnitude": Value(quantity="gravity.magnitude")}
+    ),
+    "filter_data.status": FieldValues(
+        "",
+        {
+            "filter_state": Value(names=("full_nav", "run_solution_valid")),
+            "dynamics_mode": Value(names=("default", "portable")),
+            "status_flags": Value(bits=("filter_condition.stable",)),
+        },
+    ),
+    "filter_data.timestamp": FieldValues(
+        "", {"tow": Value(quantity="gps.tow"), "week_number": Value(quantity="gps.week")}
+    ),
+    "filter_data.quaternion_attitude_uncertainty": FieldValues("", {"q": Value(number=0.005)}),
+    "filter_data.gravity_vector": FieldValues("", {"gravity": Value(quantity="gravity.vector")}),
+    "filter_data.heading_update_state": FieldValues(
+        "",
+        {
+            "heading": Value(quantity="attitude.yaw"),
+            "heading_uncertainty": Value(number=0.02),
+            "source": Value(bits=("external",)),
+        },
+    ),
+    "filter_data.magnetic_model": FieldValues(
+        "",
+        {
+            "intensity_north": Value(quantity="magnetic.north"),
+            "intensity_east": Value(quantity="magnetic.east"),
+            "intensity_down": Value(quantity="magnetic.down"),
+            "inclination": Value(quantity="magnetic.inclination"),
+            "declination": Value(quantity="magnetic.declination"),
+        },
+    ),
+    "filter_data.gyro_scale_factor": FieldValues("", {"scale_factor": Value(number=0)}),
+    "filter_data.accel_scale_factor": FieldValues("", {"scale_factor": Value(number=0)}),
+    "filter_data.gyro_scale_factor_uncertainty": FieldValues(
+        "", {"scale_factor_uncertainty": Value(number=0.001)}
+    ),
+    "filter_data.accel_scale_factor_uncertainty": FieldValues(
+        "", {"scale_factor_uncertainty": Value(number=0.001)}
+    ),
+    "filter_data.mag_bias": FieldValues("", {"bias": Value(number=0)}),
+    "filter_data.mag_bias_uncertainty": FieldValues("", {"bias_uncertainty": Value(number=0.001)}),
+    "filter_data.comp_accel": FieldValues("", {"accel": Value(quantity="motion.specific_force")}),
+    "filter_data.standard_atmosphere": FieldValues(
+        "",
+        {
+            "geometric_altitude": Value(quantity="position.msl_height"),
+            "geopotential_altitude": Value(quantity="air.altitude"),
+            "standard_temperature": Value(quantity="air.temperature"),
+            "standard_pressure": Value(quantity="air.pressure"),
+            "standard_density": Value(quantity="air.density"),
+        },
+    ),
+    "filter_data.pressure_altitude": FieldValues(
+        "", {"pressure_altitude": Value(quantity="air.altitude")}
+    ),
+    "filter_data.density_altitude": FieldValues(
+        "", {"density_altitude": Value(quantity="air.altitude")}
+    ),
+    "filter_data.mag_offset": FieldValues("", {"hard_iron": Value(number=0)}),
+    "filter_data.mag_matrix": FieldValues("", {"soft_iron": Value(quantity="identity.matrix")}),
+    "filter_data.mag_offset_uncertainty": FieldValues(
+        "", {"hard_iron_uncertainty": Value(number=0.001)}
+    ),
+    "filter_data.mag_matrix_uncertainty": FieldValues(
+        "", {"soft_iron_uncertainty": Value(number=0.001)}
+    ),
+    "filter_data.mag_covariance_matrix": FieldValues(
+        "", {"covariance": Value(quantity="covariance.magnetic_field")}
+    ),
+    "filter_data.mag_residual_vector": FieldValues("", {"residual": Value(number=0)}),
+    "filter_data.antenna_offset_correction": FieldValues("", {"offset": Value(number=0)}),
+    "filter_data.antenna_offset_correction_uncertainty": FieldValues(
+        "", {"offset_uncertainty": Value(number=0.01)}
+    ),
+    "filter_data.clock_correction": FieldValues(
+        "filter.receivers",
+        {
+            "receiver_id": Value(quantity="receiver.id"),
+            "bias": Value(quantity="receiver.clock_bias"),
+            "bias_drift": Value(quantity="receiver.clock_drift"),
+        },
+    ),
+    "filter_data.clock_correction_uncertainty": FieldValues(
+        "filter.receivers",
+        {
+            "receiver_id": Value(quantity="receiver.id"),
+            "bias_uncertainty": Value(number=1e-08),
+            "bias_drift_uncertainty": Value(number=1e-09),
+        },
+    ),
+    "filter_data.multi_antenna_offset_correction": FieldValues(
+        "filter.receivers",
+        {"receiver_id": Value(quantity="receiver.id"), "offset": Value(number=0)},
+    ),
+    "filter_data.multi_antenna_offset_correction_uncertainty": FieldValues(
+        "filter.receivers",
+        {"receiver_id": Value(quantity="receiver.id"), "offset_uncertainty": Value(number=0.01)},
+    ),
+    "filter_data.ecef_position_uncertainty": FieldValues(
+        "", {"position_uncertainty": Value(number=0.6)}
+    ),
+    "filter_data.ecef_velocity_uncertainty": FieldValues(
+        "", {"velocity_uncertainty": Value(number=0.03)}
+    ),
+    "filter_data.ecef_position": FieldValues("", {"position": Value(quantity="position.ecef")}),
+    "filter_data.ecef_velocity": FieldValues("", {"velocity": Value(quantity="velocity.ecef")}),
+    "filter_data.ned_relative_position": FieldValues(
+        "", {"relative_position": Value(quantity="position.relative")}
+    ),
+    "filter_data.gnss_position_aiding_status": FieldValues(
+        "filter.receivers",
+        {
+            "receiver_id": Value(quantity="receiver.id"),
+            "tow": Value(quantity="gps.tow"),
+            "status": Value(
+                bits=("tight_coupling", "gps_l1", "glonass_l1", "galileo_e1", "beidou_b1")
+            ),
+        },
+    ),
+    "filter_data.gnss_attitude_aiding_status": FieldValues(
+        "",
+        {
+            "tow": Value(quantity="gps.tow"),
+            "status": Value(
+                bits=("tight_coupling", "gps_l1", "glonass_l1", "galileo_e1", "beidou_b1")
+            ),
+        },
+    ),
+    "filter_data.heading_aiding_status": FieldValues(
+        "", {"tow": Value(quantity="gps.tow"), "type": Value(names=("dual_antenna",))}
+    ),
+    "filter_data.aiding_measurement_summary": FieldValues(
+        "filter.aids",
+        {
+            "tow": Value(quantity="gps.tow"),
+            "source": Value(quantity="aid.source"),
+            "type": Value(quantity="aid.type"),
+            "indicator": Value(bits=("enabled", "used")),
+        },
+    ),
+    "filter_data.odometer_scale_factor_error": FieldValues(
+        "", {"scale_factor_error": Value(number=0)}
+    ),
+    "filter_data.odometer_scale_factor_error_uncertainty": FieldValues(
+        "", {"scale_factor_error_uncertainty": Value(number=0.002)}
+    ),
+    "filter_data.gnss_dual_antenna_status": FieldValues(
+        "",
+        {
+            "tow": Value(quantity="gps.tow"),
+            "heading": Value(quantity="attitude.yaw"),
+            "heading_uncertainty": Value(number=0.005),
+            "fix_type": Value(names=("fix_da_fixed",)),
+            "status_flags": Value(
+                bits=("receiver_1_data_valid", "receiver_2_data_valid", "antenna_offsets_valid")
+            ),
+        },
+    ),
+    "filter_data.aiding_frame_config_error": FieldValues(
+        "",
+        {
+            "frame_id": Value(number=1),
+            "translation": Value(number=0),
+            "attitude": Value(quantity="identity.quaternion"),
+        },
+    ),
+    "filter_data.aiding_frame_config_error_uncertainty": FieldValues(
+        "",
+        {
+            "frame_id": Value(number=1),
+            "translation_uncertainty": Value(number=0.01),
+            "attitude_uncertainty": Value(number=0.005),
+        },
+    ),
+    "gnss_1.llh_position": FieldValues(
+        "",
+        {
+            "latitude": Value(quantity="gnss_1.latitude", factor=57.29577951308232),
+            "longitude": Value(quantity="gnss_1.longitude", factor=57.29577951308232),
+            "ellipsoid_height": Value(quantity="gnss_1.height"),
+            "msl_height": Value(quantity="gnss_1.msl_height"),
+            "horizontal_accuracy": Value(quantity="gnss.horizontal_accuracy"),
+            "vertical_accuracy": Value(quantity="gnss.vertical_accuracy"),
+        },
+    ),
+    "gnss_1.ecef_position": FieldValues(
+        "",
+        {
+            "position": Value(quantity="gnss_1.ecef"),
+            "position_accuracy": Value(quantity="gnss.position_accuracy"),
+        },
+    ),
+    "gnss_1.ned_velocity": FieldValues(
+        "",
+        {
+            "velocity": Value(quantity="gnss_1.velocity"),
+            "speed": Value(quantity="gnss_1.speed"),
+            "ground_speed": Value(quantity="gnss_1.ground_speed"),
+            "heading": Value(quantity="gnss_1.course", factor=57.29577951308232),
+            "speed_accuracy": Value(number=0.1),
+            "heading_accuracy": Value(quantity="gnss_1.course_accuracy", factor=57.29577951308232),
+        },
+    ),
+    "gnss_1.ecef_velocity": FieldValues(
+        "",
+        {
+            "velocity": Value(quantity="gnss_1.ecef_velocity"),
+            "velocity_accuracy": Value(number=0.1),
+        },
+    ),
+    "gnss_1.dop": FieldValues(
+        "",
+        {
+            "gdop": Value(quantity="dop.gdop"),
+            "pdop": Value(quantity="dop.pdop"),
+            "hdop": Value(quantity="dop.hdop"),
+            "vdop": Value(quantity="dop.vdop"),
+            "tdop": Value(quantity="dop.tdop"),
+            "ndop": Value(quantity="dop.ndop"),
+            "edop": Value(quantity="dop.edop"),
+        },
+    ),
+    "gnss_1.utc_time": FieldValues(
+        "",
+        {
+            "year": Value(quantity="utc.year"),
+            "month": Value(quantity="utc.month"),
+            "day": Value(quantity="utc.day"),
+            "hour": Value(quantity="utc.hour"),
+            "min": Value(quantity="utc.minute"),
+            "sec": Value(quantity="utc.second"),
+            "msec": Value(quantity="utc.millisecond"),
+            "valid_flags": Value(bits=("leap_seconds_known",)),
+        },
+    ),
+    "gnss_1.gps_time": FieldValues(
+        "", {"tow": Value(quantity="gps.tow"), "week_number": Value(quantity="gps.week")}
+    ),
+    "gnss_1.clock_info": FieldValues(
+        "",
+        {
+            "bias": Value(quantity="gnss_1.clock_bias"),
+            "drift": Value(quantity="gnss_1.clock_drift"),
+            "accuracy_estimate": Value(number=1e-08),
+        },
+    ),
+    "gnss_1.fix_info": FieldValues(
+        "",
+        {
+            "fix_type": Value(names=("fix_3d",)),
+            "num_sv": Value(quantity="satellite.used"),
+            "fix_flags": Value(bits=("sbas_used",)),
+        },
+    ),
+    "gnss_1.sv_info": FieldValues(
+        "gnss_1.satellites",
+        {
+            "channel": Value(quantity="satellite.channel"),
+            "satellite_id": Value(quantity="satellite.id"),
+            "carrier_noise_ratio": Value(quantity="satellite.strength"),
+            "azimuth": Value(quantity="satellite.azimuth", factor=57.29577951308232),
+            "elevation": Value(quantity="satellite.elevation", factor=57.29577951308232),
+            "sv_flags": Value(bits=("used_for_navigation", "healthy")),
+        },
+    ),
+    "gnss_1.hardware_status": FieldValues(
+        "",
+        {
+            "receiver_state": Value(names=("on",)),
+            "antenna_state": Value(names=("good",)),
+            "antenna_power": Value(names=("on",)),
+        },
+    ),
+    "gnss_1.dgps_info": FieldValues(
+        "",
+        {
+            "age": Value(number=1),
+            "base_station_id": Value(number=1),
+            "base_station_status": Value(number=0),
+            "num_channels": Value(quantity="sbas.corrections"),
+        },
+    ),
+    "gnss_1.dgps_channel": FieldValues(
+        "gnss.gps_satellites",
+        {
+            "satellite_id": Value(quantity="satellite.id"),
+            "age": Value(number=1),
+            "range_correction": Value(number=0),
+            "range_rate_correction": Value(number=0),
+        },
+    ),
+    "gnss_1.clock_info_2": FieldValues(
+        "",
+        {
+            "bias": Value(quantity="gnss_1.clock_bias"),
+            "drift": Value(quantity="gnss_1.clock_drift"),
+            "bias_accuracy_estimate": Value(number=1e-08),
+            "drift_accuracy_estimate": Value(number=1e-09),
+        },
+    ),
+    "gnss_1.gps_leap_seconds": FieldValues(
+        "", {"leap_seconds": Value(quantity="gps.leap_seconds")}
+    ),
+    "gnss_1.sbas_info": FieldValues(
+        "",
+        {
+            "tow": Value(quantity="gps.tow"),
+            "week_number": Value(quantity="gps.week"),
+            "sbas_system": Value(quantity="sbas.system"),
+            "sbas_id": Value(quantity="sbas.id"),
+            "count": Value(quantity="sbas.corrections"),
+            "sbas_status": Value(
+                bits=("range_available", "corrections_available", "integrity_available")
+            ),
+        },
+    ),
+    "gnss_1.sbas_correction": FieldValues(
+        "gnss.gps_satellites",
+        {
+            "index": Value(quantity="satellite.index"),
+            "count": Value(quantity="satellite.count"),
+            "tow": Value(quantity="gps.tow"),
+            "week_number": Value(quantity="gps.week"),
+            "gnss_id": Value(quantity="satellite.constellation"),
+            "satellite_id": Value(quantity="satellite.id"),
+            "udrei": Value(number=5),
+            "pseudorange_correction": Value(number=0),
+            "iono_correction": Value(number=0),
+        },
+    ),
+    "gnss_1.rf_error_detection": FieldValues(
+        "",
+        {
+            "rf_band": Value(names=("l1",)),
+            "jamming_state": Value(names=("none",)),
+            "spoofing_state": Value(names=("none",)),
+        },
+    ),
+    "gnss_1.satellite_status": FieldValues(
+        "gnss_1.satellites",
+        {
+            "index": Value(quantity="satellite.index"),
+            "count": Value(quantity="satellite.count"),
+            "tow": Value(quantity="gps.tow"),
+            "week_number": Value(quantity="gps.week"),
+            "gnss_id": Value(quantity="satellite.constellation"),
+            "satellite_id": Value(quantity="satellite.id"),
+            "elevation": Value(quantity="satellite.elevation", factor=57.29577951308232),
+            "azimuth": Value(quantity="satellite.azimuth", factor=57.29577951308232),
+            "health": Value(number=1),
+        },
+    ),
+    "gnss_1.raw": FieldValues(
+        "gnss_1.satellites",
+        {
+            "index": Value(quantity="satellite.index"),
+            "count": Value(quantity="satellite.count"),
+            "tow": Value(quantity="gps.tow"),
+            "week_number": Value(quantity="gps.week"),
+            "receiver_id": Value(number=1),
+            "tracking_channel": Value(quantity="satellite.channel"),
+            "gnss_id": Value(quantity="satellite.constellation"),
+            "satellite_id": Value(quantity="satellite.id"),
+            "signal_id": Value(quantity="satellite.signal"),
+            "signal_strength": Value(quantity="satellite.strength"),
+            "quality": Value(names=("fully_locked",)),
+            "pseudorange": Value(quantity="satellite.pseudorange"),
+            "carrier_phase": Value(quantity="satellite.phase"),
+            "doppler": Value(quantity="satellite.doppler"),
+            "range_uncertainty": Value(number=0.5),
+            "phase_uncertainty": Value(number=0.01),
+            "doppler_uncertainty": Value(number=0.1),
+            "lock_time": Value(quantity="satellite.lock_time"),
+        },
+    ),
+    "gnss_1.base_station_info": FieldValues(
+        "",
+        {
+            "tow": Value(quantity="gps.tow"),
+            "week_number": Value(quantity="gps.week"),
+            "ecef_position": Value(quantity="base_station.ecef"),
+            "height": Value(number=0),
+            "station_id": Value(number=1),
+            "indicators": Value(bits=("gps", "glonass", "galileo", "beidou")),
+        },
+    ),
+    "gnss_1.rtk_corrections_status": FieldValues(
+        "",
+        {
+            "tow": Value(quantity="gps.tow"),
+            "week_number": Value(quantity="gps.week"),
+            "epoch_status": Value(
+                bits=(
+                    "antenna_location_received",
+                    "gps_received",
+                    "glonass_received",
+                    "galileo_received",
+                    "beidou_received",
+                )
+            ),
+            "dongle_status": Value(number=0),
+            "gps_correction_latency": Value(number=1),
+            "glonass_correction_latency": Value(number=1),
+            "galileo_correction_latency": Value(number=1),
+            "beidou_correction_latency": Value(number=1),
+        },
+    ),
+    "gnss_1.gps_ephemeris": FieldValues(
+        "ephemeris.gps",
+        {
+            "index": Value(quantity="ephemeris.index"),
+            "count": Value(quantity="ephemeris.count"),
+            "tow": Value(quantity="gps.tow"),
+            "week_number": Value(quantity="gps.week"),
+            "satellite_id": Value(quantity="ephemeris.satellite"),
+            "health": Value(number=0),
+            "iodc": Value(quantity="ephemeris.issue"),
+            "iode": Value(quantity="ephemeris.issue"),
+            "t_oc": Value(quantity="ephemeris.reference_time"),
+            "af0": Value(quantity="ephemeris.clock_bias"),
+            "af1": Value(number=0),
+            "af2": Value(number=0),
+            "t_gd": Value(number=0),
+            "isc_l1ca": Value(number=0),
+            "isc_l2c": Value(number=0),
+            "t_oe": Value(quantity="ephemeris.reference_time"),
+            "a": Value(quantity="ephemeris.semi_major_axis"),
+            "a_dot": Value(number=0),
+            "mean_anomaly": Value(quantity="ephemeris.mean_anomaly"),
+            "delta_mean_motion": Value(number=0),
+            "delta_mean_motion_dot": Value(number=0),
+            "eccentricity": Value(quantity="ephemeris.eccentricity"),
+            "argument_of_perigee": Value(quantity="ephemeris.argument_of_perigee"),
+            "omega": Value(quantity="ephemeris.node"),
+            "omega_dot": Value(quantity="ephemeris.node_rate"),
+            "inclination": Value(quantity="ephemeris.inclination"),
+            "inclination_dot": Value(number=0),
+            "c_ic": Value(number=0),
+            "c_is": Value(number=0),
+            "c_uc": Value(number=0),
+            "c_us": Value(number=0),
+            "c_rc": Value(number=0),
+            "c_rs": Value(number=0),
+        },
+    ),
+    "gnss_1.glonass_ephemeris": FieldValues(
+        "ephemeris.glonass",
+        {
+            "index": Value(quantity="ephemeris.index"),
+            "count": Value(quantity="ephemeris.count"),
+            "tow": Value(quantity="gps.tow"),
+            "week_number": Value(quantity="gps.week"),
+            "satellite_id": Value(quantity="ephemeris.satellite"),
+            "frequency_number": Value(quantity="ephemeris.frequency"),
+            "tk": Value(quantity="ephemeris.time_of_day"),
+            "tb": Value(quantity="ephemeris.day_time"),
+            "satellite_type": Value(names=("glonass_m",)),
+            "gamma": Value(number=0),
+            "tau_n": Value(quantity="ephemeris.clock_bias"),
+            "position": Value(quantity="ephemeris.position"),
+            "velocity": Value(quantity="ephemeris.velocity"),
+            "accel": Value(number=0),
+            "health": Value(number=0),
+            "p": Value(number=3),
+            "nt": Value(quantity="ephemeris.day"),
+            "delta_tau_n": Value(number=0),
+            "ft": Value(number=2),
+            "en": Value(number=0),
+            "p1": Value(number=30),
+            "p2": Value(quantity="ephemeris.odd"),
+            "p3": Value(number=5),
+            "p4": Value(number=1),
+        },
+    ),
+    "gnss_1.galileo_ephemeris": FieldValues(
+        "ephemeris.galileo",
+        {
+            "index": Value(quantity="ephemeris.index"),
+            "count": Value(quantity="ephemeris.count"),
+            "tow": Value(quantity="gps.tow"),
+            "week_number": Value(quantity="gps.week"),
+            "satellite_id": Value(quantity="ephemeris.satellite"),
+            "health": Value(number=0),
+            "iodc": Value(quantity="ephemeris.issue"),
+            "iode": Value(quantity="ephemeris.issue"),
+            "t_oc": Value(quantity="ephemeris.reference_time"),
+            "af0": Value(quantity="ephemeris.clock_bias"),
+            "af1": Value(number=0),
+            "af2": Value(number=0),
+            "t_gd": Value(number=0),
+            "isc_l1ca": Value(number=0),
+            "isc_l2c": Value(number=0),
+            "t_oe": Value(quantity="ephemeris.reference_time"),
+            "a": Value(quantity="ephemeris.semi_major_axis"),
+            "a_dot": Value(number=0),
+            "mean_anomaly": Value(quantity="ephemeris.mean_anomaly"),
+            "delta_mean_motion": Value(number=0),
+            "delta_mean_motion_dot": Value(number=0),
+            "eccentricity": Value(quantity="ephemeris.eccentricity"),
+            "argument_of_perigee": Value(quantity="ephemeris.argument_of_perigee"),
+            "omega": Value(quantity="ephemeris.node"),
+            "omega_dot": Value(quantity="ephemeris.node_rate"),
+            "inclination": Value(quantity="ephemeris.inclination"),
+            "inclination_dot": Value(number=0),
+            "c_ic": Value(number=0),
+            "c_is": Value(number=0),
+            "c_uc": Value(number=0),
+            "c_us": Value(number=0),
+            "c_rc": Value(number=0),
+            "c_rs": Value(number=0),
+        },
+    ),
+    "gnss_1.beidou_ephemeris": FieldValues(
+        "ephemeris.beidou",
+        {
+            "index": Value(quantity="ephemeris.index"),
+            "count": Value(quantity="ephemeris.count"),
+            "tow": Value(quantity="gps.tow"),
+            "week_number": Value(quantity="gps.week"),
+            "satellite_id": Value(quantity="ephemeris.satellite"),
+            "health": Value(number=0),
+            "iodc": Value(quantity="ephemeris.issue"),
+            "iode": Value(quantity="ephemeris.issue"),
+            "t_oc": Value(quantity="ephemeris.reference_time"),
+            "af0": Value(quantity="ephemeris.clock_bias"),
+            "af1": Value(number=0),
+            "af2": Value(number=0),
+            "t_gd": Value(number=0),
+            "isc_l1ca": Value(number=0),
+            "isc_l2c": Value(number=0),
+            "t_oe": Value(quantity="ephemeris.reference_time"),
+            "a": Value(quantity="ephemeris.semi_major_axis"),
+            "a_dot": Value(number=0),
+            "mean_anomaly": Value(quantity="ephemeris.mean_anomaly"),
+            "delta_mean_motion": Value(number=0),
+            "delta_mean_motion_dot": Value(number=0),
+            "eccentricity": Value(quantity="ephemeris.eccentricity"),
+            "argument_of_perigee": Value(quantity="ephemeris.argument_of_perigee"),
+            "omega": Value(quantity="ephemeris.node"),
+            "omega_dot": Value(quantity="ephemeris.node_rate"),
+            "inclination": Value(quantity="ephemeris.inclination"),
+            "inclination_dot": Value(number=0),
+            "c_ic": Value(number=0),
+            "c_is": Value(number=0),
+            "c_uc": Value(number=0),
+            "c_us": Value(number=0),
+            "c_rc": Value(number=0),
+            "c_rs": Value(number=0),
+        },
+    ),
+    "gnss_1.gps_iono_correction": FieldValues(
+        "", {"tow": Value(quantity="gps.tow"), "week_number": Value(quantity="gps.week")}
+    ),
+    "gnss_1.galileo_iono_correction": FieldValues(
+        "", {"tow": Value(quantity="gps.tow"), "week_number": Value(quantity="gps.week")}
+    ),
+    "gnss_1.beidou_iono_correction": FieldValues(
+        "", {"tow": Value(quantity="gps.tow"), "week_number": Value(quantity="gps.week")}
+    ),
+    "gnss_2.llh_position": FieldValues(
+        "",
+        {
+            "latitude": Value(quantity="gnss_2.latitude", factor=57.29577951308232),
+            "longitude": Value(quantity="gnss_2.longitude", factor=57.29577951308232),
+            "ellipsoid_height": Value(quantity="gnss_2.height"),
+            "msl_height": Value(quantity="gnss_2.msl_height"),
+            "horizontal_accuracy": Value(quantity="gnss.horizontal_accuracy"),
+            "vertical_accuracy": Value(quantity="gnss.vertical_accuracy"),
+        },
+    ),
+    "gnss_2.ecef_position": FieldValues(
+        "",
+        {
+            "position": Value(quantity="gnss_2.ecef"),
+            "position_accuracy": Value(quantity="gnss.position_accuracy"),
+        },
+    ),
+    "gnss_2.ned_velocity": FieldValues(
+        "",
+        {
+            "velocity": Value(quantity="gnss_2.velocity"),
+            "speed": Value(quantity="gnss_2.speed"),
+            "ground_speed": Value(quantity="gnss_2.ground_speed"),
+            "heading": Value(quantity="gnss_2.course", factor=57.29577951308232),
+            "speed_accuracy": Value(number=0.1),
+            "heading_accuracy": Value(quantity="gnss_2.course_accuracy", factor=57.29577951308232),
+        },
+    ),
+    "gnss_2.ecef_velocity": FieldValues(
+        "",
+        {
+            "velocity": Value(quantity="gnss_2.ecef_velocity"),
+            "velocity_accuracy": Value(number=0.1),
+        },
+    ),
+    "gnss_2.clock_info": FieldValues(
+        "",
+        {
+            "bias": Value(quantity="gnss_2.clock_bias"),
+            "drift": Value(quantity="gnss_2.clock_drift"),
+            "accuracy_estimate": Value(number=1e-08),
+        },
+    ),
+    "gnss_2.clock_info_2": FieldValues(
+        "",
+        {
+            "bias": Value(quantity="gnss_2.clock_bias"),
+            "drift": Value(quantity="gnss_2.clock_drift"),
+            "bias_accuracy_estimate": Value(number=1e-08),
+            "drift_accuracy_estimate": Value(number=1e-09),
+        },
+    ),
+    "gnss_2.satellite_status": FieldValues(
+        "gnss_2.satellites",
+        {
+            "index": Value(quantity="satellite.index"),
+            "count": Value(quantity="satellite.count"),
+            "tow": Value(quantity="gps.tow"),
+            "week_number": Value(quantity="gps.week"),
+            "gnss_id": Value(quantity="satellite.constellation"),
+            "satellite_id": Value(quantity="satellite.id"),
+            "elevation": Value(quantity="satellite.elevation", factor=57.29577951308232),
+            "azimuth": Value(quantity="satellite.azimuth", factor=57.29577951308232),
+            "health": Value(number=1),
+        },
+    ),
+    "gnss_2.raw": FieldValues(
+        "gnss_2.satellites",
+        {
+            "index": Value(quantity="satellite.index"),
+            "count": Value(quantity="satellite.count"),
+            "tow": Value(quantity="gps.tow"),
+            "week_number": Value(quantity="gps.week"),
+            "receiver_id": Value(number=2),
+            "tracking_channel": Value(quantity="satellite.channel"),
+            "gnss_id": Value(quantity="satellite.constellation"),
+            "satellite_id": Value(quantity="satellite.id"),
+            "signal_id": Value(quantity="satellite.signal"),
+            "signal_strength": Value(quantity="satellite.strength"),
+            "quality": Value(names=("fully_locked",)),
+            "pseudorange": Value(quantity="satellite.pseudorange"),
+            "carrier_phase": Value(quantity="satellite.phase"),
+            "doppler": Value(quantity="satellite.doppler"),
+            "range_uncertainty": Value(number=0.5),
+            "phase_uncertainty": Value(number=0.01),
+            "doppler_uncertainty": Value(number=0.1),
+            "lock_time": Value(quantity="satellite.lock_time"),
+        },
+    ),
+    "system_data.time_sync_status": FieldValues(
+        "", {"time_sync": Value(number=1), "last_pps_received": Value(quantity="gps.pulse_age")}
+    ),
+    "system_data.gpio_state": FieldValues("", {"states": Value(quantity="gpio.states")}),
+    "system_data.gpio_analog_value": FieldValues(
+        "", {"gpio_id": Value(number=1), "value": Value(quantity="gpio.voltage")}
+    ),
 }
+VALUES["gnss_data.llh_position"] = VALUES["gnss_1.llh_position"]
+VALUES["gnss_corrections.llh_position"] = VALUES["gnss_1.llh_position"]
+VALUES["gnss_external.llh_position"] = VALUES["gnss_1.llh_position"]
+VALUES["gnss_external_2.llh_position"] = VALUES["gnss_1.llh_position"]
+VALUES["gnss_data.ecef_position"] = VALUES["gnss_1.ecef_position"]
+VALUES["gnss_corrections.ecef_position"] = VALUES["gnss_1.ecef_position"]
+VALUES["gnss_external.ecef_position"] = VALUES["gnss_1.ecef_position"]
+VALUES["gnss_external_2.ecef_position"] = VALUES["gnss_1.ecef_position"]
+VALUES["gnss_data.ned_velocity"] = VALUES["gnss_1.ned_velocity"]
+VALUES["gnss_corrections.ned_velocity"] = VALUES["gnss_1.ned_velocity"]
+VALUES["gnss_external.ned_velocity"] = VALUES["gnss_1.ned_velocity"]
+VALUES["gnss_external_2.ned_velocity"] = VALUES["gnss_1.ned_velocity"]
+VALUES["gnss_data.ecef_velocity"] = VALUES["gnss_1.ecef_velocity"]
+VALUES["gnss_corrections.ecef_velocity"] = VALUES["gnss_1.ecef_velocity"]
+VALUES["gnss_external.ecef_velocity"] = VALUES["gnss_1.ecef_velocity"]
+VALUES["gnss_external_2.ecef_velocity"] = VALUES["gnss_1.ecef_velocity"]
+VALUES["gnss_data.dop"] = VALUES["gnss_1.dop"]
+VALUES["gnss_2.dop"] = VALUES["gnss_1.dop"]
+VALUES["gnss_corrections.dop"] = VALUES["gnss_1.dop"]
+VALUES["gnss_external.dop"] = VALUES["gnss_1.dop"]
+VALUES["gnss_external_2.dop"] = VALUES["gnss_1.dop"]
+VALUES["gnss_data.utc_time"] = VALUES["gnss_1.utc_time"]
+VALUES["gnss_2.utc_time"] = VALUES["gnss_1.utc_time"]
+VALUES["gnss_corrections.utc_time"] = VALUES["gnss_1.utc_time"]
+VALUES["gnss_external.utc_time"] = VALUES["gnss_1.utc_time"]
+VALUES["gnss_external_2.utc_time"] = VALUES["gnss_1.utc_time"]
+VALUES["gnss_data.gps_time"] = VALUES["gnss_1.gps_time"]
+VALUES["gnss_2.gps_time"] = VALUES["gnss_1.gps_time"]
+VALUES["gnss_corrections.gps_time"] = VALUES["gnss_1.gps_time"]
+VALUES["gnss_external.gps_time"] = VALUES["gnss_1.gps_time"]
+VALUES["gnss_external_2.gps_time"] = VALUES["gnss_1.gps_time"]
+VALUES["gnss_data.clock_info"] = VALUES["gnss_1.clock_info"]
+VALUES["gnss_corrections.clock_info"] = VALUES["gnss_1.clock_info"]
+VALUES["gnss_external.clock_info"] = VALUES["gnss_1.clock_info"]
+VALUES["gnss_external_2.clock_info"] = VALUES["gnss_1.clock_info"]
+VALUES["gnss_data.fix_info"] = VALUES["gnss_1.fix_info"]
+VALUES["gnss_2.fix_info"] = VALUES["gnss_1.fix_info"]
+VALUES["gnss_corrections.fix_info"] = VALUES["gnss_1.fix_info"]
+VALUES["gnss_external.fix_info"] = VALUES["gnss_1.fix_info"]
+VALUES["gnss_external_2.fix_info"] = VALUES["gnss_1.fix_info"]
+VALUES["gnss_data.sv_info"] = VALUES["gnss_1.sv_info"]
+VALUES["gnss_2.sv_info"] = VALUES["gnss_1.sv_info"]
+VALUES["gnss_corrections.sv_info"] = VALUES["gnss_1.sv_info"]
+VALUES["gnss_external.sv_info"] = VALUES["gnss_1.sv_info"]
+VALUES["gnss_external_2.sv_info"] = VALUES["gnss_1.sv_info"]
+VALUES["gnss_data.hardware_status"] = VALUES["gnss_1.hardware_status"]
+VALUES["gnss_2.hardware_status"] = VALUES["gnss_1.hardware_status"]
+VALUES["gnss_corrections.hardware_status"] = VALUES["gnss_1.hardware_status"]
+VALUES["gnss_external.hardware_status"] = VALUES["gnss_1.hardware_status"]
+VALUES["gnss_external_2.hardware_status"] = VALUES["gnss_1.hardware_status"]
+VALUES["gnss_data.dgps_info"] = VALUES["gnss_1.dgps_info"]
+VALUES["gnss_2.dgps_info"] = VALUES["gnss_1.dgps_info"]
+VALUES["gnss_corrections.dgps_info"] = VALUES["gnss_1.dgps_info"]
+VALUES["gnss_external.dgps_info"] = VALUES["gnss_1.dgps_info"]
+VALUES["gnss_external_2.dgps_info"] = VALUES["gnss_1.dgps_info"]
+VALUES["gnss_data.dgps_channel"] = VALUES["gnss_1.dgps_channel"]
+VALUES["gnss_2.dgps_channel"] = VALUES["gnss_1.dgps_channel"]
+VALUES["gnss_corrections.dgps_channel"] = VALUES["gnss_1.dgps_channel"]
+VALUES["gnss_external.dgps_channel"] = VALUES["gnss_1.dgps_channel"]
+VALUES["gnss_external_2.dgps_channel"] = VALUES["gnss_1.dgps_channel"]
+VALUES["gnss_data.clock_info_2"] = VALUES["gnss_1.clock_info_2"]
+VALUES["gnss_corrections.clock_info_2"] = VALUES["gnss_1.clock_info_2"]
+VALUES["gnss_external.clock_info_2"] = VALUES["gnss_1.clock_info_2"]
+VALUES["gnss_external_2.clock_info_2"] = VALUES["gnss_1.clock_info_2"]
+VALUES["gnss_data.gps_leap_seconds"] = VALUES["gnss_1.gps_leap_seconds"]
+VALUES["gnss_2.gps_leap_seconds"] = VALUES["gnss_1.gps_leap_seconds"]
+VALUES["gnss_corrections.gps_leap_seconds"] = VALUES["gnss_1.gps_leap_seconds"]
+VALUES["gnss_external.gps_leap_seconds"] = VALUES["gnss_1.gps_leap_seconds"]
+VALUES["gnss_external_2.gps_leap_seconds"] = VALUES["gnss_1.gps_leap_seconds"]
+VALUES["gnss_data.sbas_info"] = VALUES["gnss_1.sbas_info"]
+VALUES["gnss_2.sbas_info"] = VALUES["gnss_1.sbas_info"]
+VALUES["gnss_corrections.sbas_info"] = VALUES["gnss_1.sbas_info"]
+VALUES["gnss_external.sbas_info"] = VALUES["gnss_1.sbas_info"]
+VALUES["gnss_external_2.sbas_info"] = VALUES["gnss_1.sbas_info"]
+VALUES["gnss_data.sbas_correction"] = VALUES["gnss_1.sbas_correction"]
+VALUES["gnss_2.sbas_correction"] = VALUES["gnss_1.sbas_correction"]
+VALUES["gnss_corrections.sbas_correction"] = VALUES["gnss_1.sbas_correction"]
+VALUES["gnss_external.sbas_correction"] = VALUES["gnss_1.sbas_correction"]
+VALUES["gnss_external_2.sbas_correction"] = VALUES["gnss_1.sbas_correction"]
+VALUES["gnss_data.rf_error_detection"] = VALUES["gnss_1.rf_error_detection"]
+VALUES["gnss_2.rf_error_detection"] = VALUES["gnss_1.rf_error_detection"]
+VALUES["gnss_corrections.rf_error_detection"] = VALUES["gnss_1.rf_error_detection"]
+VALUES["gnss_external.rf_error_detection"] = VALUES["gnss_1.rf_error_detection"]
+VALUES["gnss_external_2.rf_error_detection"] = VALUES["gnss_1.rf_error_detection"]
+VALUES["gnss_data.satellite_status"] = VALUES["gnss_1.satellite_status"]
+VALUES["gnss_corrections.satellite_status"] = VALUES["gnss_1.satellite_status"]
+VALUES["gnss_external.satellite_status"] = VALUES["gnss_1.satellite_status"]
+VALUES["gnss_external_2.satellite_status"] = VALUES["gnss_1.satellite_status"]
+VALUES["gnss_data.raw"] = VALUES["gnss_1.raw"]
+VALUES["gnss_corrections.raw"] = VALUES["gnss_1.raw"]
+VALUES["gnss_external.raw"] = VALUES["gnss_1.raw"]
+VALUES["gnss_external_2.raw"] = VALUES["gnss_1.raw"]
+VALUES["gnss_data.base_station_info"] = VALUES["gnss_1.base_station_info"]
+VALUES["gnss_2.base_station_info"] = VALUES["gnss_1.base_station_info"]
+VALUES["gnss_corrections.base_station_info"] = VALUES["gnss_1.base_station_info"]
+VALUES["gnss_external.base_station_info"] = VALUES["gnss_1.base_station_info"]
+VALUES["gnss_external_2.base_station_info"] = VALUES["gnss_1.base_station_info"]
+VALUES["gnss_data.rtk_corrections_status"] = VALUES["gnss_1.rtk_corrections_status"]
+VALUES["gnss_2.rtk_corrections_status"] = VALUES["gnss_1.rtk_corrections_status"]
+VALUES["gnss_corrections.rtk_corrections_status"] = VALUES["gnss_1.rtk_corrections_status"]
+VALUES["gnss_external.rtk_corrections_status"] = VALUES["gnss_1.rtk_corrections_status"]
+VALUES["gnss_external_2.rtk_corrections_status"] = VALUES["gnss_1.rtk_corrections_status"]
+VALUES["gnss_data.gps_ephemeris"] = VALUES["gnss_1.gps_ephemeris"]
+VALUES["gnss_2.gps_ephemeris"] = VALUES["gnss_1.gps_ephemeris"]
+VALUES["gnss_corrections.gps_ephemeris"] = VALUES["gnss_1.gps_ephemeris"]
+VALUES["gnss_external.gps_ephemeris"] = VALUES["gnss_1.gps_ephemeris"]
+VALUES["gnss_external_2.gps_ephemeris"] = VALUES["gnss_1.gps_ephemeris"]
+VALUES["gnss_data.glonass_ephemeris"] = VALUES["gnss_1.glonass_ephemeris"]
+VALUES["gnss_2.glonass_ephemeris"] = VALUES["gnss_1.glonass_ephemeris"]
+VALUES["gnss_corrections.glonass_ephemeris"] = VALUES["gnss_1.glonass_ephemeris"]
+VALUES["gnss_external.glonass_ephemeris"] = VALUES["gnss_1.glonass_ephemeris"]
+VALUES["gnss_external_2.glonass_ephemeris"] = VALUES["gnss_1.glonass_ephemeris"]
+VALUES["gnss_data.galileo_ephemeris"] = VALUES["gnss_1.galileo_ephemeris"]
+VALUES["gnss_2.galileo_ephemeris"] = VALUES["gnss_1.galileo_ephemeris"]
+VALUES["gnss_corrections.galileo_ephemeris"] = VALUES["gnss_1.galileo_ephemeris"]
+VALUES["gnss_external.galileo_ephemeris"] = VALUES["gnss_1.galileo_ephemeris"]
+VALUES["gnss_external_2.galileo_ephemeris"] = VALUES["gnss_1.galileo_ephemeris"]
+VALUES["gnss_data.beidou_ephemeris"] = VALUES["gnss_1.beidou_ephemeris"]
+VALUES["gnss_2.beidou_ephemeris"] = VALUES["gnss_1.beidou_ephemeris"]
+VALUES["gnss_corrections.beidou_ephemeris"] = VALUES["gnss_1.beidou_ephemeris"]
+VALUES["gnss_external.beidou_ephemeris"] = VALUES["gnss_1.beidou_ephemeris"]
+VALUES["gnss_external_2.beidou_ephemeris"] = VALUES["gnss_1.beidou_ephemeris"]
+VALUES["gnss_data.gps_iono_correction"] = VALUES["gnss_1.gps_iono_correction"]
+VALUES["gnss_2.gps_iono_correction"] = VALUES["gnss_1.gps_iono_correction"]
+VALUES["gnss_corrections.gps_iono_correction"] = VALUES["gnss_1.gps_iono_correction"]
+VALUES["gnss_external.gps_iono_correction"] = VALUES["gnss_1.gps_iono_correction"]
+VALUES["gnss_external_2.gps_iono_correction"] = VALUES["gnss_1.gps_iono_correction"]
+VALUES["gnss_data.galileo_iono_correction"] = VALUES["gnss_1.galileo_iono_correction"]
+VALUES["gnss_2.galileo_iono_correction"] = VALUES["gnss_1.galileo_iono_correction"]
+VALUES["gnss_corrections.galileo_iono_correction"] = VALUES["gnss_1.galileo_iono_correction"]
+VALUES["gnss_external.galileo_iono_correction"] = VALUES["gnss_1.galileo_iono_correction"]
+VALUES["gnss_external_2.galileo_iono_correction"] = VALUES["gnss_1.galileo_iono_correction"]
+VALUES["gnss_data.beidou_iono_correction"] = VALUES["gnss_1.beidou_iono_correction"]
+VALUES["gnss_2.beidou_iono_correction"] = VALUES["gnss_1.beidou_iono_correction"]
+VALUES["gnss_corrections.beidou_iono_correction"] = VALUES["gnss_1.beidou_iono_correction"]
+VALUES["gnss_external.beidou_iono_correction"] = VALUES["gnss_1.beidou_iono_correction"]
+VALUES["gnss_external_2.beidou_iono_correction"] = VALUES["gnss_1.beidou_iono_correction"]
 
 #: Commands -> what they do beside keeping a setting.
 COMMANDS: dict[str, Behavior] = {
@@ -292,15 +1376,12 @@ COMMANDS: dict[str, Behavior] = {
     ),
     "3dm.event_trigger_config": Behavior(
         effect="trigger",
-        arguments={"instance": "instance", "type": "type"},
+        arguments={"instance": "instance"},
         all={"instance": 0},
         instances={"instance": "event_triggers"},
     ),
     "3dm.event_action_config": Behavior(
-        effect="action",
-        arguments={"instance": "instance", "trigger": "trigger", "type": "type"},
-        all={"instance": 0},
-        instances={"instance": "event_actions"},
+        effect="action", all={"instance": 0}, instances={"instance": "event_actions"}
     ),
     "3dm.get_event_support": Behavior(arguments={"query": "query"}),
     "3dm.get_event_trigger_status": Behavior(arguments={"instances": "requested_instances"}),
@@ -340,11 +1421,7 @@ COMMANDS: dict[str, Behavior] = {
         initial={"matrix": (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)}
     ),
     "3dm.uart_baud_rate": Behavior(
-        effect="baud_rate",
-        arguments={"baud": "baud"},
-        setting="base.comm_speed",
-        key={"port": 17},
-        initial={"baud": 115200},
+        effect="baud_rate", arguments={"baud": "baud"}, initial={"baud": 115200}
     ),
     "3dm.gpio_config": Behavior(
         effect="pin",
@@ -352,11 +1429,7 @@ COMMANDS: dict[str, Behavior] = {
         all={"pin": 0},
         instances={"pin": "gpio_pins"},
     ),
-    "3dm.gpio_state": Behavior(
-        effect="pin_state",
-        arguments={"pin": "pin", "state": "state"},
-        instances={"pin": "gpio_pins"},
-    ),
+    "3dm.gpio_state": Behavior(effect="pin_state", arguments={"pin": "pin", "state": "state"}),
     "3dm.sensor_range": Behavior(all={"sensor": 0}, initial={"setting": 1}),
     "3dm.get_calibrated_sensor_ranges": Behavior(arguments={"sensor": "sensor"}),
     "3dm.device_status": Behavior(
