@@ -112,6 +112,8 @@ class VirtualDevice:
 
     def disconnect(self, link: Link) -> None:
         link.closed = True
+        if self.faults is not None:
+            self.faults.forget(self.now, link)
         self.links = [other for other in self.links if other is not link]
 
     def advance(self, seconds: float) -> None:
@@ -124,6 +126,8 @@ class VirtualDevice:
             self._move(due)
             for link in self.links:
                 link.arrive(due)
+                for data in link.due(due):
+                    self._transmit(link, data)
             for stream in list(self._streams):
                 if stream.next <= due and stream in self._streams:
                     stream.fire()
@@ -373,12 +377,16 @@ class VirtualDevice:
         """Data, to one host or to all."""
         self._tell("data", data)
         for other in self.links if link is None else (link,):
-            self._transmit(other, data, 0)
+            self._transmit(other, data)
 
-    def _transmit(self, link: Link, data: bytes, delay: int) -> None:
+    def _transmit(self, link: Link, data: bytes, delay: int = 0) -> None:
+        """What is late meets the faults of the line when it is sent, so that the line keeps its order."""
+        if delay > 0:
+            link.hold(self.now + delay, data)
+            return
         self.bytes_sent += len(data)
-        parts = [(0, data)] if self.faults is None else self.faults.transmit(self.now, data)
-        link.send(self.now, [(delay + late, piece) for late, piece in parts])
+        parts = [(0, data)] if self.faults is None else self.faults.transmit(self.now, data, link)
+        link.send(self.now, parts)
 
     def _tell(self, what: str, data: bytes) -> None:
         if self.trace is not None:

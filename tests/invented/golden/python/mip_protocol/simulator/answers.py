@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 from .. import reflection
 from ..field import Command, Response, Structure
 from ..parameter import Parameter
-from . import knowledge, world
+from . import knowledge
 from ._facts import COMMANDS, VALUES
 from .checks import NOTHING
 from .facts import FieldValues, Value
+from .names import named
 from .settings import _filled as filled
 from .settings import arguments, is_setting
 
@@ -78,7 +79,7 @@ def _shown(device: VirtualDevice, p: Parameter, value: Value, context: dict[str,
     if value.number is not None:
         return value.number
     if value.names or value.bits:
-        return world.named(p.type, value.names or value.bits)
+        return named(p.type, value.names or value.bits)
     found = quantity(device, value.quantity, context)
     if p.type is not None and isinstance(p.type, type) and issubclass(p.type, Structure):
         return tuple(p.type(*item) for item in found)
