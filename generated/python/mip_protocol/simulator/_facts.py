@@ -31,6 +31,8 @@ QUANTITIES: dict[str, str | None] = {
     "event.types": None,
     "event.triggers": None,
     "event.actions": None,
+    "port.incoming": None,
+    "port.outgoing": None,
     "pin.level": None,
     "sensor.ranges": None,
     "receiver.list": None,
@@ -219,6 +221,7 @@ EFFECTS: dict[str, tuple[str, ...]] = {
     "pin_state": ("pin", "state"),
     "poll": ("set", "fields"),
     "poll_sentences": ("entries",),
+    "protocols": ("port", "incoming", "outgoing"),
     "restart": (),
     "resume": (),
     "self_test": (),
@@ -371,6 +374,13 @@ VALUES: dict[str, FieldValues] = {
             "comm_port_bytes_written": Value(quantity="device.bytes_sent"),
             "comm_port_bytes_read": Value(quantity="device.bytes_received"),
             "comm_port_write_overruns": Value(quantity="device.packets_dropped"),
+        },
+    ),
+    "system.interface_control_response": FieldValues(
+        "",
+        {
+            "protocols_incoming": Value(quantity="port.incoming"),
+            "protocols_outgoing": Value(quantity="port.outgoing"),
         },
     ),
     "gnss.receiver_info_response": FieldValues(
@@ -1472,6 +1482,16 @@ COMMANDS: dict[str, Behavior] = {
         instances={"frame_id": "aiding_frames"},
     ),
     "aiding.echo_control": Behavior(initial={"mode": 1}),
+    "system.interface_control": Behavior(
+        effect="protocols",
+        arguments={
+            "port": "port",
+            "incoming": "protocols_incoming",
+            "outgoing": "protocols_outgoing",
+        },
+        all={"port": 0},
+        instances={"port": "ports"},
+    ),
     "system.comm_mode": Behavior(effect="communication_mode", arguments={"mode": "mode"}),
 }
 
