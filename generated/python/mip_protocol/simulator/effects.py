@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from ..field import Command
-from . import knowledge, views
+from . import knowledge, ports, views
 from ._facts import COMMANDS
 from .checks import NOTHING, data_sets
 from .codes import COMMAND_FAILED, INVALID_PARAMETER, READ, SETS, Refused
@@ -182,6 +182,12 @@ def _gps_time(device: VirtualDevice, call: Call) -> Outcome:
     return DONE
 
 
+def _protocols(device: VirtualDevice, call: Call) -> Outcome:
+    if call.writes:
+        ports.check(device, call.values, call.link)
+    return Outcome(after=lambda: ports.arrange(device))
+
+
 # --------------------------------------------------------------------------- events and pins
 
 
@@ -246,6 +252,7 @@ EFFECTS: dict[str, Effect] = {
     "pin_state": _pin_state,
     "poll": _poll,
     "poll_sentences": _poll_sentences,
+    "protocols": _protocols,
     "restart": _restart,
     "resume": _resume,
     "self_test": _self_test,
