@@ -31,6 +31,8 @@ QUANTITIES: dict[str, str | None] = {
     "event.types": None,
     "event.triggers": None,
     "event.actions": None,
+    "port.incoming": None,
+    "port.outgoing": None,
     "pin.level": None,
     "sensor.ranges": None,
     "receiver.list": None,
@@ -87,6 +89,7 @@ QUANTITIES: dict[str, str | None] = {
     "gravity.magnitude": "m/s^2",
     "bias.angular_rate": "rad/s",
     "bias.specific_force": "m/s^2",
+    "bias.gyro_setting": "rad/s",
     "identity.matrix": "1",
     "identity.quaternion": "1",
     "covariance.magnetic_field": None,
@@ -202,6 +205,7 @@ QUANTITIES: dict[str, str | None] = {
 
 #: Names of effects -> their arguments.
 EFFECTS: dict[str, tuple[str, ...]] = {
+    "accel_bias": ("bias",),
     "all_settings": (),
     "baud_rate": ("port", "baud"),
     "capture": ("milliseconds",),
@@ -211,6 +215,7 @@ EFFECTS: dict[str, tuple[str, ...]] = {
     "format": ("set", "fields"),
     "frame_rotation": ("format", "rotation"),
     "gps_time": ("field", "value"),
+    "gyro_bias": ("bias",),
     "idle": (),
     "orientation_dcm": ("dcm", "inverse"),
     "orientation_euler": ("roll", "pitch", "yaw", "inverse"),
@@ -219,6 +224,7 @@ EFFECTS: dict[str, tuple[str, ...]] = {
     "pin_state": ("pin", "state"),
     "poll": ("set", "fields"),
     "poll_sentences": ("entries",),
+    "protocols": ("port", "incoming", "outgoing"),
     "restart": (),
     "resume": (),
     "self_test": (),
@@ -276,6 +282,7 @@ VALUES: dict[str, FieldValues] = {
     "3dm.get_event_action_status_response": FieldValues(
         "", {"actions": Value(quantity="event.actions")}
     ),
+    "3dm.gyro_bias_response": FieldValues("", {"bias": Value(quantity="bias.gyro_setting")}),
     "3dm.gpio_state_response": FieldValues("", {"state": Value(quantity="pin.level")}),
     "3dm.get_calibrated_sensor_ranges_response": FieldValues(
         "", {"ranges": Value(quantity="sensor.ranges")}
@@ -371,6 +378,13 @@ VALUES: dict[str, FieldValues] = {
             "comm_port_bytes_written": Value(quantity="device.bytes_sent"),
             "comm_port_bytes_read": Value(quantity="device.bytes_received"),
             "comm_port_write_overruns": Value(quantity="device.packets_dropped"),
+        },
+    ),
+    "system.interface_control_response": FieldValues(
+        "",
+        {
+            "protocols_incoming": Value(quantity="port.incoming"),
+            "protocols_outgoing": Value(quantity="port.outgoing"),
         },
     ),
     "gnss.receiver_info_response": FieldValues(
@@ -1417,6 +1431,8 @@ COMMANDS: dict[str, Behavior] = {
         arguments={"q": "q", "inverse": 1},
         setting="filter.sensor_to_vehicle_rotation_euler",
     ),
+    "3dm.accel_bias": Behavior(effect="accel_bias", arguments={"bias": "bias"}),
+    "3dm.gyro_bias": Behavior(effect="gyro_bias", arguments={"bias": "bias"}),
     "3dm.capture_gyro_bias": Behavior(
         effect="capture", arguments={"milliseconds": "averaging_time_ms"}, setting="3dm.gyro_bias"
     ),
@@ -1472,6 +1488,16 @@ COMMANDS: dict[str, Behavior] = {
         instances={"frame_id": "aiding_frames"},
     ),
     "aiding.echo_control": Behavior(initial={"mode": 1}),
+    "system.interface_control": Behavior(
+        effect="protocols",
+        arguments={
+            "port": "port",
+            "incoming": "protocols_incoming",
+            "outgoing": "protocols_outgoing",
+        },
+        all={"port": 0},
+        instances={"port": "ports"},
+    ),
     "system.comm_mode": Behavior(effect="communication_mode", arguments={"mode": "mode"}),
 }
 
