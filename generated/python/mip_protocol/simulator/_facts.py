@@ -31,6 +31,8 @@ QUANTITIES: dict[str, str | None] = {
     "event.types": None,
     "event.triggers": None,
     "event.actions": None,
+    "port.incoming": None,
+    "port.outgoing": None,
     "pin.level": None,
     "sensor.ranges": None,
     "receiver.list": None,
@@ -109,6 +111,7 @@ QUANTITIES: dict[str, str | None] = {
     "air.temperature": "degC",
     "air.pressure": "mbar",
     "air.density": "kg/m^3",
+    "filter.position_uncertainty": "m",
     "filter.aids": None,
     "aid.source": None,
     "aid.type": None,
@@ -151,6 +154,9 @@ QUANTITIES: dict[str, str | None] = {
     "dop.tdop": "1",
     "dop.ndop": "1",
     "dop.edop": "1",
+    "gnss.horizontal_accuracy": "m",
+    "gnss.vertical_accuracy": "m",
+    "gnss.position_accuracy": "m",
     "satellite.index": None,
     "satellite.count": None,
     "satellite.used": "1",
@@ -215,14 +221,15 @@ EFFECTS: dict[str, tuple[str, ...]] = {
     "pin_state": ("pin", "state"),
     "poll": ("set", "fields"),
     "poll_sentences": ("entries",),
+    "protocols": ("port", "incoming", "outgoing"),
     "restart": (),
     "resume": (),
     "self_test": (),
     "sentences": ("entries",),
     "switch": ("set", "enable"),
-    "trigger": ("instance",),
+    "trigger": ("instance", "type"),
     "trigger_mode": ("instance", "mode"),
-    "action": (),
+    "action": ("instance", "trigger", "type"),
 }
 
 #: Data fields and responses -> what their values show.
@@ -369,6 +376,13 @@ VALUES: dict[str, FieldValues] = {
             "comm_port_write_overruns": Value(quantity="device.packets_dropped"),
         },
     ),
+    "system.interface_control_response": FieldValues(
+        "",
+        {
+            "protocols_incoming": Value(quantity="port.incoming"),
+            "protocols_outgoing": Value(quantity="port.outgoing"),
+        },
+    ),
     "gnss.receiver_info_response": FieldValues(
         "", {"receiver_info": Value(quantity="receiver.list")}
     ),
@@ -477,7 +491,12 @@ VALUES: dict[str, FieldValues] = {
     "filter_data.gyro_bias": FieldValues("", {"bias": Value(quantity="bias.angular_rate")}),
     "filter_data.accel_bias": FieldValues("", {"bias": Value(quantity="bias.specific_force")}),
     "filter_data.llh_position_uncertainty": FieldValues(
-        "", {"north": Value(number=0.6), "east": Value(number=0.6), "down": Value(number=0.6)}
+        "",
+        {
+            "north": Value(quantity="filter.position_uncertainty"),
+            "east": Value(quantity="filter.position_uncertainty"),
+            "down": Value(quantity="filter.position_uncertainty"),
+        },
     ),
     "filter_data.ned_velocity_uncertainty": FieldValues(
         "", {"north": Value(number=0.03), "east": Value(number=0.03), "down": Value(number=0.03)}
@@ -677,12 +696,16 @@ VALUES: dict[str, FieldValues] = {
             "longitude": Value(quantity="gnss_1.longitude", factor=57.29577951308232),
             "ellipsoid_height": Value(quantity="gnss_1.height"),
             "msl_height": Value(quantity="gnss_1.msl_height"),
-            "horizontal_accuracy": Value(number=1.0),
-            "vertical_accuracy": Value(number=1.5),
+            "horizontal_accuracy": Value(quantity="gnss.horizontal_accuracy"),
+            "vertical_accuracy": Value(quantity="gnss.vertical_accuracy"),
         },
     ),
     "gnss_1.ecef_position": FieldValues(
-        "", {"position": Value(quantity="gnss_1.ecef"), "position_accuracy": Value(number=1.8)}
+        "",
+        {
+            "position": Value(quantity="gnss_1.ecef"),
+            "position_accuracy": Value(quantity="gnss.position_accuracy"),
+        },
     ),
     "gnss_1.ned_velocity": FieldValues(
         "",
@@ -1058,12 +1081,16 @@ VALUES: dict[str, FieldValues] = {
             "longitude": Value(quantity="gnss_2.longitude", factor=57.29577951308232),
             "ellipsoid_height": Value(quantity="gnss_2.height"),
             "msl_height": Value(quantity="gnss_2.msl_height"),
-            "horizontal_accuracy": Value(number=1.0),
-            "vertical_accuracy": Value(number=1.5),
+            "horizontal_accuracy": Value(quantity="gnss.horizontal_accuracy"),
+            "vertical_accuracy": Value(quantity="gnss.vertical_accuracy"),
         },
     ),
     "gnss_2.ecef_position": FieldValues(
-        "", {"position": Value(quantity="gnss_2.ecef"), "position_accuracy": Value(number=1.8)}
+        "",
+        {
+            "position": Value(quantity="gnss_2.ecef"),
+            "position_accuracy": Value(quantity="gnss.position_accuracy"),
+        },
     ),
     "gnss_2.ned_velocity": FieldValues(
         "",
@@ -1359,12 +1386,15 @@ COMMANDS: dict[str, Behavior] = {
     ),
     "3dm.event_trigger_config": Behavior(
         effect="trigger",
-        arguments={"instance": "instance"},
+        arguments={"instance": "instance", "type": "type"},
         all={"instance": 0},
         instances={"instance": "event_triggers"},
     ),
     "3dm.event_action_config": Behavior(
-        effect="action", all={"instance": 0}, instances={"instance": "event_actions"}
+        effect="action",
+        arguments={"instance": "instance", "trigger": "trigger", "type": "type"},
+        all={"instance": 0},
+        instances={"instance": "event_actions"},
     ),
     "3dm.get_event_support": Behavior(arguments={"query": "query"}),
     "3dm.get_event_trigger_status": Behavior(arguments={"instances": "requested_instances"}),
@@ -1404,7 +1434,11 @@ COMMANDS: dict[str, Behavior] = {
         initial={"matrix": (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)}
     ),
     "3dm.uart_baud_rate": Behavior(
-        effect="baud_rate", arguments={"baud": "baud"}, initial={"baud": 115200}
+        effect="baud_rate",
+        arguments={"baud": "baud"},
+        setting="base.comm_speed",
+        key={"port": 17},
+        initial={"baud": 115200},
     ),
     "3dm.gpio_config": Behavior(
         effect="pin",
@@ -1412,7 +1446,11 @@ COMMANDS: dict[str, Behavior] = {
         all={"pin": 0},
         instances={"pin": "gpio_pins"},
     ),
-    "3dm.gpio_state": Behavior(effect="pin_state", arguments={"pin": "pin", "state": "state"}),
+    "3dm.gpio_state": Behavior(
+        effect="pin_state",
+        arguments={"pin": "pin", "state": "state"},
+        instances={"pin": "gpio_pins"},
+    ),
     "3dm.sensor_range": Behavior(all={"sensor": 0}, initial={"setting": 1}),
     "3dm.get_calibrated_sensor_ranges": Behavior(arguments={"sensor": "sensor"}),
     "3dm.device_status": Behavior(
@@ -1444,6 +1482,16 @@ COMMANDS: dict[str, Behavior] = {
         instances={"frame_id": "aiding_frames"},
     ),
     "aiding.echo_control": Behavior(initial={"mode": 1}),
+    "system.interface_control": Behavior(
+        effect="protocols",
+        arguments={
+            "port": "port",
+            "incoming": "protocols_incoming",
+            "outgoing": "protocols_outgoing",
+        },
+        all={"port": 0},
+        instances={"port": "ports"},
+    ),
     "system.comm_mode": Behavior(effect="communication_mode", arguments={"mode": "mode"}),
 }
 

@@ -125,22 +125,22 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _device(options: argparse.Namespace, profile: Device, faults: Faults | None) -> Any:
-    from .codes import SimulatorError
     from .device import VirtualDevice
     from .motion import parse_motion
     from .state import MotionError
 
     try:
-        return VirtualDevice(
-            profile,
-            motion=parse_motion(options.motion),
-            seed=options.seed,
-            start=options.start,
-            storage=options.storage,
-            faults=faults,
-        )
-    except (SimulatorError, MotionError) as error:
-        raise Failure(str(error)) from None
+        motion = parse_motion(options.motion)
+    except MotionError as error:
+        raise Failure(f"--motion {error}") from None
+    return VirtualDevice(
+        profile,
+        motion=motion,
+        seed=options.seed,
+        start=options.start,
+        storage=options.storage,
+        faults=faults,
+    )
 
 
 def _faults(options: argparse.Namespace, stack: ExitStack) -> Faults | None:
@@ -184,7 +184,10 @@ def _profile(name: str | None) -> Device:
         names = {
             alias.lower(): d.id for d in DEVICES.values() for alias in (d.id, d.title, *d.also)
         }
-        near = difflib.get_close_matches(name.lower(), names, 1, 0.5)
+        near = [
+            n for n in sorted(names) if name.lower() in n
+        ]  # a part of the name, else a similar one
+        near = near or difflib.get_close_matches(name.lower(), names, 1, 0.5)
         hint = f"do you mean {names[near[0]]}? " if near else ""
         raise Failure(f"device '{name}' is unknown; {hint}`mip simulate --list` names them all")
     return found

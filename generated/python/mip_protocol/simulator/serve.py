@@ -15,8 +15,11 @@ from .endpoints import Endpoint, Listener, Pty, scrambler
 SECOND = 1_000_000_000
 #: Seconds of the clock for which the device may be advanced before clients are served again.
 TURN = 0.02
-#: Seconds of the clock by which simulated time may be late before it gives up catching up.
+#: Seconds of the clock by which simulated time may be late before it gives up catching up, and
+#: for which clients may read what is left.
 LATE = 1.0
+#: Seconds of the clock by which data may be late, so that they come together at high rates.
+GRAIN = 0.002
 #: Clients of one TCP port.
 CLIENTS = 64
 
@@ -183,7 +186,7 @@ class Server:
         """The time that the device should have now."""
         if not self._speed:
             return self._end if self._hungry() else self._device.now
-        target = (self._clock() - self._origin) * self._speed * SECOND
+        target = int((self._clock() - self._origin) * self._speed * SECOND)
         return min(target, self._end)
 
     def _hungry(self) -> bool:
@@ -193,17 +196,16 @@ class Server:
     def _advance(self) -> None:
         """Brings the device to the present, and what it sends to the clients."""
         device, turn = self._device, self._clock() + TURN
+        while self._clock() < turn:
+            now, following, target = device.now, device.next, self._target()
+            if following is not None and following <= target:
+                device.advance(max(following - now, 1) / SECOND)
+                self._pump()
+                continue
+            if target < math.inf:  # else nothing happens until a client asks
+                device.advance(max(target - now, 0) / SECOND)
+            break
         self._pump()
-        while device.now < (target := self._target()):
-            step = target if device.next is None else min(device.next, target)
-            if not self._speed:
-                if device.next is None and self._end == math.inf:
-                    break  # nothing happens until a client asks
-                step = min(step, device.now + SECOND)
-            device.advance(max(step - device.now, 1) / SECOND)
-            self._pump()
-            if self._clock() > turn:
-                break
         self._slip()
 
     def _slip(self) -> None:
@@ -227,7 +229,7 @@ class Server:
         elif self._hungry() and not (self._device.next is None and self._end == math.inf):
             return 0.0
         first = min(waits, default=math.inf)
-        return None if first == math.inf else min(max(first - now, 0.0), 3600.0)
+        return None if first == math.inf else min(max(first - now, GRAIN), 3600.0)
 
     # ----------------------------------------------------------------- clients
 
@@ -242,7 +244,7 @@ class Server:
         except OSError:
             self._remove(channel)
             return
-        if channel.link.closed and not channel.size:
+        if channel.link.closed and self._read_out(channel):
             self._remove(channel)
             return
         wanted = selectors.EVENT_READ
@@ -251,6 +253,15 @@ class Server:
         if wanted != channel.wanted:
             channel.wanted = wanted
             self._selector.modify(channel.peer, wanted, self._selector.get_key(channel.peer).data)
+
+    def _read_out(self, channel: Channel) -> bool:
+        """Has the client all that was sent before the link was closed, or had it the time to read it?"""
+        now = self._clock()
+        channel.until = channel.until or now + LATE
+        if now < channel.until and (channel.size or channel.peer.unread):
+            channel.waits = now + 0.005
+            return False
+        return True
 
     def _serve(self, channel: Channel, events: int) -> None:
         if channel not in self._channels:
@@ -262,8 +273,10 @@ class Server:
 
     def _drain(self) -> None:
         """Gives clients a moment to read what was sent."""
-        until = self._clock() + 1.0
-        while not self._stopped and self._clock() < until and any(c.size for c in self._channels):
+        until = self._clock() + LATE
+        while not self._stopped and self._clock() < until:
+            if not any(c.size or c.peer.unread for c in self._channels):
+                return
             self._pump()
             for key, events in self._selector.select(0.01):
                 key.data(events)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from ..field import Command
-from . import knowledge, views
+from . import knowledge, ports, views
 from ._facts import COMMANDS
 from .checks import NOTHING, data_sets
 from .codes import COMMAND_FAILED, INVALID_PARAMETER, READ, SETS, Refused
@@ -56,6 +56,7 @@ SELF_TEST_TIME = 2 * SECOND
 
 def _idle(device: VirtualDevice, call: Call) -> Outcome:
     device.idle = True
+    device.arrange()
     return DONE
 
 
@@ -181,6 +182,12 @@ def _gps_time(device: VirtualDevice, call: Call) -> Outcome:
     return DONE
 
 
+def _protocols(device: VirtualDevice, call: Call) -> Outcome:
+    if call.writes:
+        ports.check(device, call.values, call.link)
+    return Outcome(after=lambda: ports.arrange(device))
+
+
 # --------------------------------------------------------------------------- events and pins
 
 
@@ -209,9 +216,7 @@ def _pin(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _pin_state(device: VirtualDevice, call: Call) -> Outcome:
-    pin, limit = call.values["pin"], device.profile.limits.get("gpio_pins")
-    if limit is not None and not 1 <= pin <= limit.value:
-        raise Refused(INVALID_PARAMETER)
+    pin = call.values["pin"]
     if call.writes:
         if pin not in device.pins:  # not an output
             raise Refused(COMMAND_FAILED)
@@ -242,6 +247,7 @@ EFFECTS: dict[str, Effect] = {
     "pin_state": _pin_state,
     "poll": _poll,
     "poll_sentences": _poll_sentences,
+    "protocols": _protocols,
     "restart": _restart,
     "resume": _resume,
     "self_test": _self_test,

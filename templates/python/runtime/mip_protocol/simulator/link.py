@@ -14,6 +14,7 @@ class Link:
     def __init__(self, port: str, receive: Callable[[Link, bytes], None], capacity: int | None) -> None:
         self.port = port
         self.baud: int | None = None  # None: the port has no baud rate
+        self.takes = self.gives = ~0  # protocols of the port, as bits
         self.closed = False
         self.dropped = 0  # packets for which the host has left no room
         self.parser = Parser()
