@@ -28,6 +28,7 @@ LAYOUT = {
     "device": "devices/*.yaml",
     "examples": "examples/*.yaml",
     "errata": "errata/*.yaml",
+    "simulation": "simulation/*.yaml",
 }
 
 #: A file with several devices or families, and under which keys it has them.

@@ -15,6 +15,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Final, Literal, TypeVar
 
+from .simulated import Simulation
+
 COMMAND: Final = "command"
 RESPONSE: Final = "response"
 DATA: Final = "data"
@@ -784,6 +786,7 @@ class Model:
     devices: tuple[Device, ...] = ()
     examples: tuple[Example, ...] = ()
     errata: tuple[Erratum, ...] = ()
+    simulation: Simulation = field(default_factory=Simulation)
     tastes: tuple[tuple[str, str], ...] = ()  # programs that show the bindings with fields of this specification
 
     def taste(self, name: str) -> str:

@@ -112,6 +112,7 @@ def _only(model: m.Model, names: set[str], devices: tuple[m.Device, ...]) -> m.M
         devices=tuple(_device(d, sets, kept) for d in devices),
         examples=examples,
         errata=tuple(e for e in model.errata if _concerns(e, kept, printed)),
+        simulation=model.simulation.only(kept),
         tastes=(),  # they may use any field
     )
 

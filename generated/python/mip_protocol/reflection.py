@@ -37,7 +37,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("code", "code", "scalar", scalar="u8", type=types.AckCode),
     ),
     types.EventTriggerGpio: (
-        Parameter("pin", "pin", "scalar", scalar="u8"),
+        Parameter("pin", "pin", "scalar", scalar="u8", minimum=1),
         Parameter("mode", "mode", "scalar", scalar="u8", type=types.EventTriggerGpioMode),
     ),
     types.EventThresholdWindow: (
@@ -51,7 +51,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     types.EventTriggerThreshold: (
         Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter("field_descriptor", "field_descriptor", "scalar", scalar="u8"),
-        Parameter("parameter_id", "parameter_id", "scalar", scalar="u8"),
+        Parameter("parameter_id", "parameter_id", "scalar", scalar="u8", minimum=1),
         Parameter("type", "type", "scalar", scalar="u8", type=types.EventThresholdType),
         Parameter(
             "thresholds",
@@ -69,13 +69,21 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("input_triggers", "input_triggers", "array", scalar="u8", length=4),
     ),
     types.EventActionGpio: (
-        Parameter("pin", "pin", "scalar", scalar="u8"),
+        Parameter("pin", "pin", "scalar", scalar="u8", minimum=1),
         Parameter("mode", "mode", "scalar", scalar="u8", type=types.EventActionGpioMode),
     ),
     types.EventActionMessage: (
         Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
         Parameter("decimation", "decimation", "scalar", scalar="u16"),
-        Parameter("num_fields", "num_fields", "counter", scalar="u8", counts="descriptors"),
+        Parameter(
+            "num_fields",
+            "num_fields",
+            "counter",
+            scalar="u8",
+            counts="descriptors",
+            minimum=0,
+            maximum=12,
+        ),
         Parameter("descriptors", "descriptors", "array", scalar="u8", length="num_fields"),
     ),
     types.NmeaMessage: (
@@ -138,7 +146,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     mip_3dm.PollEntry: (
         Parameter("descriptor", "descriptor", "scalar", scalar="u8"),
-        Parameter("reserved", "reserved", "scalar", scalar="u16"),
+        Parameter("reserved", "reserved", "scalar", scalar="u16", default=0),
     ),
     mip_3dm.ConstellationSettingsEntry: (
         Parameter(
@@ -148,9 +156,25 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="u8",
             type=mip_3dm.ConstellationId,
         ),
-        Parameter("enable", "enable", "scalar", scalar="u8"),
-        Parameter("reserved_channels", "reserved_channels", "scalar", scalar="u8", units=("1",)),
-        Parameter("max_channels", "max_channels", "scalar", scalar="u8", units=("1",)),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
+        Parameter(
+            "reserved_channels",
+            "reserved_channels",
+            "scalar",
+            scalar="u8",
+            units=("1",),
+            minimum=0,
+            maximum=32,
+        ),
+        Parameter(
+            "max_channels",
+            "max_channels",
+            "scalar",
+            scalar="u8",
+            units=("1",),
+            minimum=0,
+            maximum=32,
+        ),
         Parameter(
             "option_flags",
             "option_flags",
@@ -187,7 +211,13 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     mip_3dm.PollGnssData: (
         Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
         Parameter(
-            "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
+            "num_descriptors",
+            "num_descriptors",
+            "counter",
+            scalar="u8",
+            counts="descriptors",
+            minimum=0,
+            maximum=83,
         ),
         Parameter(
             "descriptors", "descriptors", "array", length="num_descriptors", type=mip_3dm.PollEntry
@@ -227,7 +257,13 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     mip_3dm.GnssMessageFormat: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
-            "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
+            "num_descriptors",
+            "num_descriptors",
+            "counter",
+            scalar="u8",
+            counts="descriptors",
+            minimum=0,
+            maximum=82,
         ),
         Parameter(
             "descriptors",
@@ -259,14 +295,20 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     mip_3dm.PollData: (
-        Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
+        Parameter(
+            "descriptor_set", "descriptor_set", "scalar", scalar="u8", minimum=128, maximum=254
+        ),
         Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
         Parameter(
             "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
         ),
         Parameter("descriptors", "descriptors", "array", scalar="u8", length="num_descriptors"),
     ),
-    mip_3dm.GetBaseRate: (Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),),
+    mip_3dm.GetBaseRate: (
+        Parameter(
+            "descriptor_set", "descriptor_set", "scalar", scalar="u8", minimum=128, maximum=254
+        ),
+    ),
     mip_3dm.MessageFormat: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
@@ -283,17 +325,25 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     mip_3dm.FactoryStreaming: (
         Parameter("action", "action", "scalar", scalar="u8", type=mip_3dm.FactoryStreamingAction),
-        Parameter("reserved", "reserved", "scalar", scalar="u8"),
+        Parameter("reserved", "reserved", "scalar", scalar="u8", default=0),
     ),
     mip_3dm.DataStreamControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("descriptor_set", "descriptor_set", "scalar", scalar="u8"),
-        Parameter("enable", "enable", "scalar", scalar="bool"),
+        Parameter("enable", "enable", "scalar", scalar="bool", default=True),
     ),
     mip_3dm.ConstellationSettings: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("max_channels", "max_channels", "scalar", scalar="u16", units=("1",)),
-        Parameter("config_count", "config_count", "counter", scalar="u8", counts="settings"),
+        Parameter(
+            "config_count",
+            "config_count",
+            "counter",
+            scalar="u8",
+            counts="settings",
+            minimum=0,
+            maximum=41,
+        ),
         Parameter(
             "settings",
             "settings",
@@ -304,7 +354,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     mip_3dm.GnssSbasSettings: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("enable_sbas", "enable_sbas", "scalar", scalar="u8"),
+        Parameter("enable_sbas", "enable_sbas", "scalar", scalar="u8", minimum=0, maximum=1),
         Parameter("sbas_options", "sbas_options", "scalar", scalar="u16", type=mip_3dm.SbasOptions),
         Parameter(
             "num_included_prns", "num_included_prns", "counter", scalar="u8", counts="included_prns"
@@ -315,8 +365,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     mip_3dm.GnssAssistedFix: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("option", "option", "scalar", scalar="u8", type=mip_3dm.AssistedFixOption),
-        Parameter("flags", "flags", "scalar", scalar="u8"),
+        Parameter(
+            "option", "option", "scalar", scalar="u8", default=0, type=mip_3dm.AssistedFixOption
+        ),
+        Parameter("flags", "flags", "scalar", scalar="u8", default=255),
     ),
     mip_3dm.GnssTimeAssistance: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -326,7 +378,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     mip_3dm.PpsSourceControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("source", "source", "scalar", scalar="u8", type=mip_3dm.PpsSource),
+        Parameter("source", "source", "scalar", scalar="u8", default=1, type=mip_3dm.PpsSource),
     ),
     mip_3dm.GetEventSupport: (
         Parameter("query", "query", "scalar", scalar="u8", type=mip_3dm.EventSupportQuery),
@@ -334,7 +386,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     mip_3dm.EventControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("instance", "instance", "scalar", scalar="u8"),
-        Parameter("mode", "mode", "scalar", scalar="u8", type=types.EventTriggerMode),
+        Parameter("mode", "mode", "scalar", scalar="u8", default=0, type=types.EventTriggerMode),
     ),
     mip_3dm.GetEventTriggerStatus: (
         Parameter(
@@ -371,7 +423,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     mip_3dm.EventTriggerConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("instance", "instance", "scalar", scalar="u8"),
-        Parameter("type", "type", "scalar", scalar="u8", type=types.EventTriggerType),
+        Parameter("type", "type", "scalar", scalar="u8", default=0, type=types.EventTriggerType),
         Parameter(
             "parameters",
             "parameters",
@@ -391,7 +443,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("instance", "instance", "scalar", scalar="u8"),
         Parameter("trigger", "trigger", "scalar", scalar="u8"),
-        Parameter("type", "type", "scalar", scalar="u8", type=types.EventActionType),
+        Parameter("type", "type", "scalar", scalar="u8", default=0, type=types.EventActionType),
         Parameter(
             "parameters",
             "parameters",
@@ -430,21 +482,49 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     mip_3dm.AccelBias: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",)),
+        Parameter(
+            "bias",
+            "bias",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("g",),
+            frame="sensor",
+        ),
     ),
     mip_3dm.GyroBias: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
-            "bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
+            "bias",
+            "bias",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("rad/s",),
+            frame="sensor",
         ),
     ),
     mip_3dm.CaptureGyroBias: (
-        Parameter("averaging_time_ms", "averaging_time_ms", "scalar", scalar="u16", units=("ms",)),
+        Parameter(
+            "averaging_time_ms",
+            "averaging_time_ms",
+            "scalar",
+            scalar="u16",
+            units=("ms",),
+            minimum=1000,
+            maximum=30000,
+        ),
     ),
     mip_3dm.MagHardIronOffset: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
-            "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+            "offset",
+            "offset",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("gauss",),
+            frame="sensor",
         ),
     ),
     mip_3dm.MagSoftIronMatrix: (
@@ -456,11 +536,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
             units=("1",),
+            frame="sensor",
         ),
     ),
     mip_3dm.ConingScullingEnable: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("enable", "enable", "scalar", scalar="bool"),
+        Parameter("enable", "enable", "scalar", scalar="bool", default=True),
     ),
     mip_3dm.UartBaudRate: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -469,13 +550,13 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     mip_3dm.GpioConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("pin", "pin", "scalar", scalar="u8"),
-        Parameter("feature", "feature", "scalar", scalar="u8", type=types.GpioFeature),
+        Parameter("feature", "feature", "scalar", scalar="u8", default=0, type=types.GpioFeature),
         Parameter("behavior", "behavior", "scalar", scalar="u8"),
         Parameter("pin_mode", "pin_mode", "scalar", scalar="u8", type=types.GpioPinMode),
     ),
     mip_3dm.GpioState: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("pin", "pin", "scalar", scalar="u8"),
+        Parameter("pin", "pin", "scalar", scalar="u8", minimum=1),
         Parameter("state", "state", "scalar", scalar="bool"),
     ),
     mip_3dm.OdometerConfig: (
@@ -487,10 +568,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     mip_3dm.ImuLowPassFilter: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("target_descriptor", "target_descriptor", "scalar", scalar="u8"),
-        Parameter("enable", "enable", "scalar", scalar="bool"),
-        Parameter("manual", "manual", "scalar", scalar="bool"),
+        Parameter("enable", "enable", "scalar", scalar="bool", default=True),
+        Parameter("manual", "manual", "scalar", scalar="bool", default=False),
         Parameter("frequency", "frequency", "scalar", scalar="u16", units=("Hz",)),
-        Parameter("reserved", "reserved", "scalar", scalar="u8"),
+        Parameter("reserved", "reserved", "scalar", scalar="u8", default=0),
     ),
     mip_3dm.ComplementaryFilter: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -502,9 +583,19 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "scalar",
             scalar="float",
             units=("s",),
+            minimum=1,
+            maximum=1000,
+            default=10,
         ),
         Parameter(
-            "heading_time_constant", "heading_time_constant", "scalar", scalar="float", units=("s",)
+            "heading_time_constant",
+            "heading_time_constant",
+            "scalar",
+            scalar="float",
+            units=("s",),
+            minimum=1,
+            maximum=1000,
+            default=10,
         ),
     ),
     mip_3dm.SensorRange: (
@@ -547,7 +638,13 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     mip_3dm.GnssMessageFormatResponse: (
         Parameter(
-            "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
+            "num_descriptors",
+            "num_descriptors",
+            "counter",
+            scalar="u8",
+            counts="descriptors",
+            minimum=0,
+            maximum=82,
         ),
         Parameter(
             "descriptors",
@@ -587,10 +684,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     mip_3dm.ImuLowPassFilterResponse: (
         Parameter("target_descriptor", "target_descriptor", "scalar", scalar="u8"),
-        Parameter("enable", "enable", "scalar", scalar="bool"),
-        Parameter("manual", "manual", "scalar", scalar="bool"),
+        Parameter("enable", "enable", "scalar", scalar="bool", default=True),
+        Parameter("manual", "manual", "scalar", scalar="bool", default=False),
         Parameter("frequency", "frequency", "scalar", scalar="u16", units=("Hz",)),
-        Parameter("reserved", "reserved", "scalar", scalar="u8"),
+        Parameter("reserved", "reserved", "scalar", scalar="u8", default=0),
     ),
     mip_3dm.NmeaMessageFormatResponse: (
         Parameter("count", "count", "counter", scalar="u8", counts="format_entries"),
@@ -921,7 +1018,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("power_state", "power_state", "scalar", scalar="u8"),
         Parameter("gyro_range", "gyro_range", "scalar", scalar="u16"),
         Parameter("accel_range", "accel_range", "scalar", scalar="u16"),
-        Parameter("reserved", "reserved", "scalar", scalar="u32"),
+        Parameter("reserved", "reserved", "scalar", scalar="u32", default=0),
         Parameter("temperature", "temperature", "scalar", scalar="float", units=("degC",)),
         Parameter(
             "temperature_last_time", "temperature_last_time", "scalar", scalar="u32", units=("ms",)
@@ -967,22 +1064,52 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "scalar",
             scalar="float",
             units=("s",),
+            minimum=1,
+            maximum=1000,
+            default=10,
         ),
         Parameter(
-            "heading_time_constant", "heading_time_constant", "scalar", scalar="float", units=("s",)
+            "heading_time_constant",
+            "heading_time_constant",
+            "scalar",
+            scalar="float",
+            units=("s",),
+            minimum=1,
+            maximum=1000,
+            default=10,
         ),
     ),
     mip_3dm.AccelBiasResponse: (
-        Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",)),
+        Parameter(
+            "bias",
+            "bias",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("g",),
+            frame="sensor",
+        ),
     ),
     mip_3dm.GyroBiasResponse: (
         Parameter(
-            "bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
+            "bias",
+            "bias",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("rad/s",),
+            frame="sensor",
         ),
     ),
     mip_3dm.MagHardIronOffsetResponse: (
         Parameter(
-            "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+            "offset",
+            "offset",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("gauss",),
+            frame="sensor",
         ),
     ),
     mip_3dm.MagSoftIronMatrixResponse: (
@@ -993,15 +1120,26 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
             units=("1",),
+            frame="sensor",
         ),
     ),
-    mip_3dm.ConingScullingEnableResponse: (Parameter("enable", "enable", "scalar", scalar="bool"),),
+    mip_3dm.ConingScullingEnableResponse: (
+        Parameter("enable", "enable", "scalar", scalar="bool", default=True),
+    ),
     mip_3dm.ConstellationSettingsResponse: (
         Parameter(
             "max_channels_available", "max_channels_available", "scalar", scalar="u16", units=("1",)
         ),
         Parameter("max_channels_use", "max_channels_use", "scalar", scalar="u16", units=("1",)),
-        Parameter("config_count", "config_count", "counter", scalar="u8", counts="settings"),
+        Parameter(
+            "config_count",
+            "config_count",
+            "counter",
+            scalar="u8",
+            counts="settings",
+            minimum=0,
+            maximum=41,
+        ),
         Parameter(
             "settings",
             "settings",
@@ -1011,7 +1149,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     mip_3dm.GnssSbasSettingsResponse: (
-        Parameter("enable_sbas", "enable_sbas", "scalar", scalar="u8"),
+        Parameter("enable_sbas", "enable_sbas", "scalar", scalar="u8", minimum=0, maximum=1),
         Parameter("sbas_options", "sbas_options", "scalar", scalar="u16", type=mip_3dm.SbasOptions),
         Parameter(
             "num_included_prns", "num_included_prns", "counter", scalar="u8", counts="included_prns"
@@ -1021,8 +1159,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     mip_3dm.GnssAssistedFixResponse: (
-        Parameter("option", "option", "scalar", scalar="u8", type=mip_3dm.AssistedFixOption),
-        Parameter("flags", "flags", "scalar", scalar="u8"),
+        Parameter(
+            "option", "option", "scalar", scalar="u8", default=0, type=mip_3dm.AssistedFixOption
+        ),
+        Parameter("flags", "flags", "scalar", scalar="u8", default=255),
     ),
     mip_3dm.GnssTimeAssistanceResponse: (
         Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
@@ -1030,7 +1170,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("accuracy", "accuracy", "scalar", scalar="float", units=("s",)),
     ),
     mip_3dm.PpsSourceControlResponse: (
-        Parameter("source", "source", "scalar", scalar="u8", type=mip_3dm.PpsSource),
+        Parameter("source", "source", "scalar", scalar="u8", default=1, type=mip_3dm.PpsSource),
     ),
     mip_3dm.SensorToVehicleTransformEulerResponse: (
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
@@ -1060,7 +1200,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     mip_3dm.EventControlResponse: (
         Parameter("instance", "instance", "scalar", scalar="u8"),
-        Parameter("mode", "mode", "scalar", scalar="u8", type=types.EventTriggerMode),
+        Parameter("mode", "mode", "scalar", scalar="u8", default=0, type=types.EventTriggerMode),
     ),
     mip_3dm.GetEventTriggerStatusResponse: (
         Parameter("count", "count", "counter", scalar="u8", counts="triggers"),
@@ -1076,7 +1216,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     mip_3dm.EventTriggerConfigResponse: (
         Parameter("instance", "instance", "scalar", scalar="u8"),
-        Parameter("type", "type", "scalar", scalar="u8", type=types.EventTriggerType),
+        Parameter("type", "type", "scalar", scalar="u8", default=0, type=types.EventTriggerType),
         Parameter(
             "parameters",
             "parameters",
@@ -1095,7 +1235,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     mip_3dm.EventActionConfigResponse: (
         Parameter("instance", "instance", "scalar", scalar="u8"),
         Parameter("trigger", "trigger", "scalar", scalar="u8"),
-        Parameter("type", "type", "scalar", scalar="u8", type=types.EventActionType),
+        Parameter("type", "type", "scalar", scalar="u8", default=0, type=types.EventActionType),
         Parameter(
             "parameters",
             "parameters",
@@ -1110,12 +1250,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     mip_3dm.GpioConfigResponse: (
         Parameter("pin", "pin", "scalar", scalar="u8"),
-        Parameter("feature", "feature", "scalar", scalar="u8", type=types.GpioFeature),
+        Parameter("feature", "feature", "scalar", scalar="u8", default=0, type=types.GpioFeature),
         Parameter("behavior", "behavior", "scalar", scalar="u8"),
         Parameter("pin_mode", "pin_mode", "scalar", scalar="u8", type=types.GpioPinMode),
     ),
     mip_3dm.GpioStateResponse: (
-        Parameter("pin", "pin", "scalar", scalar="u8"),
+        Parameter("pin", "pin", "scalar", scalar="u8", minimum=1),
         Parameter("state", "state", "scalar", scalar="bool"),
     ),
     mip_3dm.OdometerConfigResponse: (
@@ -1141,12 +1281,48 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter.Reset: (),
     filter.SetInitialAttitude: (
-        Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
-        Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
-        Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
+        Parameter(
+            "roll",
+            "roll",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            minimum=-3.141592653589793,
+            maximum=3.141592653589793,
+            frame="ned",
+        ),
+        Parameter(
+            "pitch",
+            "pitch",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            minimum=-1.5707963267948966,
+            maximum=1.5707963267948966,
+            frame="ned",
+        ),
+        Parameter(
+            "heading",
+            "heading",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            minimum=-3.141592653589793,
+            maximum=3.141592653589793,
+            frame="ned",
+        ),
     ),
     filter.SetInitialHeading: (
-        Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
+        Parameter(
+            "heading",
+            "heading",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            minimum=-3.141592653589793,
+            maximum=3.141592653589793,
+            frame="ned",
+        ),
     ),
     filter.Run: (),
     filter.VehicleDynamicsMode: (
@@ -1162,13 +1338,27 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     filter.SensorToVehicleOffset: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
-            "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
+            "offset",
+            "offset",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m",),
+            magnitude=(None, 10),
+            frame="sensor",
         ),
     ),
     filter.AntennaOffset: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
-            "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
+            "offset",
+            "offset",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m",),
+            magnitude=(None, 10),
+            frame="vehicle",
         ),
     ),
     filter.EstimationControl: (
@@ -1182,9 +1372,9 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     filter.ExternalGnssUpdate: (
         Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
-        Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",)),
-        Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",)),
-        Parameter("height", "height", "scalar", scalar="double", units=("m",)),
+        Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), frame="llh"),
+        Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), frame="llh"),
+        Parameter("height", "height", "scalar", scalar="double", units=("m",), frame="llh"),
         Parameter(
             "velocity",
             "velocity",
@@ -1192,6 +1382,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m/s",),
+            frame="ned",
         ),
         Parameter(
             "position_uncertainty",
@@ -1200,6 +1391,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
+            frame="ned",
         ),
         Parameter(
             "velocity_uncertainty",
@@ -1208,12 +1400,27 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m/s",),
+            frame="ned",
         ),
     ),
     filter.ExternalHeadingUpdate: (
-        Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
         Parameter(
-            "heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",)
+            "heading",
+            "heading",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            minimum=-3.141592653589793,
+            maximum=3.141592653589793,
+            frame="ned",
+        ),
+        Parameter(
+            "heading_uncertainty",
+            "heading_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            above=0,
         ),
         Parameter("type", "type", "scalar", scalar="u8", type=filter.HeadingType),
     ),
@@ -1223,18 +1430,30 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter.AutoInitializationControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
     ),
     filter.AccelNoise: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
-            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s^2",),
+            above=0,
         ),
     ),
     filter.GyroNoise: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
-            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("rad/s",),
+            above=0,
         ),
     ),
     filter.AccelBiasModel: (
@@ -1243,7 +1462,13 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",)
         ),
         Parameter(
-            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s^2",),
+            above=0,
         ),
     ),
     filter.GyroBiasModel: (
@@ -1252,27 +1477,47 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",)
         ),
         Parameter(
-            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("rad/s",),
+            above=0,
         ),
     ),
     filter.AutoZupt: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("enable", "enable", "scalar", scalar="u8"),
-        Parameter("threshold", "threshold", "scalar", scalar="float", units=("m/s",)),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
+        Parameter("threshold", "threshold", "scalar", scalar="float", units=("m/s",), minimum=0),
     ),
     filter.ExternalHeadingUpdateWithTime: (
         Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
-        Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
         Parameter(
-            "heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",)
+            "heading",
+            "heading",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            minimum=-3.141592653589793,
+            maximum=3.141592653589793,
+            frame="ned",
+        ),
+        Parameter(
+            "heading_uncertainty",
+            "heading_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            above=0,
         ),
         Parameter("type", "type", "scalar", scalar="u8", type=filter.HeadingType),
     ),
     filter.AutoAngularZupt: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("enable", "enable", "scalar", scalar="u8"),
-        Parameter("threshold", "threshold", "scalar", scalar="float", units=("rad/s",)),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
+        Parameter("threshold", "threshold", "scalar", scalar="float", units=("rad/s",), minimum=0),
     ),
     filter.TareOrientation: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -1282,10 +1527,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     filter.CommandedAngularZupt: (),
     filter.ReferencePosition: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("enable", "enable", "scalar", scalar="u8"),
-        Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",)),
-        Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",)),
-        Parameter("altitude", "altitude", "scalar", scalar="double", units=("m",)),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
+        Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), frame="llh"),
+        Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), frame="llh"),
+        Parameter("altitude", "altitude", "scalar", scalar="double", units=("m",), frame="llh"),
     ),
     filter.MagCaptureAutoCalibration: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -1293,17 +1538,29 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     filter.GravityNoise: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
-            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("g",)
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("g",),
+            above=0,
         ),
     ),
     filter.PressureAltitudeNoise: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("noise", "noise", "scalar", scalar="float", units=("m",)),
+        Parameter("noise", "noise", "scalar", scalar="float", units=("m",), above=0),
     ),
     filter.HardIronOffsetNoise: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
-            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("gauss",),
+            above=0,
         ),
     ),
     filter.SoftIronMatrixNoise: (
@@ -1315,6 +1572,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
             units=("1",),
+            above=0,
         ),
     ),
     filter.EnableMeasurements: (
@@ -1324,7 +1582,13 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     filter.MagNoise: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
-            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("gauss",),
+            above=0,
         ),
     ),
     filter.MagneticDeclinationSource: (
@@ -1439,7 +1703,15 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter.SensorToVehicleRotationQuaternion: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
+        Parameter(
+            "q",
+            "q",
+            "array",
+            scalar="float",
+            elements=("w", "x", "y", "z"),
+            units=("1",),
+            magnitude=(0.999, 1.001),
+        ),
     ),
     filter.AidingMeasurementEnable: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -1455,6 +1727,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "accel_constraint",
             "scalar",
             scalar="u8",
+            default=0,
             type=filter.AccelConstraint,
         ),
         Parameter(
@@ -1462,6 +1735,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "velocity_constraint",
             "scalar",
             scalar="u8",
+            default=0,
             type=filter.VelocityConstraint,
         ),
         Parameter(
@@ -1469,12 +1743,20 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "angular_constraint",
             "scalar",
             scalar="u8",
+            default=0,
             type=filter.AngularConstraint,
         ),
     ),
     filter.InitializationConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("wait_for_run_command", "wait_for_run_command", "scalar", scalar="u8"),
+        Parameter(
+            "wait_for_run_command",
+            "wait_for_run_command",
+            "scalar",
+            scalar="u8",
+            minimum=0,
+            maximum=1,
+        ),
         Parameter(
             "initial_condition_source",
             "initial_condition_source",
@@ -1517,12 +1799,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter.AdaptiveFilterOptions: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("level", "level", "scalar", scalar="u8", type=filter.AdaptiveLevel),
+        Parameter("level", "level", "scalar", scalar="u8", default=2, type=filter.AdaptiveLevel),
         Parameter("time_limit", "time_limit", "scalar", scalar="u16", units=("ms",)),
     ),
     filter.MultiAntennaOffset: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
+        Parameter("receiver_id", "receiver_id", "scalar", scalar="u8", minimum=1),
         Parameter(
             "antenna_offset",
             "antenna_offset",
@@ -1530,6 +1812,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
+            magnitude=(None, 10),
+            frame="vehicle",
         ),
     ),
     filter.RelativePositionConfig: (
@@ -1562,19 +1846,21 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
+            magnitude=(None, 10),
+            frame="vehicle",
         ),
     ),
     filter.SpeedMeasurement: (
-        Parameter("source", "source", "scalar", scalar="u8"),
+        Parameter("source", "source", "scalar", scalar="u8", default=1),
         Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
-        Parameter("speed", "speed", "scalar", scalar="float", units=("m/s",)),
+        Parameter("speed", "speed", "scalar", scalar="float", units=("m/s",), frame="vehicle"),
         Parameter(
             "speed_uncertainty", "speed_uncertainty", "scalar", scalar="float", units=("m/s",)
         ),
     ),
     filter.SpeedLeverArm: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("source", "source", "scalar", scalar="u8"),
+        Parameter("source", "source", "scalar", scalar="u8", default=1),
         Parameter(
             "lever_arm_offset",
             "lever_arm_offset",
@@ -1582,20 +1868,31 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
+            frame="vehicle",
         ),
     ),
     filter.VerticalGyroConstraintControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
     ),
     filter.WheeledVehicleConstraintControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
     ),
     filter.GnssAntennaCalibrationControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("enable", "enable", "scalar", scalar="u8"),
-        Parameter("max_offset", "max_offset", "scalar", scalar="float", units=("m",)),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
+        Parameter(
+            "max_offset",
+            "max_offset",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            minimum=0,
+            maximum=0.5,
+            default=0.1,
+            frame="vehicle",
+        ),
     ),
     filter.VehicleDynamicsModeResponse: (
         Parameter("mode", "mode", "scalar", scalar="u8", type=filter.DynamicsMode),
@@ -1607,12 +1904,26 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter.SensorToVehicleOffsetResponse: (
         Parameter(
-            "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
+            "offset",
+            "offset",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m",),
+            magnitude=(None, 10),
+            frame="sensor",
         ),
     ),
     filter.AntennaOffsetResponse: (
         Parameter(
-            "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
+            "offset",
+            "offset",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m",),
+            magnitude=(None, 10),
+            frame="vehicle",
         ),
     ),
     filter.EstimationControlResponse: (
@@ -1625,16 +1936,28 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("source", "source", "scalar", scalar="u8", type=filter.HeadingUpdateSource),
     ),
     filter.AutoInitializationControlResponse: (
-        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
     ),
     filter.AccelNoiseResponse: (
         Parameter(
-            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s^2",),
+            above=0,
         ),
     ),
     filter.GyroNoiseResponse: (
         Parameter(
-            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("rad/s",),
+            above=0,
         ),
     ),
     filter.AccelBiasModelResponse: (
@@ -1642,7 +1965,13 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",)
         ),
         Parameter(
-            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s^2",),
+            above=0,
         ),
     ),
     filter.GyroBiasModelResponse: (
@@ -1650,34 +1979,52 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "beta", "beta", "array", scalar="float", elements=("x", "y", "z"), units=("1/s",)
         ),
         Parameter(
-            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("rad/s",),
+            above=0,
         ),
     ),
     filter.AutoZuptResponse: (
-        Parameter("enable", "enable", "scalar", scalar="u8"),
-        Parameter("threshold", "threshold", "scalar", scalar="float", units=("m/s",)),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
+        Parameter("threshold", "threshold", "scalar", scalar="float", units=("m/s",), minimum=0),
     ),
     filter.AutoAngularZuptResponse: (
-        Parameter("enable", "enable", "scalar", scalar="u8"),
-        Parameter("threshold", "threshold", "scalar", scalar="float", units=("rad/s",)),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
+        Parameter("threshold", "threshold", "scalar", scalar="float", units=("rad/s",), minimum=0),
     ),
     filter.ReferencePositionResponse: (
-        Parameter("enable", "enable", "scalar", scalar="u8"),
-        Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",)),
-        Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",)),
-        Parameter("altitude", "altitude", "scalar", scalar="double", units=("m",)),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
+        Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",), frame="llh"),
+        Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",), frame="llh"),
+        Parameter("altitude", "altitude", "scalar", scalar="double", units=("m",), frame="llh"),
     ),
     filter.GravityNoiseResponse: (
         Parameter(
-            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("g",)
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("g",),
+            above=0,
         ),
     ),
     filter.PressureAltitudeNoiseResponse: (
-        Parameter("noise", "noise", "scalar", scalar="float", units=("m",)),
+        Parameter("noise", "noise", "scalar", scalar="float", units=("m",), above=0),
     ),
     filter.HardIronOffsetNoiseResponse: (
         Parameter(
-            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("gauss",),
+            above=0,
         ),
     ),
     filter.SoftIronMatrixNoiseResponse: (
@@ -1688,6 +2035,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
             units=("1",),
+            above=0,
         ),
     ),
     filter.TareOrientationResponse: (
@@ -1698,7 +2046,13 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter.MagNoiseResponse: (
         Parameter(
-            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("gauss",),
+            above=0,
         ),
     ),
     filter.MagneticDeclinationSourceResponse: (
@@ -1803,7 +2157,15 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     filter.SensorToVehicleRotationQuaternionResponse: (
-        Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
+        Parameter(
+            "q",
+            "q",
+            "array",
+            scalar="float",
+            elements=("w", "x", "y", "z"),
+            units=("1",),
+            magnitude=(0.999, 1.001),
+        ),
     ),
     filter.AidingMeasurementEnableResponse: (
         Parameter(
@@ -1817,6 +2179,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "accel_constraint",
             "scalar",
             scalar="u8",
+            default=0,
             type=filter.AccelConstraint,
         ),
         Parameter(
@@ -1824,6 +2187,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "velocity_constraint",
             "scalar",
             scalar="u8",
+            default=0,
             type=filter.VelocityConstraint,
         ),
         Parameter(
@@ -1831,11 +2195,19 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "angular_constraint",
             "scalar",
             scalar="u8",
+            default=0,
             type=filter.AngularConstraint,
         ),
     ),
     filter.InitializationConfigResponse: (
-        Parameter("wait_for_run_command", "wait_for_run_command", "scalar", scalar="u8"),
+        Parameter(
+            "wait_for_run_command",
+            "wait_for_run_command",
+            "scalar",
+            scalar="u8",
+            minimum=0,
+            maximum=1,
+        ),
         Parameter(
             "initial_condition_source",
             "initial_condition_source",
@@ -1877,11 +2249,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     filter.AdaptiveFilterOptionsResponse: (
-        Parameter("level", "level", "scalar", scalar="u8", type=filter.AdaptiveLevel),
+        Parameter("level", "level", "scalar", scalar="u8", default=2, type=filter.AdaptiveLevel),
         Parameter("time_limit", "time_limit", "scalar", scalar="u16", units=("ms",)),
     ),
     filter.MultiAntennaOffsetResponse: (
-        Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
+        Parameter("receiver_id", "receiver_id", "scalar", scalar="u8", minimum=1),
         Parameter(
             "antenna_offset",
             "antenna_offset",
@@ -1889,6 +2261,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
+            magnitude=(None, 10),
+            frame="vehicle",
         ),
     ),
     filter.RelativePositionConfigResponse: (
@@ -1919,10 +2293,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
+            magnitude=(None, 10),
+            frame="vehicle",
         ),
     ),
     filter.SpeedLeverArmResponse: (
-        Parameter("source", "source", "scalar", scalar="u8"),
+        Parameter("source", "source", "scalar", scalar="u8", default=1),
         Parameter(
             "lever_arm_offset",
             "lever_arm_offset",
@@ -1930,21 +2306,39 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
+            frame="vehicle",
         ),
     ),
     filter.VerticalGyroConstraintControlResponse: (
-        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
     ),
     filter.WheeledVehicleConstraintControlResponse: (
-        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
     ),
     filter.GnssAntennaCalibrationControlResponse: (
-        Parameter("enable", "enable", "scalar", scalar="u8"),
-        Parameter("max_offset", "max_offset", "scalar", scalar="float", units=("m",)),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
+        Parameter(
+            "max_offset",
+            "max_offset",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            minimum=0,
+            maximum=0.5,
+            default=0.1,
+            frame="vehicle",
+        ),
     ),
     gnss.ReceiverInfoEntry: (
-        Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
-        Parameter("mip_data_descriptor_set", "mip_data_descriptor_set", "scalar", scalar="u8"),
+        Parameter("receiver_id", "receiver_id", "scalar", scalar="u8", minimum=1),
+        Parameter(
+            "mip_data_descriptor_set",
+            "mip_data_descriptor_set",
+            "scalar",
+            scalar="u8",
+            minimum=128,
+            maximum=254,
+        ),
         Parameter("description", "description", "text", scalar="char", length=32),
     ),
     gnss.ReceiverInfo: (),
@@ -1958,16 +2352,16 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "galileo_enable", "galileo_enable", "scalar", scalar="u8", type=gnss.GalileoSignals
         ),
         Parameter("beidou_enable", "beidou_enable", "scalar", scalar="u8", type=gnss.BeidouSignals),
-        Parameter("reserved", "reserved", "array", scalar="u8", length=4),
+        Parameter("reserved", "reserved", "array", scalar="u8", length=4, default=0),
     ),
     gnss.RtkDongleConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("enable", "enable", "scalar", scalar="u8"),
-        Parameter("reserved", "reserved", "array", scalar="u8", length=3),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
+        Parameter("reserved", "reserved", "array", scalar="u8", length=3, default=0),
     ),
     gnss.SpartnConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
         Parameter("type", "type", "scalar", scalar="u8", type=gnss.SpartnConnection),
         Parameter("current_key_tow", "current_key_tow", "scalar", scalar="u32", units=("s",)),
         Parameter("current_key_week", "current_key_week", "scalar", scalar="u16", units=("week",)),
@@ -1995,14 +2389,14 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "galileo_enable", "galileo_enable", "scalar", scalar="u8", type=gnss.GalileoSignals
         ),
         Parameter("beidou_enable", "beidou_enable", "scalar", scalar="u8", type=gnss.BeidouSignals),
-        Parameter("reserved", "reserved", "array", scalar="u8", length=4),
+        Parameter("reserved", "reserved", "array", scalar="u8", length=4, default=0),
     ),
     gnss.RtkDongleConfigResponse: (
-        Parameter("enable", "enable", "scalar", scalar="u8"),
-        Parameter("reserved", "reserved", "array", scalar="u8", length=3),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
+        Parameter("reserved", "reserved", "array", scalar="u8", length=3, default=0),
     ),
     gnss.SpartnConfigResponse: (
-        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("enable", "enable", "scalar", scalar="u8", minimum=0, maximum=1),
         Parameter("type", "type", "scalar", scalar="u8", type=gnss.SpartnConnection),
         Parameter("current_key_tow", "current_key_tow", "scalar", scalar="u32", units=("s",)),
         Parameter("current_key_week", "current_key_week", "scalar", scalar="u16", units=("week",)),
@@ -2023,8 +2417,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     rtk.GetActivationCode: (),
     rtk.GetModemFirmwareVersion: (),
     rtk.ServiceStatus: (
-        Parameter("reserved1", "reserved1", "scalar", scalar="u32"),
-        Parameter("reserved2", "reserved2", "scalar", scalar="u32"),
+        Parameter("reserved1", "reserved1", "scalar", scalar="u32", default=0),
+        Parameter("reserved2", "reserved2", "scalar", scalar="u32", default=0),
     ),
     rtk.EraseStorage: (Parameter("media", "media", "scalar", scalar="u8", type=rtk.StorageMedium),),
     rtk.LedControl: (
@@ -2042,8 +2436,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     rtk.GetIccidResponse: (Parameter("iccid", "iccid", "text", scalar="char", length=32),),
     rtk.GetRssiResponse: (
         Parameter("valid", "valid", "scalar", scalar="bool"),
-        Parameter("rssi", "rssi", "scalar", scalar="s32"),
-        Parameter("signal_quality", "signal_quality", "scalar", scalar="s32"),
+        Parameter("rssi", "rssi", "scalar", scalar="s32", valid=("valid",)),
+        Parameter("signal_quality", "signal_quality", "scalar", scalar="s32", valid=("valid",)),
     ),
     rtk.ConnectedDeviceTypeResponse: (
         Parameter("device_type", "device_type", "scalar", scalar="u8", type=rtk.ConnectedDevice),
@@ -2064,12 +2458,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     aiding.MeasurementTime: (
         Parameter("timebase", "timebase", "scalar", scalar="u8", type=aiding.Timebase),
-        Parameter("reserved", "reserved", "scalar", scalar="u8"),
+        Parameter("reserved", "reserved", "scalar", scalar="u8", default=1),
         Parameter("nanoseconds", "nanoseconds", "scalar", scalar="u64", units=("ns",)),
     ),
     aiding.FrameConfig: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
+        Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
         Parameter("format", "format", "scalar", scalar="u8", type=aiding.AidingFrameFormat),
         Parameter("tracking_enabled", "tracking_enabled", "scalar", scalar="bool"),
         Parameter(
@@ -2079,6 +2473,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
+            frame="vehicle",
         ),
         Parameter(
             "rotation",
@@ -2093,6 +2488,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
                     scalar="float",
                     elements=("x", "y", "z"),
                     units=("rad",),
+                    minimum=-3.141592653589793,
+                    maximum=3.141592653589793,
                 ),
                 2: Parameter(
                     "quaternion",
@@ -2111,9 +2508,16 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     aiding.EcefPosition: (
         Parameter("time", "time", "struct", type=aiding.MeasurementTime),
-        Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
+        Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
         Parameter(
-            "position", "position", "array", scalar="double", elements=("x", "y", "z"), units=("m",)
+            "position",
+            "position",
+            "array",
+            scalar="double",
+            elements=("x", "y", "z"),
+            units=("m",),
+            valid=("valid_flags.x", "valid_flags.y", "valid_flags.z"),
+            frame="ecef",
         ),
         Parameter(
             "uncertainty",
@@ -2122,15 +2526,42 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
+            valid=("valid_flags.x", "valid_flags.y", "valid_flags.z"),
+            above=0,
+            frame="ecef",
         ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=aiding.AxisFlags),
     ),
     aiding.LlhPosition: (
         Parameter("time", "time", "struct", type=aiding.MeasurementTime),
-        Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
-        Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",)),
-        Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",)),
-        Parameter("height", "height", "scalar", scalar="double", units=("m",)),
+        Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
+        Parameter(
+            "latitude",
+            "latitude",
+            "scalar",
+            scalar="double",
+            units=("deg",),
+            valid=("valid_flags.latitude",),
+            frame="llh",
+        ),
+        Parameter(
+            "longitude",
+            "longitude",
+            "scalar",
+            scalar="double",
+            units=("deg",),
+            valid=("valid_flags.longitude",),
+            frame="llh",
+        ),
+        Parameter(
+            "height",
+            "height",
+            "scalar",
+            scalar="double",
+            units=("m",),
+            valid=("valid_flags.height",),
+            frame="llh",
+        ),
         Parameter(
             "uncertainty",
             "uncertainty",
@@ -2138,19 +2569,22 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
+            valid=("valid_flags.latitude", "valid_flags.longitude", "valid_flags.height"),
+            above=0,
+            frame="ned",
         ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=aiding.LlhAxisFlags),
     ),
     aiding.HeightAboveEllipsoid: (
         Parameter("time", "time", "struct", type=aiding.MeasurementTime),
-        Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
-        Parameter("height", "height", "scalar", scalar="float", units=("m",)),
+        Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
+        Parameter("height", "height", "scalar", scalar="float", units=("m",), frame="llh"),
         Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("m",)),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16"),
     ),
     aiding.EcefVelocity: (
         Parameter("time", "time", "struct", type=aiding.MeasurementTime),
-        Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
+        Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
         Parameter(
             "velocity",
             "velocity",
@@ -2158,6 +2592,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m/s",),
+            valid=("valid_flags.x", "valid_flags.y", "valid_flags.z"),
+            frame="ecef",
         ),
         Parameter(
             "uncertainty",
@@ -2166,12 +2602,15 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m/s",),
+            valid=("valid_flags.x", "valid_flags.y", "valid_flags.z"),
+            above=0,
+            frame="ecef",
         ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=aiding.AxisFlags),
     ),
     aiding.NedVelocity: (
         Parameter("time", "time", "struct", type=aiding.MeasurementTime),
-        Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
+        Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
         Parameter(
             "velocity",
             "velocity",
@@ -2179,6 +2618,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m/s",),
+            valid=("valid_flags.x", "valid_flags.y", "valid_flags.z"),
+            frame="ned",
         ),
         Parameter(
             "uncertainty",
@@ -2187,12 +2628,15 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m/s",),
+            valid=("valid_flags.x", "valid_flags.y", "valid_flags.z"),
+            above=0,
+            frame="ned",
         ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=aiding.AxisFlags),
     ),
     aiding.BodyFrameVelocity: (
         Parameter("time", "time", "struct", type=aiding.MeasurementTime),
-        Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
+        Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
         Parameter(
             "velocity",
             "velocity",
@@ -2200,6 +2644,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m/s",),
+            valid=("valid_flags.x", "valid_flags.y", "valid_flags.z"),
+            frame="aiding",
         ),
         Parameter(
             "uncertainty",
@@ -2208,19 +2654,31 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m/s",),
+            valid=("valid_flags.x", "valid_flags.y", "valid_flags.z"),
+            above=0,
+            frame="aiding",
         ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=aiding.AxisFlags),
     ),
     aiding.TrueHeading: (
         Parameter("time", "time", "struct", type=aiding.MeasurementTime),
-        Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
-        Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
-        Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("rad",)),
+        Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
+        Parameter(
+            "heading",
+            "heading",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            minimum=-3.141592653589793,
+            maximum=3.141592653589793,
+            frame="ned",
+        ),
+        Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("rad",), above=0),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16"),
     ),
     aiding.MagneticField: (
         Parameter("time", "time", "struct", type=aiding.MeasurementTime),
-        Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
+        Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
         Parameter(
             "magnetic_field",
             "magnetic_field",
@@ -2228,6 +2686,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("gauss",),
+            valid=("valid_flags.x", "valid_flags.y", "valid_flags.z"),
+            frame="aiding",
         ),
         Parameter(
             "uncertainty",
@@ -2236,18 +2696,21 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("gauss",),
+            valid=("valid_flags.x", "valid_flags.y", "valid_flags.z"),
+            above=0,
+            frame="aiding",
         ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=aiding.AxisFlags),
     ),
     aiding.Pressure: (
         Parameter("time", "time", "struct", type=aiding.MeasurementTime),
-        Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
+        Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
         Parameter("pressure", "pressure", "scalar", scalar="float", units=("mbar",)),
-        Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("mbar",)),
+        Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("mbar",), above=0),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16"),
     ),
     aiding.FrameConfigResponse: (
-        Parameter("frame_id", "frame_id", "scalar", scalar="u8"),
+        Parameter("frame_id", "frame_id", "scalar", scalar="u8", minimum=1, maximum=4),
         Parameter("format", "format", "scalar", scalar="u8", type=aiding.AidingFrameFormat),
         Parameter("tracking_enabled", "tracking_enabled", "scalar", scalar="bool"),
         Parameter(
@@ -2257,6 +2720,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
+            frame="vehicle",
         ),
         Parameter(
             "rotation",
@@ -2271,6 +2735,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
                     scalar="float",
                     elements=("x", "y", "z"),
                     units=("rad",),
+                    minimum=-3.141592653589793,
+                    maximum=3.141592653589793,
                 ),
                 2: Parameter(
                     "quaternion",
@@ -2306,7 +2772,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     system.CommMode: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("mode", "mode", "scalar", scalar="u8", type=system.ProtocolMode),
+        Parameter("mode", "mode", "scalar", scalar="u8", default=1, type=system.ProtocolMode),
     ),
     system.InterfaceControlResponse: (
         Parameter("port", "port", "scalar", scalar="u8", type=system.CommInterface),
@@ -2326,7 +2792,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     system.CommModeResponse: (
-        Parameter("mode", "mode", "scalar", scalar="u8", type=system.ProtocolMode),
+        Parameter("mode", "mode", "scalar", scalar="u8", default=1, type=system.ProtocolMode),
     ),
     sensor.RawAccel: (
         Parameter(
@@ -2336,16 +2802,29 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("1",),
+            frame="sensor",
         ),
     ),
     sensor.RawGyro: (
         Parameter(
-            "raw_gyro", "raw_gyro", "array", scalar="float", elements=("x", "y", "z"), units=("1",)
+            "raw_gyro",
+            "raw_gyro",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("1",),
+            frame="sensor",
         ),
     ),
     sensor.RawMag: (
         Parameter(
-            "raw_mag", "raw_mag", "array", scalar="float", elements=("x", "y", "z"), units=("1",)
+            "raw_mag",
+            "raw_mag",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("1",),
+            frame="vehicle",
         ),
     ),
     sensor.ScaledAccel: (
@@ -2356,6 +2835,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("g",),
+            frame="vehicle",
         ),
     ),
     sensor.ScaledGyro: (
@@ -2366,6 +2846,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("rad/s",),
+            frame="vehicle",
         ),
     ),
     sensor.ScaledMag: (
@@ -2376,6 +2857,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("gauss",),
+            frame="vehicle",
         ),
     ),
     sensor.DeltaTheta: (
@@ -2386,6 +2868,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("rad",),
+            frame="vehicle",
         ),
     ),
     sensor.DeltaVelocity: (
@@ -2396,6 +2879,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("g*s",),
+            frame="vehicle",
         ),
     ),
     sensor.CompOrientationMatrix: (
@@ -2446,6 +2930,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("gauss",),
+            frame="sensor",
         ),
     ),
     sensor.UpVector: (
@@ -2456,11 +2941,21 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("g",),
+            frame="sensor",
         ),
     ),
     sensor.GpsTimestamp: (
-        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
-        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter(
+            "tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow_valid",)
+        ),
+        Parameter(
+            "week_number",
+            "week_number",
+            "scalar",
+            scalar="u16",
+            units=("week",),
+            valid=("valid_flags.week_number_valid",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=types.SensorGpsTimestampFlags
         ),
@@ -2482,28 +2977,99 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("status", "status", "scalar", scalar="u16", type=sensor.OverrangeFlags),
     ),
     sensor.Odometer: (
-        Parameter("speed", "speed", "scalar", scalar="float", units=("m/s",)),
-        Parameter("uncertainty", "uncertainty", "scalar", scalar="float", units=("m/s",)),
+        Parameter(
+            "speed",
+            "speed",
+            "scalar",
+            scalar="float",
+            units=("m/s",),
+            valid=("valid_flags.odometer",),
+        ),
+        Parameter(
+            "uncertainty",
+            "uncertainty",
+            "scalar",
+            scalar="float",
+            units=("m/s",),
+            valid=("valid_flags.odometer",),
+        ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=sensor.OdometerFlags),
     ),
     filter_data.LlhPosition: (
-        Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",)),
-        Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",)),
-        Parameter("ellipsoid_height", "ellipsoid_height", "scalar", scalar="double", units=("m",)),
+        Parameter(
+            "latitude",
+            "latitude",
+            "scalar",
+            scalar="double",
+            units=("deg",),
+            valid=("valid_flags.valid",),
+            frame="llh",
+        ),
+        Parameter(
+            "longitude",
+            "longitude",
+            "scalar",
+            scalar="double",
+            units=("deg",),
+            valid=("valid_flags.valid",),
+            frame="llh",
+        ),
+        Parameter(
+            "ellipsoid_height",
+            "ellipsoid_height",
+            "scalar",
+            scalar="double",
+            units=("m",),
+            valid=("valid_flags.valid",),
+            frame="llh",
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
     filter_data.NedVelocity: (
-        Parameter("north", "north", "scalar", scalar="float", units=("m/s",)),
-        Parameter("east", "east", "scalar", scalar="float", units=("m/s",)),
-        Parameter("down", "down", "scalar", scalar="float", units=("m/s",)),
+        Parameter(
+            "north",
+            "north",
+            "scalar",
+            scalar="float",
+            units=("m/s",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
+        Parameter(
+            "east",
+            "east",
+            "scalar",
+            scalar="float",
+            units=("m/s",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
+        Parameter(
+            "down",
+            "down",
+            "scalar",
+            scalar="float",
+            units=("m/s",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
     filter_data.AttitudeQuaternion: (
-        Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
+        Parameter(
+            "q",
+            "q",
+            "array",
+            scalar="float",
+            elements=("w", "x", "y", "z"),
+            units=("1",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
@@ -2516,22 +3082,55 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
             units=("1",),
+            valid=("valid_flags.valid",),
+            frame="ned",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
     filter_data.EulerAngles: (
-        Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
-        Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
-        Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",)),
+        Parameter(
+            "roll",
+            "roll",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
+        Parameter(
+            "pitch",
+            "pitch",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
+        Parameter(
+            "yaw",
+            "yaw",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
     filter_data.GyroBias: (
         Parameter(
-            "bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
+            "bias",
+            "bias",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("rad/s",),
+            valid=("valid_flags.valid",),
+            frame="sensor",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2539,32 +3138,93 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.AccelBias: (
         Parameter(
-            "bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
+            "bias",
+            "bias",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s^2",),
+            valid=("valid_flags.valid",),
+            frame="sensor",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
     filter_data.LlhPositionUncertainty: (
-        Parameter("north", "north", "scalar", scalar="float", units=("m",)),
-        Parameter("east", "east", "scalar", scalar="float", units=("m",)),
-        Parameter("down", "down", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "north",
+            "north",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
+        Parameter(
+            "east",
+            "east",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
+        Parameter(
+            "down",
+            "down",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
     filter_data.NedVelocityUncertainty: (
-        Parameter("north", "north", "scalar", scalar="float", units=("m/s",)),
-        Parameter("east", "east", "scalar", scalar="float", units=("m/s",)),
-        Parameter("down", "down", "scalar", scalar="float", units=("m/s",)),
+        Parameter(
+            "north",
+            "north",
+            "scalar",
+            scalar="float",
+            units=("m/s",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
+        Parameter(
+            "east",
+            "east",
+            "scalar",
+            scalar="float",
+            units=("m/s",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
+        Parameter(
+            "down",
+            "down",
+            "scalar",
+            scalar="float",
+            units=("m/s",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
     filter_data.EulerAnglesUncertainty: (
-        Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
-        Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
-        Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",)),
+        Parameter(
+            "roll", "roll", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",)
+        ),
+        Parameter(
+            "pitch", "pitch", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",)
+        ),
+        Parameter(
+            "yaw", "yaw", "scalar", scalar="float", units=("rad",), valid=("valid_flags.valid",)
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
@@ -2577,6 +3237,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("rad/s",),
+            valid=("valid_flags.valid",),
+            frame="sensor",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2590,6 +3252,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m/s^2",),
+            valid=("valid_flags.valid",),
+            frame="sensor",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2597,7 +3261,14 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.LinearAccel: (
         Parameter(
-            "accel", "accel", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
+            "accel",
+            "accel",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s^2",),
+            valid=("valid_flags.valid",),
+            frame="vehicle",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2605,7 +3276,14 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.CompAngularRate: (
         Parameter(
-            "gyro", "gyro", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
+            "gyro",
+            "gyro",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("rad/s",),
+            valid=("valid_flags.valid",),
+            frame="vehicle",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2613,7 +3291,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.Wgs84GravityMagnitude: (
         Parameter(
-            "gravity_magnitude", "gravity_magnitude", "scalar", scalar="float", units=("m/s^2",)
+            "gravity_magnitude",
+            "gravity_magnitude",
+            "scalar",
+            scalar="float",
+            units=("m/s^2",),
+            valid=("valid_flags.valid",),
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2625,14 +3308,31 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("status_flags", "status_flags", "scalar", scalar="u16"),
     ),
     filter_data.Timestamp: (
-        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
-        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter(
+            "tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.valid",)
+        ),
+        Parameter(
+            "week_number",
+            "week_number",
+            "scalar",
+            scalar="u16",
+            units=("week",),
+            valid=("valid_flags.valid",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
     filter_data.QuaternionAttitudeUncertainty: (
-        Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
+        Parameter(
+            "q",
+            "q",
+            "array",
+            scalar="float",
+            elements=("w", "x", "y", "z"),
+            units=("1",),
+            valid=("valid_flags.valid",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
@@ -2645,15 +3345,29 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m/s^2",),
+            valid=("valid_flags.valid",),
+            frame="vehicle",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
     filter_data.HeadingUpdateState: (
-        Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
         Parameter(
-            "heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",)
+            "heading",
+            "heading",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            valid=("valid_flags.valid",),
+        ),
+        Parameter(
+            "heading_uncertainty",
+            "heading_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            valid=("valid_flags.valid",),
         ),
         Parameter("source", "source", "scalar", scalar="u16", type=filter_data.HeadingSourceFlags),
         Parameter(
@@ -2661,11 +3375,49 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     filter_data.MagneticModel: (
-        Parameter("intensity_north", "intensity_north", "scalar", scalar="float", units=("gauss",)),
-        Parameter("intensity_east", "intensity_east", "scalar", scalar="float", units=("gauss",)),
-        Parameter("intensity_down", "intensity_down", "scalar", scalar="float", units=("gauss",)),
-        Parameter("inclination", "inclination", "scalar", scalar="float", units=("rad",)),
-        Parameter("declination", "declination", "scalar", scalar="float", units=("rad",)),
+        Parameter(
+            "intensity_north",
+            "intensity_north",
+            "scalar",
+            scalar="float",
+            units=("gauss",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
+        Parameter(
+            "intensity_east",
+            "intensity_east",
+            "scalar",
+            scalar="float",
+            units=("gauss",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
+        Parameter(
+            "intensity_down",
+            "intensity_down",
+            "scalar",
+            scalar="float",
+            units=("gauss",),
+            valid=("valid_flags.valid",),
+            frame="ned",
+        ),
+        Parameter(
+            "inclination",
+            "inclination",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            valid=("valid_flags.valid",),
+        ),
+        Parameter(
+            "declination",
+            "declination",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            valid=("valid_flags.valid",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
@@ -2678,6 +3430,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("1",),
+            valid=("valid_flags.valid",),
+            frame="sensor",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2691,6 +3445,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("1",),
+            valid=("valid_flags.valid",),
+            frame="sensor",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2704,6 +3460,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("1",),
+            valid=("valid_flags.valid",),
+            frame="sensor",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2717,6 +3475,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("1",),
+            valid=("valid_flags.valid",),
+            frame="sensor",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2724,7 +3484,14 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.MagBias: (
         Parameter(
-            "bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+            "bias",
+            "bias",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("gauss",),
+            valid=("valid_flags.valid",),
+            frame="sensor",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2738,6 +3505,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("gauss",),
+            valid=("valid_flags.valid",),
+            frame="sensor",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2745,7 +3514,14 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.CompAccel: (
         Parameter(
-            "accel", "accel", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
+            "accel",
+            "accel",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s^2",),
+            valid=("valid_flags.valid",),
+            frame="vehicle",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2753,10 +3529,20 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.StandardAtmosphere: (
         Parameter(
-            "geometric_altitude", "geometric_altitude", "scalar", scalar="float", units=("m",)
+            "geometric_altitude",
+            "geometric_altitude",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            valid=("valid_flags.valid",),
         ),
         Parameter(
-            "geopotential_altitude", "geopotential_altitude", "scalar", scalar="float", units=("m",)
+            "geopotential_altitude",
+            "geopotential_altitude",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            valid=("valid_flags.valid",),
         ),
         Parameter(
             "standard_temperature",
@@ -2764,25 +3550,51 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "scalar",
             scalar="float",
             units=("degC",),
+            valid=("valid_flags.valid",),
         ),
         Parameter(
-            "standard_pressure", "standard_pressure", "scalar", scalar="float", units=("mbar",)
+            "standard_pressure",
+            "standard_pressure",
+            "scalar",
+            scalar="float",
+            units=("mbar",),
+            valid=("valid_flags.valid",),
         ),
         Parameter(
-            "standard_density", "standard_density", "scalar", scalar="float", units=("kg/m^3",)
+            "standard_density",
+            "standard_density",
+            "scalar",
+            scalar="float",
+            units=("kg/m^3",),
+            valid=("valid_flags.valid",),
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
     filter_data.PressureAltitude: (
-        Parameter("pressure_altitude", "pressure_altitude", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "pressure_altitude",
+            "pressure_altitude",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            valid=("valid_flags.valid",),
+            maximum=84852,
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
     filter_data.DensityAltitude: (
-        Parameter("density_altitude", "density_altitude", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "density_altitude",
+            "density_altitude",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            valid=("valid_flags.valid",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
@@ -2795,6 +3607,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("gauss",),
+            valid=("valid_flags.valid",),
+            frame="sensor",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2808,6 +3622,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
             units=("1",),
+            valid=("valid_flags.valid",),
+            frame="sensor",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2821,6 +3637,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("gauss",),
+            valid=("valid_flags.valid",),
+            frame="sensor",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2834,6 +3652,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
             units=("1",),
+            valid=("valid_flags.valid",),
+            frame="sensor",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2846,6 +3666,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "array",
             scalar="float",
             elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+            valid=("valid_flags.valid",),
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2859,6 +3680,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("gauss",),
+            valid=("valid_flags.valid",),
+            frame="vehicle",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2866,7 +3689,14 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.AntennaOffsetCorrection: (
         Parameter(
-            "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
+            "offset",
+            "offset",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m",),
+            valid=("valid_flags.valid",),
+            frame="vehicle",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2880,28 +3710,47 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
+            valid=("valid_flags.valid",),
+            frame="vehicle",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
     filter_data.ClockCorrection: (
-        Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
-        Parameter("bias", "bias", "scalar", scalar="float", units=("s",)),
-        Parameter("bias_drift", "bias_drift", "scalar", scalar="float", units=("s/s",)),
+        Parameter("receiver_id", "receiver_id", "scalar", scalar="u8", minimum=1),
+        Parameter(
+            "bias", "bias", "scalar", scalar="float", units=("s",), valid=("valid_flags.valid",)
+        ),
+        Parameter(
+            "bias_drift",
+            "bias_drift",
+            "scalar",
+            scalar="float",
+            units=("s/s",),
+            valid=("valid_flags.valid",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
     filter_data.ClockCorrectionUncertainty: (
-        Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
-        Parameter("bias_uncertainty", "bias_uncertainty", "scalar", scalar="float", units=("s",)),
+        Parameter("receiver_id", "receiver_id", "scalar", scalar="u8", minimum=1),
+        Parameter(
+            "bias_uncertainty",
+            "bias_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("s",),
+            valid=("valid_flags.valid",),
+        ),
         Parameter(
             "bias_drift_uncertainty",
             "bias_drift_uncertainty",
             "scalar",
             scalar="float",
             units=("s/s",),
+            valid=("valid_flags.valid",),
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2910,7 +3759,14 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     filter_data.MultiAntennaOffsetCorrection: (
         Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
         Parameter(
-            "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
+            "offset",
+            "offset",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m",),
+            valid=("valid_flags.valid",),
+            frame="vehicle",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2925,6 +3781,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
+            valid=("valid_flags.valid",),
+            frame="vehicle",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2938,6 +3796,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m",),
+            valid=("valid_flags.valid",),
+            frame="ecef",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2951,6 +3811,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m/s",),
+            valid=("valid_flags.valid",),
+            frame="ecef",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2958,7 +3820,14 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.EcefPosition: (
         Parameter(
-            "position", "position", "array", scalar="double", elements=("x", "y", "z"), units=("m",)
+            "position",
+            "position",
+            "array",
+            scalar="double",
+            elements=("x", "y", "z"),
+            units=("m",),
+            valid=("valid_flags.valid",),
+            frame="ecef",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2972,6 +3841,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m/s",),
+            valid=("valid_flags.valid",),
+            frame="ecef",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2985,6 +3856,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="double",
             elements=("x", "y", "z"),
             units=("m",),
+            valid=("valid_flags.valid",),
+            frame="ned",
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -2994,17 +3867,17 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
         Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
         Parameter("status", "status", "scalar", scalar="u16", type=filter_data.GnssAidingStatus),
-        Parameter("reserved", "reserved", "array", scalar="u8", length=8),
+        Parameter("reserved", "reserved", "array", scalar="u8", length=8, default=0),
     ),
     filter_data.GnssAttitudeAidingStatus: (
         Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
         Parameter("status", "status", "scalar", scalar="u16", type=filter_data.GnssAidingStatus),
-        Parameter("reserved", "reserved", "array", scalar="u8", length=8),
+        Parameter("reserved", "reserved", "array", scalar="u8", length=8, default=0),
     ),
     filter_data.HeadingAidingStatus: (
         Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
         Parameter("type", "type", "scalar", scalar="u8", type=filter_data.HeadingAidingType),
-        Parameter("reserved", "reserved", "array", scalar="float", length=2),
+        Parameter("reserved", "reserved", "array", scalar="float", length=2, default=0.0),
     ),
     filter_data.AidingMeasurementSummary: (
         Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
@@ -3020,7 +3893,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter_data.OdometerScaleFactorError: (
         Parameter(
-            "scale_factor_error", "scale_factor_error", "scalar", scalar="float", units=("1",)
+            "scale_factor_error",
+            "scale_factor_error",
+            "scalar",
+            scalar="float",
+            units=("1",),
+            valid=("valid_flags.valid",),
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
@@ -3033,16 +3911,31 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "scalar",
             scalar="float",
             units=("1",),
+            valid=("valid_flags.valid",),
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
     filter_data.GnssDualAntennaStatus: (
-        Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
-        Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
         Parameter(
-            "heading_uncertainty", "heading_uncertainty", "scalar", scalar="float", units=("rad",)
+            "tow", "tow", "scalar", scalar="float", units=("s",), valid=("valid_flags.valid",)
+        ),
+        Parameter(
+            "heading",
+            "heading",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            valid=("valid_flags.valid",),
+        ),
+        Parameter(
+            "heading_uncertainty",
+            "heading_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+            valid=("valid_flags.valid",),
         ),
         Parameter(
             "fix_type", "fix_type", "scalar", scalar="u8", type=filter_data.DualAntennaFixType
@@ -3097,23 +3990,80 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     gnss_1.LlhPosition: (
-        Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",)),
-        Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",)),
-        Parameter("ellipsoid_height", "ellipsoid_height", "scalar", scalar="double", units=("m",)),
-        Parameter("msl_height", "msl_height", "scalar", scalar="double", units=("m",)),
         Parameter(
-            "horizontal_accuracy", "horizontal_accuracy", "scalar", scalar="float", units=("m",)
+            "latitude",
+            "latitude",
+            "scalar",
+            scalar="double",
+            units=("deg",),
+            valid=("valid_flags.lat_lon",),
+            frame="llh",
         ),
-        Parameter("vertical_accuracy", "vertical_accuracy", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "longitude",
+            "longitude",
+            "scalar",
+            scalar="double",
+            units=("deg",),
+            valid=("valid_flags.lat_lon",),
+            frame="llh",
+        ),
+        Parameter(
+            "ellipsoid_height",
+            "ellipsoid_height",
+            "scalar",
+            scalar="double",
+            units=("m",),
+            valid=("valid_flags.ellipsoid_height",),
+            frame="llh",
+        ),
+        Parameter(
+            "msl_height",
+            "msl_height",
+            "scalar",
+            scalar="double",
+            units=("m",),
+            valid=("valid_flags.msl_height",),
+        ),
+        Parameter(
+            "horizontal_accuracy",
+            "horizontal_accuracy",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            valid=("valid_flags.horizontal_accuracy",),
+        ),
+        Parameter(
+            "vertical_accuracy",
+            "vertical_accuracy",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            valid=("valid_flags.vertical_accuracy",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.LlhPositionFlags
         ),
     ),
     gnss_1.EcefPosition: (
         Parameter(
-            "position", "position", "array", scalar="double", elements=("x", "y", "z"), units=("m",)
+            "position",
+            "position",
+            "array",
+            scalar="double",
+            elements=("x", "y", "z"),
+            units=("m",),
+            valid=("valid_flags.position",),
+            frame="ecef",
         ),
-        Parameter("position_accuracy", "position_accuracy", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "position_accuracy",
+            "position_accuracy",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            valid=("valid_flags.position_accuracy",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.EcefPositionFlags
         ),
@@ -3126,12 +4076,50 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m/s",),
+            valid=("valid_flags.velocity",),
+            frame="ned",
         ),
-        Parameter("speed", "speed", "scalar", scalar="float", units=("m/s",)),
-        Parameter("ground_speed", "ground_speed", "scalar", scalar="float", units=("m/s",)),
-        Parameter("heading", "heading", "scalar", scalar="float", units=("deg",)),
-        Parameter("speed_accuracy", "speed_accuracy", "scalar", scalar="float", units=("m/s",)),
-        Parameter("heading_accuracy", "heading_accuracy", "scalar", scalar="float", units=("deg",)),
+        Parameter(
+            "speed",
+            "speed",
+            "scalar",
+            scalar="float",
+            units=("m/s",),
+            valid=("valid_flags.speed_3d",),
+        ),
+        Parameter(
+            "ground_speed",
+            "ground_speed",
+            "scalar",
+            scalar="float",
+            units=("m/s",),
+            valid=("valid_flags.ground_speed",),
+        ),
+        Parameter(
+            "heading",
+            "heading",
+            "scalar",
+            scalar="float",
+            units=("deg",),
+            valid=("valid_flags.heading",),
+            frame="ned",
+        ),
+        Parameter(
+            "speed_accuracy",
+            "speed_accuracy",
+            "scalar",
+            scalar="float",
+            units=("m/s",),
+            valid=("valid_flags.speed_accuracy",),
+        ),
+        Parameter(
+            "heading_accuracy",
+            "heading_accuracy",
+            "scalar",
+            scalar="float",
+            units=("deg",),
+            valid=("valid_flags.heading_accuracy",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.NedVelocityFlags
         ),
@@ -3144,109 +4132,309 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m/s",),
+            valid=("valid_flags.velocity",),
+            frame="ecef",
         ),
         Parameter(
-            "velocity_accuracy", "velocity_accuracy", "scalar", scalar="float", units=("m/s",)
+            "velocity_accuracy",
+            "velocity_accuracy",
+            "scalar",
+            scalar="float",
+            units=("m/s",),
+            valid=("valid_flags.velocity_accuracy",),
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.EcefVelocityFlags
         ),
     ),
     gnss_1.Dop: (
-        Parameter("gdop", "gdop", "scalar", scalar="float", units=("1",)),
-        Parameter("pdop", "pdop", "scalar", scalar="float", units=("1",)),
-        Parameter("hdop", "hdop", "scalar", scalar="float", units=("1",)),
-        Parameter("vdop", "vdop", "scalar", scalar="float", units=("1",)),
-        Parameter("tdop", "tdop", "scalar", scalar="float", units=("1",)),
-        Parameter("ndop", "ndop", "scalar", scalar="float", units=("1",)),
-        Parameter("edop", "edop", "scalar", scalar="float", units=("1",)),
+        Parameter(
+            "gdop", "gdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.gdop",)
+        ),
+        Parameter(
+            "pdop", "pdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.pdop",)
+        ),
+        Parameter(
+            "hdop", "hdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.hdop",)
+        ),
+        Parameter(
+            "vdop", "vdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.vdop",)
+        ),
+        Parameter(
+            "tdop", "tdop", "scalar", scalar="float", units=("1",), valid=("valid_flags.tdop",)
+        ),
+        Parameter(
+            "ndop", "ndop", "scalar", scalar="float", units=("1",), valid=("valid_flags.ndop",)
+        ),
+        Parameter(
+            "edop", "edop", "scalar", scalar="float", units=("1",), valid=("valid_flags.edop",)
+        ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.DopFlags),
     ),
     gnss_1.UtcTime: (
-        Parameter("year", "year", "scalar", scalar="u16"),
-        Parameter("month", "month", "scalar", scalar="u8"),
-        Parameter("day", "day", "scalar", scalar="u8"),
-        Parameter("hour", "hour", "scalar", scalar="u8"),
-        Parameter("min", "min", "scalar", scalar="u8"),
-        Parameter("sec", "sec", "scalar", scalar="u8", units=("s",)),
-        Parameter("msec", "msec", "scalar", scalar="u32", units=("ms",)),
+        Parameter("year", "year", "scalar", scalar="u16", valid=("valid_flags.gnss_date_time",)),
+        Parameter(
+            "month",
+            "month",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.gnss_date_time",),
+            minimum=1,
+            maximum=12,
+        ),
+        Parameter(
+            "day",
+            "day",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.gnss_date_time",),
+            minimum=1,
+            maximum=31,
+        ),
+        Parameter(
+            "hour",
+            "hour",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.gnss_date_time",),
+            minimum=0,
+            maximum=23,
+        ),
+        Parameter(
+            "min",
+            "min",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.gnss_date_time",),
+            minimum=0,
+            maximum=59,
+        ),
+        Parameter(
+            "sec",
+            "sec",
+            "scalar",
+            scalar="u8",
+            units=("s",),
+            valid=("valid_flags.gnss_date_time",),
+            minimum=0,
+            maximum=59,
+        ),
+        Parameter(
+            "msec",
+            "msec",
+            "scalar",
+            scalar="u32",
+            units=("ms",),
+            valid=("valid_flags.gnss_date_time",),
+            minimum=0,
+            maximum=999,
+        ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.UtcTimeFlags),
     ),
     gnss_1.GpsTime: (
-        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
-        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter(
+            "tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",)
+        ),
+        Parameter(
+            "week_number",
+            "week_number",
+            "scalar",
+            scalar="u16",
+            units=("week",),
+            valid=("valid_flags.week_number",),
+        ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.GpsTimeFlags),
     ),
     gnss_1.ClockInfo: (
-        Parameter("bias", "bias", "scalar", scalar="double", units=("s",)),
-        Parameter("drift", "drift", "scalar", scalar="double", units=("s/s",)),
         Parameter(
-            "accuracy_estimate", "accuracy_estimate", "scalar", scalar="double", units=("s",)
+            "bias", "bias", "scalar", scalar="double", units=("s",), valid=("valid_flags.bias",)
+        ),
+        Parameter(
+            "drift",
+            "drift",
+            "scalar",
+            scalar="double",
+            units=("s/s",),
+            valid=("valid_flags.drift",),
+        ),
+        Parameter(
+            "accuracy_estimate",
+            "accuracy_estimate",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.accuracy_estimate",),
         ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.ClockInfoFlags),
     ),
     gnss_1.FixInfo: (
-        Parameter("fix_type", "fix_type", "scalar", scalar="u8", type=types.GnssFixType),
-        Parameter("num_sv", "num_sv", "scalar", scalar="u8", units=("1",)),
-        Parameter("fix_flags", "fix_flags", "scalar", scalar="u16", type=gnss_1.FixFlags),
+        Parameter(
+            "fix_type",
+            "fix_type",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.fix_type",),
+            type=types.GnssFixType,
+        ),
+        Parameter(
+            "num_sv", "num_sv", "scalar", scalar="u8", units=("1",), valid=("valid_flags.num_sv",)
+        ),
+        Parameter(
+            "fix_flags",
+            "fix_flags",
+            "scalar",
+            scalar="u16",
+            valid=("valid_flags.fix_flags",),
+            type=gnss_1.FixFlags,
+        ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.FixInfoFlags),
     ),
     gnss_1.SvInfo: (
-        Parameter("channel", "channel", "scalar", scalar="u8"),
-        Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
+        Parameter("channel", "channel", "scalar", scalar="u8", valid=("valid_flags.channel",)),
         Parameter(
-            "carrier_noise_ratio", "carrier_noise_ratio", "scalar", scalar="u16", units=("dB-Hz",)
+            "satellite_id",
+            "satellite_id",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.satellite_id",),
         ),
-        Parameter("azimuth", "azimuth", "scalar", scalar="s16", units=("deg",)),
-        Parameter("elevation", "elevation", "scalar", scalar="s16", units=("deg",)),
-        Parameter("sv_flags", "sv_flags", "scalar", scalar="u16", type=gnss_1.SvFlags),
+        Parameter(
+            "carrier_noise_ratio",
+            "carrier_noise_ratio",
+            "scalar",
+            scalar="u16",
+            units=("dB-Hz",),
+            valid=("valid_flags.carrier_noise_ratio",),
+        ),
+        Parameter(
+            "azimuth",
+            "azimuth",
+            "scalar",
+            scalar="s16",
+            units=("deg",),
+            valid=("valid_flags.azimuth",),
+        ),
+        Parameter(
+            "elevation",
+            "elevation",
+            "scalar",
+            scalar="s16",
+            units=("deg",),
+            valid=("valid_flags.elevation",),
+        ),
+        Parameter(
+            "sv_flags",
+            "sv_flags",
+            "scalar",
+            scalar="u16",
+            valid=("valid_flags.sv_flags",),
+            type=gnss_1.SvFlags,
+        ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.SvInfoFlags),
     ),
     gnss_1.HardwareStatus: (
         Parameter(
-            "receiver_state", "receiver_state", "scalar", scalar="u8", type=gnss_1.ReceiverState
+            "receiver_state",
+            "receiver_state",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.sensor_state",),
+            type=gnss_1.ReceiverState,
         ),
         Parameter(
-            "antenna_state", "antenna_state", "scalar", scalar="u8", type=gnss_1.AntennaState
+            "antenna_state",
+            "antenna_state",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.antenna_state",),
+            type=gnss_1.AntennaState,
         ),
         Parameter(
-            "antenna_power", "antenna_power", "scalar", scalar="u8", type=gnss_1.AntennaPower
+            "antenna_power",
+            "antenna_power",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.antenna_power",),
+            type=gnss_1.AntennaPower,
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.HardwareStatusFlags
         ),
     ),
     gnss_1.DgpsInfo: (
-        Parameter("age", "age", "scalar", scalar="float", units=("s",)),
-        Parameter("base_station_id", "base_station_id", "scalar", scalar="s16"),
-        Parameter("base_station_status", "base_station_status", "scalar", scalar="s16"),
-        Parameter("num_channels", "num_channels", "scalar", scalar="u16", units=("1",)),
+        Parameter("age", "age", "scalar", scalar="float", units=("s",), valid=("valid_flags.age",)),
+        Parameter(
+            "base_station_id",
+            "base_station_id",
+            "scalar",
+            scalar="s16",
+            valid=("valid_flags.base_station_id",),
+        ),
+        Parameter(
+            "base_station_status",
+            "base_station_status",
+            "scalar",
+            scalar="s16",
+            valid=("valid_flags.base_station_status",),
+        ),
+        Parameter(
+            "num_channels",
+            "num_channels",
+            "scalar",
+            scalar="u16",
+            units=("1",),
+            valid=("valid_flags.num_channels",),
+        ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.DgpsInfoFlags),
     ),
     gnss_1.DgpsChannel: (
-        Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
-        Parameter("age", "age", "scalar", scalar="float", units=("s",)),
-        Parameter("range_correction", "range_correction", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "satellite_id",
+            "satellite_id",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.satellite_id",),
+        ),
+        Parameter("age", "age", "scalar", scalar="float", units=("s",), valid=("valid_flags.age",)),
+        Parameter(
+            "range_correction",
+            "range_correction",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            valid=("valid_flags.range_correction",),
+        ),
         Parameter(
             "range_rate_correction",
             "range_rate_correction",
             "scalar",
             scalar="float",
             units=("m/s",),
+            valid=("valid_flags.range_rate_correction",),
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.DgpsChannelFlags
         ),
     ),
     gnss_1.ClockInfo2: (
-        Parameter("bias", "bias", "scalar", scalar="double", units=("s",)),
-        Parameter("drift", "drift", "scalar", scalar="double", units=("s/s",)),
+        Parameter(
+            "bias", "bias", "scalar", scalar="double", units=("s",), valid=("valid_flags.bias",)
+        ),
+        Parameter(
+            "drift",
+            "drift",
+            "scalar",
+            scalar="double",
+            units=("s/s",),
+            valid=("valid_flags.drift",),
+        ),
         Parameter(
             "bias_accuracy_estimate",
             "bias_accuracy_estimate",
             "scalar",
             scalar="double",
             units=("s",),
+            valid=("valid_flags.bias_accuracy",),
         ),
         Parameter(
             "drift_accuracy_estimate",
@@ -3254,24 +4442,57 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "scalar",
             scalar="double",
             units=("s/s",),
+            valid=("valid_flags.drift_accuracy",),
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.ClockInfo2Flags
         ),
     ),
     gnss_1.GpsLeapSeconds: (
-        Parameter("leap_seconds", "leap_seconds", "scalar", scalar="u8", units=("s",)),
+        Parameter(
+            "leap_seconds",
+            "leap_seconds",
+            "scalar",
+            scalar="u8",
+            units=("s",),
+            valid=("valid_flags.leap_seconds",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.GpsLeapSecondsFlags
         ),
     ),
     gnss_1.SbasInfo: (
-        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
-        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
-        Parameter("sbas_system", "sbas_system", "scalar", scalar="u8", type=gnss_1.SbasSystem),
-        Parameter("sbas_id", "sbas_id", "scalar", scalar="u8"),
-        Parameter("count", "count", "scalar", scalar="u8", units=("1",)),
-        Parameter("sbas_status", "sbas_status", "scalar", scalar="u8", type=gnss_1.SbasStatus),
+        Parameter(
+            "tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",)
+        ),
+        Parameter(
+            "week_number",
+            "week_number",
+            "scalar",
+            scalar="u16",
+            units=("week",),
+            valid=("valid_flags.week_number",),
+        ),
+        Parameter(
+            "sbas_system",
+            "sbas_system",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.sbas_system",),
+            type=gnss_1.SbasSystem,
+        ),
+        Parameter("sbas_id", "sbas_id", "scalar", scalar="u8", valid=("valid_flags.sbas_id",)),
+        Parameter(
+            "count", "count", "scalar", scalar="u8", units=("1",), valid=("valid_flags.count",)
+        ),
+        Parameter(
+            "sbas_status",
+            "sbas_status",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.sbas_status",),
+            type=gnss_1.SbasStatus,
+        ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.SbasInfoFlags),
     ),
     gnss_1.SbasCorrection: (
@@ -3281,28 +4502,61 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("gnss_id", "gnss_id", "scalar", scalar="u8", type=types.GnssConstellation),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
-        Parameter("udrei", "udrei", "scalar", scalar="u8"),
+        Parameter(
+            "udrei",
+            "udrei",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.udrei",),
+            minimum=0,
+            maximum=15,
+        ),
         Parameter(
             "pseudorange_correction",
             "pseudorange_correction",
             "scalar",
             scalar="float",
             units=("m",),
+            valid=("valid_flags.pseudorange_correction",),
         ),
-        Parameter("iono_correction", "iono_correction", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "iono_correction",
+            "iono_correction",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            valid=("valid_flags.iono_correction",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.SbasCorrectionFlags
         ),
     ),
     gnss_1.RfErrorDetection: (
-        Parameter("rf_band", "rf_band", "scalar", scalar="u8", type=gnss_1.RfBand),
         Parameter(
-            "jamming_state", "jamming_state", "scalar", scalar="u8", type=gnss_1.JammingState
+            "rf_band",
+            "rf_band",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.rf_band",),
+            type=gnss_1.RfBand,
         ),
         Parameter(
-            "spoofing_state", "spoofing_state", "scalar", scalar="u8", type=gnss_1.SpoofingState
+            "jamming_state",
+            "jamming_state",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.jamming_state",),
+            type=gnss_1.JammingState,
         ),
-        Parameter("reserved", "reserved", "array", scalar="u8", length=4),
+        Parameter(
+            "spoofing_state",
+            "spoofing_state",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.spoofing_state",),
+            type=gnss_1.SpoofingState,
+        ),
+        Parameter("reserved", "reserved", "array", scalar="u8", length=4, default=0),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.RfErrorDetectionFlags
         ),
@@ -3310,13 +4564,49 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     gnss_1.SatelliteStatus: (
         Parameter("index", "index", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8"),
-        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
-        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
-        Parameter("gnss_id", "gnss_id", "scalar", scalar="u8", type=types.GnssConstellation),
-        Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
-        Parameter("elevation", "elevation", "scalar", scalar="float", units=("deg",)),
-        Parameter("azimuth", "azimuth", "scalar", scalar="float", units=("deg",)),
-        Parameter("health", "health", "scalar", scalar="bool"),
+        Parameter(
+            "tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",)
+        ),
+        Parameter(
+            "week_number",
+            "week_number",
+            "scalar",
+            scalar="u16",
+            units=("week",),
+            valid=("valid_flags.week_number",),
+        ),
+        Parameter(
+            "gnss_id",
+            "gnss_id",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.gnss_id",),
+            type=types.GnssConstellation,
+        ),
+        Parameter(
+            "satellite_id",
+            "satellite_id",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.satellite_id",),
+        ),
+        Parameter(
+            "elevation",
+            "elevation",
+            "scalar",
+            scalar="float",
+            units=("deg",),
+            valid=("valid_flags.elevation",),
+        ),
+        Parameter(
+            "azimuth",
+            "azimuth",
+            "scalar",
+            scalar="float",
+            units=("deg",),
+            valid=("valid_flags.azimuth",),
+        ),
+        Parameter("health", "health", "scalar", scalar="bool", valid=("valid_flags.health",)),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.SatelliteStatusFlags
         ),
@@ -3324,31 +4614,136 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     gnss_1.Raw: (
         Parameter("index", "index", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8"),
-        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
-        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
-        Parameter("receiver_id", "receiver_id", "scalar", scalar="u16"),
-        Parameter("tracking_channel", "tracking_channel", "scalar", scalar="u8"),
-        Parameter("gnss_id", "gnss_id", "scalar", scalar="u8", type=types.GnssConstellation),
-        Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
-        Parameter("signal_id", "signal_id", "scalar", scalar="u8", type=types.GnssSignal),
-        Parameter("signal_strength", "signal_strength", "scalar", scalar="float", units=("dB-Hz",)),
-        Parameter("quality", "quality", "scalar", scalar="u8", type=gnss_1.SignalQuality),
-        Parameter("pseudorange", "pseudorange", "scalar", scalar="double", units=("m",)),
-        Parameter("carrier_phase", "carrier_phase", "scalar", scalar="double", units=("cycle",)),
-        Parameter("doppler", "doppler", "scalar", scalar="float", units=("Hz",)),
-        Parameter("range_uncertainty", "range_uncertainty", "scalar", scalar="float", units=("m",)),
         Parameter(
-            "phase_uncertainty", "phase_uncertainty", "scalar", scalar="float", units=("cycle",)
+            "tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",)
         ),
         Parameter(
-            "doppler_uncertainty", "doppler_uncertainty", "scalar", scalar="float", units=("Hz",)
+            "week_number",
+            "week_number",
+            "scalar",
+            scalar="u16",
+            units=("week",),
+            valid=("valid_flags.week_number",),
         ),
-        Parameter("lock_time", "lock_time", "scalar", scalar="float", units=("s",)),
+        Parameter(
+            "receiver_id", "receiver_id", "scalar", scalar="u16", valid=("valid_flags.receiver_id",)
+        ),
+        Parameter(
+            "tracking_channel",
+            "tracking_channel",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.tracking_channel",),
+        ),
+        Parameter(
+            "gnss_id",
+            "gnss_id",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.gnss_id",),
+            type=types.GnssConstellation,
+        ),
+        Parameter(
+            "satellite_id",
+            "satellite_id",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.satellite_id",),
+        ),
+        Parameter(
+            "signal_id",
+            "signal_id",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.signal_id",),
+            type=types.GnssSignal,
+        ),
+        Parameter(
+            "signal_strength",
+            "signal_strength",
+            "scalar",
+            scalar="float",
+            units=("dB-Hz",),
+            valid=("valid_flags.signal_strength",),
+        ),
+        Parameter(
+            "quality",
+            "quality",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.quality",),
+            type=gnss_1.SignalQuality,
+        ),
+        Parameter(
+            "pseudorange",
+            "pseudorange",
+            "scalar",
+            scalar="double",
+            units=("m",),
+            valid=("valid_flags.pseudorange",),
+        ),
+        Parameter(
+            "carrier_phase",
+            "carrier_phase",
+            "scalar",
+            scalar="double",
+            units=("cycle",),
+            valid=("valid_flags.carrier_phase",),
+        ),
+        Parameter(
+            "doppler",
+            "doppler",
+            "scalar",
+            scalar="float",
+            units=("Hz",),
+            valid=("valid_flags.doppler",),
+        ),
+        Parameter(
+            "range_uncertainty",
+            "range_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            valid=("valid_flags.range_uncertainty",),
+        ),
+        Parameter(
+            "phase_uncertainty",
+            "phase_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("cycle",),
+            valid=("valid_flags.carrier_phase_uncertainty",),
+        ),
+        Parameter(
+            "doppler_uncertainty",
+            "doppler_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("Hz",),
+            valid=("valid_flags.doppler_uncertainty",),
+        ),
+        Parameter(
+            "lock_time",
+            "lock_time",
+            "scalar",
+            scalar="float",
+            units=("s",),
+            valid=("valid_flags.lock_time",),
+        ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.RawFlags),
     ),
     gnss_1.BaseStationInfo: (
-        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
-        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter(
+            "tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",)
+        ),
+        Parameter(
+            "week_number",
+            "week_number",
+            "scalar",
+            scalar="u16",
+            units=("week",),
+            valid=("valid_flags.week_number",),
+        ),
         Parameter(
             "ecef_position",
             "ecef_position",
@@ -3356,24 +4751,65 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="double",
             elements=("x", "y", "z"),
             units=("m",),
+            valid=("valid_flags.ecef_position",),
+            frame="ecef",
         ),
-        Parameter("height", "height", "scalar", scalar="float", units=("m",)),
-        Parameter("station_id", "station_id", "scalar", scalar="u16"),
         Parameter(
-            "indicators", "indicators", "scalar", scalar="u16", type=gnss_1.BaseStationIndicators
+            "height",
+            "height",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            valid=("valid_flags.height",),
+        ),
+        Parameter(
+            "station_id",
+            "station_id",
+            "scalar",
+            scalar="u16",
+            valid=("valid_flags.station_id",),
+            minimum=0,
+            maximum=4095,
+        ),
+        Parameter(
+            "indicators",
+            "indicators",
+            "scalar",
+            scalar="u16",
+            valid=("valid_flags.indicators",),
+            type=gnss_1.BaseStationIndicators,
         ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.BaseStationInfoFlags
         ),
     ),
     gnss_1.RtkCorrectionsStatus: (
-        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
-        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter(
-            "epoch_status", "epoch_status", "scalar", scalar="u16", type=gnss_1.RtkEpochStatus
+            "tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",)
         ),
         Parameter(
-            "dongle_status", "dongle_status", "scalar", scalar="u32", type=types.RtkStatusFlags
+            "week_number",
+            "week_number",
+            "scalar",
+            scalar="u16",
+            units=("week",),
+            valid=("valid_flags.week_number",),
+        ),
+        Parameter(
+            "epoch_status",
+            "epoch_status",
+            "scalar",
+            scalar="u16",
+            valid=("valid_flags.epoch_status",),
+            type=gnss_1.RtkEpochStatus,
+        ),
+        Parameter(
+            "dongle_status",
+            "dongle_status",
+            "scalar",
+            scalar="u32",
+            valid=("valid_flags.dongle_status",),
+            type=types.RtkStatusFlags,
         ),
         Parameter(
             "gps_correction_latency",
@@ -3381,6 +4817,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "scalar",
             scalar="float",
             units=("s",),
+            valid=("valid_flags.gps_latency",),
         ),
         Parameter(
             "glonass_correction_latency",
@@ -3388,6 +4825,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "scalar",
             scalar="float",
             units=("s",),
+            valid=("valid_flags.glonass_latency",),
         ),
         Parameter(
             "galileo_correction_latency",
@@ -3395,6 +4833,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "scalar",
             scalar="float",
             units=("s",),
+            valid=("valid_flags.galileo_latency",),
         ),
         Parameter(
             "beidou_correction_latency",
@@ -3402,8 +4841,9 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "scalar",
             scalar="float",
             units=("s",),
+            valid=("valid_flags.beidou_latency",),
         ),
-        Parameter("reserved", "reserved", "array", scalar="u32", length=4),
+        Parameter("reserved", "reserved", "array", scalar="u32", length=4, default=0),
         Parameter(
             "valid_flags",
             "valid_flags",
@@ -3418,22 +4858,94 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
-        Parameter("health", "health", "scalar", scalar="u8"),
-        Parameter("iodc", "iodc", "scalar", scalar="u8"),
-        Parameter("iode", "iode", "scalar", scalar="u8"),
-        Parameter("t_oc", "t_oc", "scalar", scalar="double", units=("s",)),
-        Parameter("af0", "af0", "scalar", scalar="double", units=("s",)),
-        Parameter("af1", "af1", "scalar", scalar="double", units=("s/s",)),
-        Parameter("af2", "af2", "scalar", scalar="double", units=("s/s^2",)),
-        Parameter("t_gd", "t_gd", "scalar", scalar="double", units=("s",)),
-        Parameter("isc_l1ca", "isc_l1ca", "scalar", scalar="double", units=("s",)),
-        Parameter("isc_l2c", "isc_l2c", "scalar", scalar="double", units=("s",)),
-        Parameter("t_oe", "t_oe", "scalar", scalar="double", units=("s",)),
-        Parameter("a", "a", "scalar", scalar="double", units=("m",)),
-        Parameter("a_dot", "a_dot", "scalar", scalar="double", units=("m/s",)),
-        Parameter("mean_anomaly", "mean_anomaly", "scalar", scalar="double", units=("rad",)),
+        Parameter("health", "health", "scalar", scalar="u8", valid=("valid_flags.ephemeris",)),
+        Parameter("iodc", "iodc", "scalar", scalar="u8", valid=("valid_flags.ephemeris",)),
+        Parameter("iode", "iode", "scalar", scalar="u8", valid=("valid_flags.ephemeris",)),
         Parameter(
-            "delta_mean_motion", "delta_mean_motion", "scalar", scalar="double", units=("rad/s",)
+            "t_oc",
+            "t_oc",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "af0", "af0", "scalar", scalar="double", units=("s",), valid=("valid_flags.ephemeris",)
+        ),
+        Parameter(
+            "af1",
+            "af1",
+            "scalar",
+            scalar="double",
+            units=("s/s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "af2",
+            "af2",
+            "scalar",
+            scalar="double",
+            units=("s/s^2",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "t_gd",
+            "t_gd",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "isc_l1ca",
+            "isc_l1ca",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "isc_l2c",
+            "isc_l2c",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "t_oe",
+            "t_oe",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "a", "a", "scalar", scalar="double", units=("m",), valid=("valid_flags.ephemeris",)
+        ),
+        Parameter(
+            "a_dot",
+            "a_dot",
+            "scalar",
+            scalar="double",
+            units=("m/s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "mean_anomaly",
+            "mean_anomaly",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "delta_mean_motion",
+            "delta_mean_motion",
+            "scalar",
+            scalar="double",
+            units=("rad/s",),
+            valid=("valid_flags.ephemeris",),
         ),
         Parameter(
             "delta_mean_motion_dot",
@@ -3441,23 +4953,104 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "scalar",
             scalar="double",
             units=("rad/s^2",),
+            valid=("valid_flags.ephemeris",),
         ),
-        Parameter("eccentricity", "eccentricity", "scalar", scalar="double", units=("1",)),
         Parameter(
-            "argument_of_perigee", "argument_of_perigee", "scalar", scalar="double", units=("rad",)
+            "eccentricity",
+            "eccentricity",
+            "scalar",
+            scalar="double",
+            units=("1",),
+            valid=("valid_flags.ephemeris",),
         ),
-        Parameter("omega", "omega", "scalar", scalar="double", units=("rad",)),
-        Parameter("omega_dot", "omega_dot", "scalar", scalar="double", units=("rad/s",)),
-        Parameter("inclination", "inclination", "scalar", scalar="double", units=("rad",)),
         Parameter(
-            "inclination_dot", "inclination_dot", "scalar", scalar="double", units=("rad/s",)
+            "argument_of_perigee",
+            "argument_of_perigee",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
         ),
-        Parameter("c_ic", "c_ic", "scalar", scalar="double", units=("rad",)),
-        Parameter("c_is", "c_is", "scalar", scalar="double", units=("rad",)),
-        Parameter("c_uc", "c_uc", "scalar", scalar="double", units=("rad",)),
-        Parameter("c_us", "c_us", "scalar", scalar="double", units=("rad",)),
-        Parameter("c_rc", "c_rc", "scalar", scalar="double", units=("m",)),
-        Parameter("c_rs", "c_rs", "scalar", scalar="double", units=("m",)),
+        Parameter(
+            "omega",
+            "omega",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "omega_dot",
+            "omega_dot",
+            "scalar",
+            scalar="double",
+            units=("rad/s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "inclination",
+            "inclination",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "inclination_dot",
+            "inclination_dot",
+            "scalar",
+            scalar="double",
+            units=("rad/s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_ic",
+            "c_ic",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_is",
+            "c_is",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_uc",
+            "c_uc",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_us",
+            "c_us",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_rc",
+            "c_rc",
+            "scalar",
+            scalar="double",
+            units=("m",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_rs",
+            "c_rs",
+            "scalar",
+            scalar="double",
+            units=("m",),
+            valid=("valid_flags.ephemeris",),
+        ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.EphemerisFlags),
     ),
     gnss_1.GlonassEphemeris: (
@@ -3466,20 +5059,53 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
-        Parameter("frequency_number", "frequency_number", "scalar", scalar="s8"),
-        Parameter("tk", "tk", "scalar", scalar="u32", units=("s",)),
-        Parameter("tb", "tb", "scalar", scalar="u32", units=("s",)),
+        Parameter(
+            "frequency_number",
+            "frequency_number",
+            "scalar",
+            scalar="s8",
+            valid=("valid_flags.ephemeris",),
+            minimum=-7,
+            maximum=24,
+        ),
+        Parameter(
+            "tk", "tk", "scalar", scalar="u32", units=("s",), valid=("valid_flags.ephemeris",)
+        ),
+        Parameter(
+            "tb", "tb", "scalar", scalar="u32", units=("s",), valid=("valid_flags.ephemeris",)
+        ),
         Parameter(
             "satellite_type",
             "satellite_type",
             "scalar",
             scalar="u8",
+            valid=("valid_flags.ephemeris",),
             type=gnss_1.GlonassSatelliteType,
         ),
-        Parameter("gamma", "gamma", "scalar", scalar="double", units=("1",)),
-        Parameter("tau_n", "tau_n", "scalar", scalar="double", units=("s",)),
         Parameter(
-            "position", "position", "array", scalar="double", elements=("x", "y", "z"), units=("m",)
+            "gamma",
+            "gamma",
+            "scalar",
+            scalar="double",
+            units=("1",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "tau_n",
+            "tau_n",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "position",
+            "position",
+            "array",
+            scalar="double",
+            elements=("x", "y", "z"),
+            units=("m",),
+            valid=("valid_flags.ephemeris",),
         ),
         Parameter(
             "velocity",
@@ -3488,20 +5114,50 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("m/s",),
+            valid=("valid_flags.ephemeris",),
         ),
         Parameter(
-            "accel", "accel", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
+            "accel",
+            "accel",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s^2",),
+            valid=("valid_flags.ephemeris",),
         ),
-        Parameter("health", "health", "scalar", scalar="u8"),
-        Parameter("p", "p", "scalar", scalar="u8"),
-        Parameter("nt", "nt", "scalar", scalar="u8", units=("day",)),
-        Parameter("delta_tau_n", "delta_tau_n", "scalar", scalar="float", units=("s",)),
-        Parameter("ft", "ft", "scalar", scalar="u8"),
-        Parameter("en", "en", "scalar", scalar="u8", units=("day",)),
-        Parameter("p1", "p1", "scalar", scalar="u8", units=("min",)),
-        Parameter("p2", "p2", "scalar", scalar="u8"),
-        Parameter("p3", "p3", "scalar", scalar="u8", units=("1",)),
-        Parameter("p4", "p4", "scalar", scalar="u8"),
+        Parameter("health", "health", "scalar", scalar="u8", valid=("valid_flags.ephemeris",)),
+        Parameter("p", "p", "scalar", scalar="u8", valid=("valid_flags.ephemeris",)),
+        Parameter(
+            "nt", "nt", "scalar", scalar="u8", units=("day",), valid=("valid_flags.ephemeris",)
+        ),
+        Parameter(
+            "delta_tau_n",
+            "delta_tau_n",
+            "scalar",
+            scalar="float",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter("ft", "ft", "scalar", scalar="u8", valid=("valid_flags.ephemeris",)),
+        Parameter(
+            "en", "en", "scalar", scalar="u8", units=("day",), valid=("valid_flags.ephemeris",)
+        ),
+        Parameter(
+            "p1", "p1", "scalar", scalar="u8", units=("min",), valid=("valid_flags.ephemeris",)
+        ),
+        Parameter(
+            "p2",
+            "p2",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.ephemeris",),
+            minimum=0,
+            maximum=1,
+        ),
+        Parameter(
+            "p3", "p3", "scalar", scalar="u8", units=("1",), valid=("valid_flags.ephemeris",)
+        ),
+        Parameter("p4", "p4", "scalar", scalar="u8", valid=("valid_flags.ephemeris",)),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.GlonassEphemerisFlags
         ),
@@ -3512,22 +5168,94 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
-        Parameter("health", "health", "scalar", scalar="u8"),
-        Parameter("iodc", "iodc", "scalar", scalar="u8"),
-        Parameter("iode", "iode", "scalar", scalar="u8"),
-        Parameter("t_oc", "t_oc", "scalar", scalar="double", units=("s",)),
-        Parameter("af0", "af0", "scalar", scalar="double", units=("s",)),
-        Parameter("af1", "af1", "scalar", scalar="double", units=("s/s",)),
-        Parameter("af2", "af2", "scalar", scalar="double", units=("s/s^2",)),
-        Parameter("t_gd", "t_gd", "scalar", scalar="double", units=("s",)),
-        Parameter("isc_l1ca", "isc_l1ca", "scalar", scalar="double", units=("s",)),
-        Parameter("isc_l2c", "isc_l2c", "scalar", scalar="double", units=("s",)),
-        Parameter("t_oe", "t_oe", "scalar", scalar="double", units=("s",)),
-        Parameter("a", "a", "scalar", scalar="double", units=("m",)),
-        Parameter("a_dot", "a_dot", "scalar", scalar="double", units=("m/s",)),
-        Parameter("mean_anomaly", "mean_anomaly", "scalar", scalar="double", units=("rad",)),
+        Parameter("health", "health", "scalar", scalar="u8", valid=("valid_flags.ephemeris",)),
+        Parameter("iodc", "iodc", "scalar", scalar="u8", valid=("valid_flags.ephemeris",)),
+        Parameter("iode", "iode", "scalar", scalar="u8", valid=("valid_flags.ephemeris",)),
         Parameter(
-            "delta_mean_motion", "delta_mean_motion", "scalar", scalar="double", units=("rad/s",)
+            "t_oc",
+            "t_oc",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "af0", "af0", "scalar", scalar="double", units=("s",), valid=("valid_flags.ephemeris",)
+        ),
+        Parameter(
+            "af1",
+            "af1",
+            "scalar",
+            scalar="double",
+            units=("s/s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "af2",
+            "af2",
+            "scalar",
+            scalar="double",
+            units=("s/s^2",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "t_gd",
+            "t_gd",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "isc_l1ca",
+            "isc_l1ca",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "isc_l2c",
+            "isc_l2c",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "t_oe",
+            "t_oe",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "a", "a", "scalar", scalar="double", units=("m",), valid=("valid_flags.ephemeris",)
+        ),
+        Parameter(
+            "a_dot",
+            "a_dot",
+            "scalar",
+            scalar="double",
+            units=("m/s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "mean_anomaly",
+            "mean_anomaly",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "delta_mean_motion",
+            "delta_mean_motion",
+            "scalar",
+            scalar="double",
+            units=("rad/s",),
+            valid=("valid_flags.ephemeris",),
         ),
         Parameter(
             "delta_mean_motion_dot",
@@ -3535,23 +5263,104 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "scalar",
             scalar="double",
             units=("rad/s^2",),
+            valid=("valid_flags.ephemeris",),
         ),
-        Parameter("eccentricity", "eccentricity", "scalar", scalar="double", units=("1",)),
         Parameter(
-            "argument_of_perigee", "argument_of_perigee", "scalar", scalar="double", units=("rad",)
+            "eccentricity",
+            "eccentricity",
+            "scalar",
+            scalar="double",
+            units=("1",),
+            valid=("valid_flags.ephemeris",),
         ),
-        Parameter("omega", "omega", "scalar", scalar="double", units=("rad",)),
-        Parameter("omega_dot", "omega_dot", "scalar", scalar="double", units=("rad/s",)),
-        Parameter("inclination", "inclination", "scalar", scalar="double", units=("rad",)),
         Parameter(
-            "inclination_dot", "inclination_dot", "scalar", scalar="double", units=("rad/s",)
+            "argument_of_perigee",
+            "argument_of_perigee",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
         ),
-        Parameter("c_ic", "c_ic", "scalar", scalar="double", units=("rad",)),
-        Parameter("c_is", "c_is", "scalar", scalar="double", units=("rad",)),
-        Parameter("c_uc", "c_uc", "scalar", scalar="double", units=("rad",)),
-        Parameter("c_us", "c_us", "scalar", scalar="double", units=("rad",)),
-        Parameter("c_rc", "c_rc", "scalar", scalar="double", units=("m",)),
-        Parameter("c_rs", "c_rs", "scalar", scalar="double", units=("m",)),
+        Parameter(
+            "omega",
+            "omega",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "omega_dot",
+            "omega_dot",
+            "scalar",
+            scalar="double",
+            units=("rad/s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "inclination",
+            "inclination",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "inclination_dot",
+            "inclination_dot",
+            "scalar",
+            scalar="double",
+            units=("rad/s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_ic",
+            "c_ic",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_is",
+            "c_is",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_uc",
+            "c_uc",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_us",
+            "c_us",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_rc",
+            "c_rc",
+            "scalar",
+            scalar="double",
+            units=("m",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_rs",
+            "c_rs",
+            "scalar",
+            scalar="double",
+            units=("m",),
+            valid=("valid_flags.ephemeris",),
+        ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.EphemerisFlags),
     ),
     gnss_1.BeidouEphemeris: (
@@ -3560,22 +5369,94 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
-        Parameter("health", "health", "scalar", scalar="u8"),
-        Parameter("iodc", "iodc", "scalar", scalar="u8"),
-        Parameter("iode", "iode", "scalar", scalar="u8"),
-        Parameter("t_oc", "t_oc", "scalar", scalar="double", units=("s",)),
-        Parameter("af0", "af0", "scalar", scalar="double", units=("s",)),
-        Parameter("af1", "af1", "scalar", scalar="double", units=("s/s",)),
-        Parameter("af2", "af2", "scalar", scalar="double", units=("s/s^2",)),
-        Parameter("t_gd", "t_gd", "scalar", scalar="double", units=("s",)),
-        Parameter("isc_l1ca", "isc_l1ca", "scalar", scalar="double", units=("s",)),
-        Parameter("isc_l2c", "isc_l2c", "scalar", scalar="double", units=("s",)),
-        Parameter("t_oe", "t_oe", "scalar", scalar="double", units=("s",)),
-        Parameter("a", "a", "scalar", scalar="double", units=("m",)),
-        Parameter("a_dot", "a_dot", "scalar", scalar="double", units=("m/s",)),
-        Parameter("mean_anomaly", "mean_anomaly", "scalar", scalar="double", units=("rad",)),
+        Parameter("health", "health", "scalar", scalar="u8", valid=("valid_flags.ephemeris",)),
+        Parameter("iodc", "iodc", "scalar", scalar="u8", valid=("valid_flags.ephemeris",)),
+        Parameter("iode", "iode", "scalar", scalar="u8", valid=("valid_flags.ephemeris",)),
         Parameter(
-            "delta_mean_motion", "delta_mean_motion", "scalar", scalar="double", units=("rad/s",)
+            "t_oc",
+            "t_oc",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "af0", "af0", "scalar", scalar="double", units=("s",), valid=("valid_flags.ephemeris",)
+        ),
+        Parameter(
+            "af1",
+            "af1",
+            "scalar",
+            scalar="double",
+            units=("s/s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "af2",
+            "af2",
+            "scalar",
+            scalar="double",
+            units=("s/s^2",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "t_gd",
+            "t_gd",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "isc_l1ca",
+            "isc_l1ca",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "isc_l2c",
+            "isc_l2c",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "t_oe",
+            "t_oe",
+            "scalar",
+            scalar="double",
+            units=("s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "a", "a", "scalar", scalar="double", units=("m",), valid=("valid_flags.ephemeris",)
+        ),
+        Parameter(
+            "a_dot",
+            "a_dot",
+            "scalar",
+            scalar="double",
+            units=("m/s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "mean_anomaly",
+            "mean_anomaly",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "delta_mean_motion",
+            "delta_mean_motion",
+            "scalar",
+            scalar="double",
+            units=("rad/s",),
+            valid=("valid_flags.ephemeris",),
         ),
         Parameter(
             "delta_mean_motion_dot",
@@ -3583,39 +5464,148 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "scalar",
             scalar="double",
             units=("rad/s^2",),
+            valid=("valid_flags.ephemeris",),
         ),
-        Parameter("eccentricity", "eccentricity", "scalar", scalar="double", units=("1",)),
         Parameter(
-            "argument_of_perigee", "argument_of_perigee", "scalar", scalar="double", units=("rad",)
+            "eccentricity",
+            "eccentricity",
+            "scalar",
+            scalar="double",
+            units=("1",),
+            valid=("valid_flags.ephemeris",),
         ),
-        Parameter("omega", "omega", "scalar", scalar="double", units=("rad",)),
-        Parameter("omega_dot", "omega_dot", "scalar", scalar="double", units=("rad/s",)),
-        Parameter("inclination", "inclination", "scalar", scalar="double", units=("rad",)),
         Parameter(
-            "inclination_dot", "inclination_dot", "scalar", scalar="double", units=("rad/s",)
+            "argument_of_perigee",
+            "argument_of_perigee",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
         ),
-        Parameter("c_ic", "c_ic", "scalar", scalar="double", units=("rad",)),
-        Parameter("c_is", "c_is", "scalar", scalar="double", units=("rad",)),
-        Parameter("c_uc", "c_uc", "scalar", scalar="double", units=("rad",)),
-        Parameter("c_us", "c_us", "scalar", scalar="double", units=("rad",)),
-        Parameter("c_rc", "c_rc", "scalar", scalar="double", units=("m",)),
-        Parameter("c_rs", "c_rs", "scalar", scalar="double", units=("m",)),
+        Parameter(
+            "omega",
+            "omega",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "omega_dot",
+            "omega_dot",
+            "scalar",
+            scalar="double",
+            units=("rad/s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "inclination",
+            "inclination",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "inclination_dot",
+            "inclination_dot",
+            "scalar",
+            scalar="double",
+            units=("rad/s",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_ic",
+            "c_ic",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_is",
+            "c_is",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_uc",
+            "c_uc",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_us",
+            "c_us",
+            "scalar",
+            scalar="double",
+            units=("rad",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_rc",
+            "c_rc",
+            "scalar",
+            scalar="double",
+            units=("m",),
+            valid=("valid_flags.ephemeris",),
+        ),
+        Parameter(
+            "c_rs",
+            "c_rs",
+            "scalar",
+            scalar="double",
+            units=("m",),
+            valid=("valid_flags.ephemeris",),
+        ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.EphemerisFlags),
     ),
     gnss_1.GpsIonoCorrection: (
-        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
-        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
-        Parameter("alpha", "alpha", "array", scalar="double", length=4),
-        Parameter("beta", "beta", "array", scalar="double", length=4),
+        Parameter(
+            "tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",)
+        ),
+        Parameter(
+            "week_number",
+            "week_number",
+            "scalar",
+            scalar="u16",
+            units=("week",),
+            valid=("valid_flags.week_number",),
+        ),
+        Parameter(
+            "alpha", "alpha", "array", scalar="double", length=4, valid=("valid_flags.alpha",)
+        ),
+        Parameter("beta", "beta", "array", scalar="double", length=4, valid=("valid_flags.beta",)),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.GpsIonoCorrectionFlags
         ),
     ),
     gnss_1.GalileoIonoCorrection: (
-        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
-        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
-        Parameter("alpha", "alpha", "array", scalar="double", length=3),
-        Parameter("disturbance_flags", "disturbance_flags", "scalar", scalar="u8"),
+        Parameter(
+            "tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",)
+        ),
+        Parameter(
+            "week_number",
+            "week_number",
+            "scalar",
+            scalar="u16",
+            units=("week",),
+            valid=("valid_flags.week_number",),
+        ),
+        Parameter(
+            "alpha", "alpha", "array", scalar="double", length=3, valid=("valid_flags.alpha",)
+        ),
+        Parameter(
+            "disturbance_flags",
+            "disturbance_flags",
+            "scalar",
+            scalar="u8",
+            valid=("valid_flags.disturbance_flags",),
+        ),
         Parameter(
             "valid_flags",
             "valid_flags",
@@ -3625,11 +5615,29 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     gnss_1.BeidouIonoCorrection: (
-        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
-        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
-        Parameter("alpha", "alpha", "array", scalar="double", length=4),
-        Parameter("beta", "beta", "array", scalar="double", length=4),
-        Parameter("alpha_correction", "alpha_correction", "array", scalar="double", length=9),
+        Parameter(
+            "tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",)
+        ),
+        Parameter(
+            "week_number",
+            "week_number",
+            "scalar",
+            scalar="u16",
+            units=("week",),
+            valid=("valid_flags.week_number",),
+        ),
+        Parameter(
+            "alpha", "alpha", "array", scalar="double", length=4, valid=("valid_flags.alpha",)
+        ),
+        Parameter("beta", "beta", "array", scalar="double", length=4, valid=("valid_flags.beta",)),
+        Parameter(
+            "alpha_correction",
+            "alpha_correction",
+            "array",
+            scalar="double",
+            length=9,
+            valid=("valid_flags.alpha_correction",),
+        ),
         Parameter(
             "valid_flags",
             "valid_flags",
@@ -3647,15 +5655,24 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("states", "states", "scalar", scalar="u8", type=system_data.GpioPinStates),
     ),
     system_data.GpioAnalogValue: (
-        Parameter("gpio_id", "gpio_id", "scalar", scalar="u8"),
+        Parameter("gpio_id", "gpio_id", "scalar", scalar="u8", minimum=1),
         Parameter("value", "value", "scalar", scalar="float", units=("V",)),
     ),
     shared.EventSource: (Parameter("trigger_id", "trigger_id", "scalar", scalar="u8"),),
     shared.Ticks: (Parameter("ticks", "ticks", "scalar", scalar="u32", units=("1",)),),
     shared.DeltaTicks: (Parameter("ticks", "ticks", "scalar", scalar="u32", units=("1",)),),
     shared.GpsTimestamp: (
-        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
-        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter(
+            "tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.tow",)
+        ),
+        Parameter(
+            "week_number",
+            "week_number",
+            "scalar",
+            scalar="u16",
+            units=("week",),
+            valid=("valid_flags.week_number",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=shared.GpsTimestampFlags
         ),
@@ -3668,13 +5685,27 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("dt_nanos", "dt_nanos", "scalar", scalar="u64", units=("ns",)),
     ),
     shared.ExternalTimestamp: (
-        Parameter("nanoseconds", "nanoseconds", "scalar", scalar="u64", units=("ns",)),
+        Parameter(
+            "nanoseconds",
+            "nanoseconds",
+            "scalar",
+            scalar="u64",
+            units=("ns",),
+            valid=("valid_flags.nanoseconds",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=shared.ExternalTimestampFlags
         ),
     ),
     shared.ExternalTimeDelta: (
-        Parameter("dt_nanos", "dt_nanos", "scalar", scalar="u64", units=("ns",)),
+        Parameter(
+            "dt_nanos",
+            "dt_nanos",
+            "scalar",
+            scalar="u64",
+            units=("ns",),
+            valid=("valid_flags.dt_nanos",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=shared.ExternalTimeDeltaFlags
         ),

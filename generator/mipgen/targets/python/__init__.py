@@ -10,7 +10,7 @@ from ... import formatting
 from ... import model as m
 from ...naming import Identifier
 from ...render import File
-from . import docs, members, names, steps, tables
+from . import docs, members, names, simulator, steps, tables
 
 TITLE = "Python >= 3.10, package mip_protocol"
 FORMATTER = formatting.RUFF
@@ -25,6 +25,7 @@ def files(model: m.Model) -> Iterator[File]:
     yield File("README.md", "README.md.j2", shown)
     for name in ("_sets", "types", "protocol", "devices", "reflection"):
         yield File(f"{PACKAGE}/{name}.py", f"{name}.py.j2")
+    yield File(f"{PACKAGE}/simulator/_facts.py", "simulator.py.j2")
     for s in model.sets:
         yield File(f"{PACKAGE}/{names.module(s.name)}.py", "set.py.j2", {"set": s})
 
@@ -73,6 +74,8 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "letters": m.letters,
         "by_descriptor": tables.by_descriptor,
         "properties": tables.properties,
+        "given": simulator.given,
+        "differences": simulator.differences,
     }
 
 

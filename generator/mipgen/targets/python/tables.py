@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ... import meaning
 from ... import model as m
 from .names import member, qualified
 
@@ -28,6 +29,17 @@ def properties(p: m.Parameter) -> dict[str, str]:
         found["tag"] = member(p.tag)
     if p.units:
         found["units"] = p.units
+    if p.valid:
+        found["valid"] = p.valid
+    bounds = {"minimum": p.minimum, "maximum": p.maximum, "above": p.above, "below": p.below}
+    found |= {key: bound for key, bound in bounds.items() if bound is not None}
+    if p.magnitude != (None, None):
+        found["magnitude"] = p.magnitude
+    default = p.reserved if p.default is None else meaning.in_numbers(p.default, e)
+    if default is not None:
+        found["default"] = default
+    if p.frame:
+        found["frame"] = p.frame
     shown = {key: repr(value) for key, value in found.items()}
     if isinstance(e, (m.Enum, m.Bitfield, m.Struct)):
         shown["type"] = qualified(e)

@@ -1,0 +1,92 @@
+"""What a simulated device knows and does: the part of the model that `spec/simulation` gives.
+
+The world behind it, such as a motion, is not described here; its *quantities* are named, and each value of a data
+field or of a response shows one of them. Likewise a command has an *effect* by name.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .model import Field
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """Something that the simulation knows, in one unit: a number, several, a text, or a list."""
+
+    name: str
+    unit: str | None
+    elements: int
+    description: str
+
+
+@dataclass(frozen=True, slots=True)
+class Effect:
+    name: str
+    arguments: tuple[str, ...]
+    description: str
+
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """What a parameter shows: a quantity, times `factor`, or a constant."""
+
+    path: str  # parameter, or parameter.member of a structure
+    quantity: str = ""
+    factor: float = 1.0
+    names: tuple[str, ...] = ()  # of values: the first one that the enumeration has, which may depend on the device
+    bits: tuple[str, ...] = ()
+    number: float | int | None = None
+    text: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """What the values of a data field or of a response show."""
+
+    field: Field
+    for_each: str  # a quantity that is a list: the field is sent once for each item
+    values: tuple[Value, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Behavior:
+    """What a command does beside keeping a setting, and how the setting is kept."""
+
+    command: Field
+    effect: str = ""
+    arguments: tuple[tuple[str, str | int], ...] = ()  # of the effect: name of a parameter, or a number
+    all: tuple[tuple[str, int], ...] = ()  # parameter -> the value that means all instances
+    instances: tuple[tuple[str, str], ...] = ()  # parameter -> what its values are: a limit, PORTS, SETS
+    translate: tuple[tuple[str, tuple[tuple[int, int], ...]], ...] = ()  # parameter -> number -> number of a set
+    setting: str = ""  # the command whose setting it is, if not its own
+    key: tuple[tuple[str, int], ...] = ()  # which instance of that setting
+    initial: tuple[tuple[str, object], ...] = ()  # values on a new device
+    answers: tuple[tuple[str, tuple[str, ...]], ...] = ()  # response -> the devices that have this layout
+
+
+#: What instances may be beside the numbers up to a limit: the ports of the device, and its data sets.
+PORTS = "ports"
+SETS = "data_sets"
+
+
+@dataclass(frozen=True, slots=True)
+class Simulation:
+    quantities: tuple[Quantity, ...] = ()
+    effects: tuple[Effect, ...] = ()
+    sources: tuple[Source, ...] = ()
+    behaviors: tuple[Behavior, ...] = ()
+
+    def only(self, fields: dict[str, Field]) -> Simulation:
+        """The part that is about these fields."""
+        return Simulation(
+            self.quantities,
+            self.effects,
+            tuple(s for s in self.sources if s.field.full_name in fields),
+            tuple(
+                b for b in self.behaviors if b.command.full_name in fields and (not b.setting or b.setting in fields)
+            ),
+        )
