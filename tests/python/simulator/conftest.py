@@ -1,9 +1,7 @@
-"""The generated package, for tests that import it as its users do."""
-
-from __future__ import annotations
+"""The tests here import the real package as `mip_protocol`."""
 
 import sys
 
-from support import ROOT
+from support import SPECS
 
-sys.path.insert(0, str(ROOT / "generated/python"))
+sys.path.insert(0, str(SPECS["real"][1] / "python"))

@@ -220,9 +220,9 @@ EFFECTS: dict[str, tuple[str, ...]] = {
     "self_test": (),
     "sentences": ("entries",),
     "switch": ("set", "enable"),
-    "trigger": ("instance",),
+    "trigger": ("instance", "type"),
     "trigger_mode": ("instance", "mode"),
-    "action": (),
+    "action": ("instance", "trigger", "type"),
 }
 
 #: Data fields and responses -> what their values show.
@@ -1359,12 +1359,15 @@ COMMANDS: dict[str, Behavior] = {
     ),
     "3dm.event_trigger_config": Behavior(
         effect="trigger",
-        arguments={"instance": "instance"},
+        arguments={"instance": "instance", "type": "type"},
         all={"instance": 0},
         instances={"instance": "event_triggers"},
     ),
     "3dm.event_action_config": Behavior(
-        effect="action", all={"instance": 0}, instances={"instance": "event_actions"}
+        effect="action",
+        arguments={"instance": "instance", "trigger": "trigger", "type": "type"},
+        all={"instance": 0},
+        instances={"instance": "event_actions"},
     ),
     "3dm.get_event_support": Behavior(arguments={"query": "query"}),
     "3dm.get_event_trigger_status": Behavior(arguments={"instances": "requested_instances"}),
@@ -1404,7 +1407,11 @@ COMMANDS: dict[str, Behavior] = {
         initial={"matrix": (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)}
     ),
     "3dm.uart_baud_rate": Behavior(
-        effect="baud_rate", arguments={"baud": "baud"}, initial={"baud": 115200}
+        effect="baud_rate",
+        arguments={"baud": "baud"},
+        setting="base.comm_speed",
+        key={"port": 17},
+        initial={"baud": 115200},
     ),
     "3dm.gpio_config": Behavior(
         effect="pin",
@@ -1412,7 +1419,11 @@ COMMANDS: dict[str, Behavior] = {
         all={"pin": 0},
         instances={"pin": "gpio_pins"},
     ),
-    "3dm.gpio_state": Behavior(effect="pin_state", arguments={"pin": "pin", "state": "state"}),
+    "3dm.gpio_state": Behavior(
+        effect="pin_state",
+        arguments={"pin": "pin", "state": "state"},
+        instances={"pin": "gpio_pins"},
+    ),
     "3dm.sensor_range": Behavior(all={"sensor": 0}, initial={"setting": 1}),
     "3dm.get_calibrated_sensor_ranges": Behavior(arguments={"sensor": "sensor"}),
     "3dm.device_status": Behavior(

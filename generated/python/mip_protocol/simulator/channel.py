@@ -31,6 +31,8 @@ class Peer(Protocol):
 
     @property
     def speed(self) -> int | None: ...
+    @property
+    def unread(self) -> int: ...
     def fileno(self) -> int: ...
     def read(self) -> bytes: ...
     def write(self, data: bytes | memoryview) -> int: ...
@@ -54,6 +56,7 @@ class Channel:
         self.dropped = 0  # packets
         self.waits: float | None = math.inf  # the last result of `send`
         self.wanted = selectors.EVENT_READ
+        self.until = 0.0  # how long a closed link waits for the client to read
         self._garble = garble
         self._pace = pace
         self._capacity = capacity

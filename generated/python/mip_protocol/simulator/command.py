@@ -125,22 +125,22 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _device(options: argparse.Namespace, profile: Device, faults: Faults | None) -> Any:
-    from .codes import SimulatorError
     from .device import VirtualDevice
     from .motion import parse_motion
     from .state import MotionError
 
     try:
-        return VirtualDevice(
-            profile,
-            motion=parse_motion(options.motion),
-            seed=options.seed,
-            start=options.start,
-            storage=options.storage,
-            faults=faults,
-        )
-    except (SimulatorError, MotionError) as error:
-        raise Failure(str(error)) from None
+        motion = parse_motion(options.motion)
+    except MotionError as error:
+        raise Failure(f"--motion {error}") from None
+    return VirtualDevice(
+        profile,
+        motion=motion,
+        seed=options.seed,
+        start=options.start,
+        storage=options.storage,
+        faults=faults,
+    )
 
 
 def _faults(options: argparse.Namespace, stack: ExitStack) -> Faults | None:

@@ -1,20 +1,12 @@
-"""What faults do to bytes and to fields. All choices come from the random generator of the caller."""
+"""What faults do to bytes. All choices come from the random generator of the caller."""
 
 from __future__ import annotations
 
-from functools import cache
 from random import Random
 
-from ..errors import DecodeError
-from ..field import Field, Response, chosen
-from ..packet import MAX_PAYLOAD, SYNC, PacketBuilder, RawField
+from ..packet import MAX_PAYLOAD, SYNC, PacketBuilder
 from ..parser import Parser
-from ..protocol import AckCode, Acknowledge
-from ..registry import MODULES, all_types, types
-
-ACKNOWLEDGE = Acknowledge.DESCRIPTOR
-
-# --------------------------------------------------------------------------- bytes
+from ..registry import MODULES
 
 
 def damage(kind: str, packet: bytes, most: int, random: Random) -> tuple[bytes, str]:
@@ -92,108 +84,3 @@ def unknown_packet(random: Random) -> bytes:
     for _ in range(random.randint(1, 3)):
         builder.add(random.randrange(1, 0xD0), random.randbytes(random.randrange(24)))
     return bytes(builder.build())
-
-
-# --------------------------------------------------------------------------- fields
-
-
-def room(fields: list[RawField]) -> int:
-    """The bytes that a packet with these fields has left."""
-    return MAX_PAYLOAD - sum(len(f.data) + 2 for f in fields)
-
-
-def unknown_field(set: int, fields: list[RawField], random: Random) -> RawField | None:
-    """A field with a descriptor that the set does not have; None if the packet is full."""
-    size = min(room(fields) - 2, random.randrange(24))
-    if size < 0:
-        return None
-    first, last = (0x80, 0xF0) if set < 0x80 else (0x01, 0xCF)
-    free = [d for d in range(first, last + 1) if not types(set, d)]
-    return RawField(set, random.choice(free), random.randbytes(size)) if free else None
-
-
-def longer(
-    fields: list[RawField], places: range, most: int, random: Random
-) -> tuple[int, RawField] | None:
-    """A field with bytes after its known parameters, as newer firmware sends it, and its place.
-
-    Only where the bytes can be nothing else: not in arrays that reach to the end of the field, nor
-    where the size chooses between layouts. None if there is no such field, or no room.
-    """
-    for at in random.sample(places, len(places)):
-        raw = fields[at]
-        count = min(random.randint(1, most), room(fields), 253 - len(raw.data))
-        made = raw._replace(data=raw.data + random.randbytes(max(count, 0)))
-        old, new = _left_over(raw), _left_over(made)
-        if count > 0 and old is not None and new is not None and new - old == count:
-            return at, made
-    return None
-
-
-def _left_over(raw: RawField) -> int | None:
-    kind = chosen(types(raw.set, raw.descriptor), raw)
-    try:
-        return None if kind is None else kind.decode_with_trailing(raw.data)[1]
-    except DecodeError:
-        return None
-
-
-def shorter(raw: RawField, random: Random) -> RawField | None:
-    """A response that is too short for every layout of it; None if it cannot be."""
-    for size in random.sample(range(len(raw.data)), len(raw.data)):
-        made = raw._replace(data=raw.data[:size])
-        if all(_truncated(t, made.data) for t in types(raw.set, raw.descriptor)):
-            return made
-    return None
-
-
-def _truncated(kind: type[Field], data: bytes) -> bool:
-    try:
-        kind.decode(data)
-    except DecodeError:
-        return True
-    return False
-
-
-def refusal(command: RawField, random: Random) -> RawField:
-    code = random.choice([c for c in AckCode if c])
-    return acknowledge(command.set, command.descriptor, code)
-
-
-def acknowledge(set: int, descriptor: int, code: int) -> RawField:
-    return RawField(set, ACKNOWLEDGE, bytes((descriptor, code)))
-
-
-def other_descriptor(not_these: set[int], random: Random) -> int:
-    """The descriptor of another command, known or not."""
-    return random.choice([d for d in range(1, 0x80) if d not in not_these])
-
-
-@cache
-def responses(set: int) -> tuple[type[Response], ...]:
-    return tuple(t for n, t in all_types() if n == set and issubclass(t, Response))
-
-
-def other_response(raw: RawField, seen: dict[int, RawField], random: Random) -> RawField:
-    """The response of another command: one that was sent before, else one of that descriptor."""
-    sent = [f for d, f in sorted(seen.items()) if d != raw.descriptor and f.set == raw.set]
-    if sent:
-        return random.choice(sent)
-    known = sorted({t.DESCRIPTOR for t in responses(raw.set)} - {raw.descriptor})
-    descriptor = random.choice(known) if known else raw.descriptor ^ 1
-    return RawField(raw.set, descriptor, random.randbytes(len(raw.data)))
-
-
-def unused_response(raw: RawField, random: Random) -> RawField:
-    """The same data under a descriptor that no response of the set has."""
-    used = {t.DESCRIPTOR for t in responses(raw.set)} | {ACKNOWLEDGE}
-    free = [d for d in range(0x80, 0xF0) if d not in used]
-    return raw._replace(descriptor=random.choice(free))
-
-
-def garbage(raw: RawField, random: Random) -> RawField:
-    """Other data of the same size."""
-    while True:
-        made = raw._replace(data=random.randbytes(len(raw.data)))
-        if made != raw or not raw.data:
-            return made

@@ -25,7 +25,7 @@ from ..packet import Packet, RawField
 from ..profile import Device, Port
 from . import nmea, values
 from ._facts import COMMANDS
-from .checks import data_sets
+from .checks import NOTHING, data_sets
 from .codes import DEFAULT, LOAD, READ, SAVE, WRITE
 from .commands import carry_out
 from .effects import act
@@ -87,7 +87,7 @@ class VirtualDevice:
         self.bytes_sent: int = 0
         self.bytes_received: int = 0
         self._ready_at = 0
-        self._trace = trace
+        self.trace = trace
         self._streams: list[Stream] = []
         self._encoders: dict[tuple[int, int], Encoder] = {}
         self._disturbed = DISTURBANCE_TIME
@@ -112,6 +112,8 @@ class VirtualDevice:
 
     def disconnect(self, link: Link) -> None:
         link.closed = True
+        if self.faults is not None:
+            self.faults.forget(self.now, link)
         self.links = [other for other in self.links if other is not link]
 
     def advance(self, seconds: float) -> None:
@@ -124,6 +126,8 @@ class VirtualDevice:
             self._move(due)
             for link in self.links:
                 link.arrive(due)
+                for data in link.due(due):
+                    self._transmit(link, data)
             for stream in list(self._streams):
                 if stream.next <= due and stream in self._streams:
                     stream.fire()
@@ -210,11 +214,13 @@ class VirtualDevice:
 
     # ----------------------------------------------------------------------- settings
 
-    def settings_of(self, effect: str) -> list[Any]:
-        """The current settings of the commands with an effect, instance by instance."""
-        names = {name for name, behavior in COMMANDS.items() if behavior.effect == effect}
-        homes = {home(command_type(name)).NAME for name in names}
-        return [kept for (name, _), kept in self.settings.items() if name in homes]
+    def settings_of(self, effect: str) -> list[dict[str, Any]]:
+        """The current settings of the commands with an effect, instance by instance: the arguments of the effect."""
+        return [
+            arguments(kept)
+            for _, kept in self.settings.items()
+            if COMMANDS.get(kept.NAME, NOTHING).effect == effect
+        ]
 
     def apply(self, at: Place, kept: Command | None) -> None:
         """A setting has changed by itself: its effect follows."""
@@ -288,21 +294,17 @@ class VirtualDevice:
 
     def format(self, set: int) -> list[tuple[int, int]]:
         """The message format of a set: descriptors and decimations."""
-        for kept in self.settings_of("format"):
-            given = arguments(kept)
+        for given in self.settings_of("format"):
             if given["set"] == set:
                 return [(entry.descriptor, entry.decimation) for entry in given["fields"]]
         return []
 
     def sentence_format(self) -> list[Any]:
-        return [
-            entry for kept in self.settings_of("sentences") for entry in arguments(kept)["entries"]
-        ]
+        return [entry for given in self.settings_of("sentences") for entry in given["entries"]]
 
     def enabled(self, set: int) -> bool:
         """Is the stream of a set switched on?"""
-        for kept in self.settings_of("switch"):
-            given = arguments(kept)
+        for given in self.settings_of("switch"):
             if given["set"] == set:
                 return bool(given["enable"])
         return True
@@ -375,16 +377,20 @@ class VirtualDevice:
         """Data, to one host or to all."""
         self._tell("data", data)
         for other in self.links if link is None else (link,):
-            self._transmit(other, data, 0)
+            self._transmit(other, data)
 
-    def _transmit(self, link: Link, data: bytes, delay: int) -> None:
+    def _transmit(self, link: Link, data: bytes, delay: int = 0) -> None:
+        """What is late meets the faults of the line when it is sent, so that the line keeps its order."""
+        if delay > 0:
+            link.hold(self.now + delay, data)
+            return
         self.bytes_sent += len(data)
-        parts = [(0, data)] if self.faults is None else self.faults.transmit(self.now, data)
-        link.send(self.now, [(delay + late, piece) for late, piece in parts])
+        parts = [(0, data)] if self.faults is None else self.faults.transmit(self.now, data, link)
+        link.send(self.now, parts)
 
     def _tell(self, what: str, data: bytes) -> None:
-        if self._trace is not None:
-            self._trace(what, data)
+        if self.trace is not None:
+            self.trace(what, data)
 
 
 def _profile(device: Device | str) -> Device:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import os
 import socket
+from array import array
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,10 +14,11 @@ from random import Random
 from ..errors import Failure
 
 try:
+    import fcntl
     import termios
     import tty
 except ImportError:  # Windows has no pseudo-terminals
-    termios = tty = None  # type: ignore[assignment]
+    fcntl = termios = tty = None  # type: ignore[assignment]
 
 DEFAULT_HOST = "localhost"
 
@@ -108,6 +110,13 @@ class Pty:
         code = termios.tcgetattr(self._slave)[5]
         return _SPEEDS.get(code)
 
+    @property
+    def unread(self) -> int:
+        """Bytes that the client has not read; they are lost when the terminal ends."""
+        size = array("i", [0])
+        fcntl.ioctl(self._slave, termios.FIONREAD, size)
+        return size[0]
+
     def set_speed(self, baud: int) -> None:
         """Shows the baud rate of the device, where the system has a name for it."""
         code = getattr(termios, f"B{baud}", None)
@@ -161,11 +170,19 @@ class Client:
         return self._socket.send(data)
 
     speed: int | None = None  # a connection has none
+    unread = 0  # the system delivers what was sent
 
     def set_speed(self, baud: int) -> None:
         pass
 
     def close(self) -> None:
+        try:
+            while self._socket.recv(
+                4096
+            ):  # unread bytes would make the system discard what was sent
+                pass
+        except OSError:
+            pass
         self._socket.close()
 
 

@@ -10,7 +10,7 @@ from typing import Any, TextIO
 
 from ..packet import SYNC, RawField
 from ..parser import Parser
-from . import damage
+from . import damage, wrong
 from .fault_kinds import KINDS, Plan, parse_faults, plan
 
 __all__ = ["Faults", "Injected", "json_log", "parse_faults"]
@@ -67,6 +67,7 @@ class _Line:
     free: int = 0  # when the line has sent what was delayed
     pending: bytes = b""  # what may be the start of a packet
     hidden: list[bytes] = field(default_factory=list)  # the packets in it
+    late: list[tuple[int, bytes]] = field(default_factory=list)  # packets, and when they are there
 
 
 class Faults:
@@ -110,7 +111,7 @@ class Faults:
             for chance in {kind.of for kind in KINDS.values()}
         }
         self._lines: dict[Hashable, _Line] = {}
-        self._seen: dict[int, RawField] = {}
+        self._seen: dict[tuple[int, int], RawField] = {}
         self._taken = 0
 
     # ----------------------------------------------------------------- chances
@@ -168,9 +169,13 @@ class Faults:
             self._lines[line] = at
         return parts
 
-    def forget(self, line: Hashable) -> None:
-        """The line has been cut."""
-        self._lines.pop(line, None)
+    def forget(self, now: int, line: Hashable = None) -> None:
+        """The line has been cut: what was on the way is lost."""
+        at = self._lines.pop(line, _Line())
+        for arrival, packet in at.late:
+            if arrival > now:
+                text = "the packet was on the way when the line was cut"
+                self._tell(now, "disconnect", text, packet=packet, damaged=True)
 
     def _inserted(self, now: int, kind: str, right: list[bytes]) -> bytes:
         random = self._random[kind]
@@ -238,6 +243,9 @@ class Faults:
             parts = [(first, stream[:cut]), (first + later, stream[cut:])]
             text = f"{len(stream) - cut} bytes at the end come {later / 1e9:.3f} s late"
             self._tell(now, "delay", text, packet=packet)
+        at.late = [entry for entry in at.late if entry[0] > now]
+        if parts[-1][0] and packet[:2] == SYNC:
+            at.late.append((now + parts[-1][0], packet))
         if parts[-1][0]:  # what comes at that very moment comes after it
             at.free = now + parts[-1][0] + 1
         return [part for part in parts if part[1]]
@@ -254,13 +262,13 @@ class Faults:
         """Fields with more than the specification knows."""
         random, fields = self._random[kind], list(fields)
         if kind.startswith("unknown"):
-            added = damage.unknown_field(set, fields, random)
+            added = wrong.unknown_field(set, fields, random)
             if added is not None:
                 fields.append(added)
                 text = f"a field 0x{set:02X},0x{added.descriptor:02X} is added"
                 self._tell(now, kind, text, added=added.data)
             return fields
-        found = damage.longer(fields, places, self._most(kind), random)
+        found = wrong.longer(fields, places, self._most(kind), random)
         if found is not None:
             at, made = found
             more = made.data[len(fields[at].data) :]
@@ -289,48 +297,13 @@ class Faults:
                 if fields and (kind.startswith("unknown") or len(fields) > 1):
                     fields = self._extended(now, kind, command.set, fields, range(1, len(fields)))
             else:
-                changed, what = self._wrong(kind, command, fields, random)
+                changed, what = wrong.answer(kind, command, fields, self._seen, random)
                 if changed != fields:
                     self._tell(now, kind, what, command=command)
                     fields = changed
         if response is not None and self._active["response"]:
-            self._seen[response.descriptor] = response
+            self._seen[response.set, response.descriptor] = response
         return delay, fields
-
-    def _wrong(
-        self, kind: str, command: RawField, fields: list[RawField], random: Random
-    ) -> tuple[list[RawField], str]:
-        """An answer with a fault, and what is wrong with it; the same fields if it cannot have it."""
-        if kind == "lose_answer":
-            return [], "the answer is missing"
-        whole = len(fields) > 1 and fields[0].descriptor == damage.ACKNOWLEDGE
-        if not fields or (KINDS[kind].of == "response" and not whole):
-            return fields, ""  # another fault has taken it
-        ack, rest = fields[0], fields[1:]
-        if kind == "refuse":
-            made = damage.refusal(command, random)
-            return [made], f"refused with code {made.data[1]}"
-        if kind == "wrong_ack":
-            other = damage.other_descriptor({command.descriptor}, random)
-            made = ack._replace(data=bytes((other,)) + ack.data[1:])
-            return [made, *rest], f"the acknowledge names command 0x{other:02X}"
-        if kind == "lose_ack":
-            return rest, "the acknowledge is missing"
-        if kind == "lose_response":
-            return [ack], "the response is missing"
-        if kind == "wrong_descriptor":
-            made, what = damage.unused_response(rest[0], random), "the response has descriptor"
-            return [ack, made, *rest[1:]], f"{what} 0x{made.descriptor:02X}"
-        if kind == "other_response":
-            made, what = damage.other_response(rest[0], self._seen, random), "the response is"
-            return [ack, made, *rest[1:]], f"{what} 0x{made.set:02X},0x{made.descriptor:02X}"
-        if kind == "garbage":
-            made = damage.garbage(rest[0], random)
-            return [ack, made, *rest[1:]], "the data of the response are random"
-        shorter = damage.shorter(rest[0], random)
-        if shorter is None:
-            return fields, ""
-        return [ack, shorter, *rest[1:]], f"the response has {len(shorter.data)} bytes of data"
 
     # ----------------------------------------------------------------- to the device
 

@@ -19,7 +19,8 @@ class Link:
         self.closed = False
         self.dropped = 0  # packets for which the host has left no room
         self.parser = Parser()
-        self.late: list[tuple[int, int, bytes]] = []  # time, order, bytes
+        self._late: list[tuple[int, int, bytes]] = []  # time, order, bytes on the way
+        self._held: list[tuple[int, int, bytes]] = []  # the same, that the device has yet to send
         self._receive = receive
         self._capacity = capacity
         self._ready = bytearray()
@@ -46,8 +47,20 @@ class Link:
 
     @property
     def next(self) -> int | None:
-        """When bytes that are late come."""
-        return self.late[0][0] if self.late else None
+        """When bytes that are late come, or the device has to send something."""
+        return min((queue[0][0] for queue in (self._late, self._held) if queue), default=None)
+
+    def hold(self, time: int, data: bytes) -> None:
+        """The device has something to send at that time."""
+        self._order += 1
+        heapq.heappush(self._held, (time, self._order, data))
+
+    def due(self, now: int) -> list[bytes]:
+        """What the device has to send by now."""
+        found = []
+        while self._held and self._held[0][0] <= now:
+            found.append(heapq.heappop(self._held)[2])
+        return found
 
     def send(self, now: int, parts: list[tuple[int, bytes]]) -> None:
         """The device sends bytes, each after a delay in nanoseconds. Without room, it drops them whole."""
@@ -60,16 +73,16 @@ class Link:
                 self._ready += data
             else:
                 self._order += 1
-                heapq.heappush(self.late, (now + delay, self._order, data))
+                heapq.heappush(self._late, (now + delay, self._order, data))
 
     def arrive(self, now: int) -> None:
         """Bytes that were late by then arrive."""
-        while self.late and self.late[0][0] <= now:
-            self._ready += heapq.heappop(self.late)[2]
+        while self._late and self._late[0][0] <= now:
+            self._ready += heapq.heappop(self._late)[2]
 
     def clear(self) -> None:
-        """The device forgets what it was about to send, as in a reset."""
-        self.late.clear()
+        """The device forgets what it was about to send, as in a reset; what is on the way comes."""
+        self._held.clear()
         self.parser = Parser()
 
 

@@ -15,7 +15,8 @@ from .endpoints import Endpoint, Listener, Pty, scrambler
 SECOND = 1_000_000_000
 #: Seconds of the clock for which the device may be advanced before clients are served again.
 TURN = 0.02
-#: Seconds of the clock by which simulated time may be late before it gives up catching up.
+#: Seconds of the clock by which simulated time may be late before it gives up catching up, and
+#: for which clients may read what is left.
 LATE = 1.0
 #: Clients of one TCP port.
 CLIENTS = 64
@@ -242,7 +243,7 @@ class Server:
         except OSError:
             self._remove(channel)
             return
-        if channel.link.closed and not channel.size:
+        if channel.link.closed and self._read_out(channel):
             self._remove(channel)
             return
         wanted = selectors.EVENT_READ
@@ -251,6 +252,15 @@ class Server:
         if wanted != channel.wanted:
             channel.wanted = wanted
             self._selector.modify(channel.peer, wanted, self._selector.get_key(channel.peer).data)
+
+    def _read_out(self, channel: Channel) -> bool:
+        """Has the client all that was sent before the link was closed, or had it the time to read it?"""
+        now = self._clock()
+        channel.until = channel.until or now + LATE
+        if now < channel.until and (channel.size or channel.peer.unread):
+            channel.waits = now + 0.005
+            return False
+        return True
 
     def _serve(self, channel: Channel, events: int) -> None:
         if channel not in self._channels:
@@ -262,8 +272,10 @@ class Server:
 
     def _drain(self) -> None:
         """Gives clients a moment to read what was sent."""
-        until = self._clock() + 1.0
-        while not self._stopped and self._clock() < until and any(c.size for c in self._channels):
+        until = self._clock() + LATE
+        while not self._stopped and self._clock() < until:
+            if not any(c.size or c.peer.unread for c in self._channels):
+                return
             self._pump()
             for key, events in self._selector.select(0.01):
                 key.data(events)

@@ -43,18 +43,13 @@ def rate(device: VirtualDevice, set: int) -> int:
 # --------------------------------------------------------------------------- events
 
 
-def _configured(device: VirtualDevice, effect: str) -> dict[int, Any]:
+def _configured(device: VirtualDevice, effect: str) -> dict[int, Context]:
     """Instance -> configuration of a trigger or an action that is not free."""
-    found = {}
-    for command in device.settings_of(effect):
-        if command.type:
-            found[command.instance] = command
-    return found
+    return {given["instance"]: given for given in device.settings_of(effect) if given["type"]}
 
 
 def trigger_type(device: VirtualDevice, instance: int) -> int:
-    trigger = _configured(device, "trigger").get(instance)
-    return 0 if trigger is None else int(trigger.type)
+    return int(_configured(device, "trigger").get(instance, FREE)["type"])
 
 
 def _slots(device: VirtualDevice, limit: str) -> int:
@@ -69,6 +64,9 @@ def _event_types(device: VirtualDevice, context: Context) -> Sequence[tuple[int,
     return [(number, count) for number, count in found if count]
 
 
+#: A slot without configuration.
+FREE: Context = {"type": 0, "trigger": 0}
+
 TRIGGERS, ACTIONS = "event_triggers", "event_actions"
 TRIGGER_LIMITS = {1: "event_gpio_triggers", 2: "event_threshold_triggers", 3: "event_combination_triggers"}
 ACTION_LIMITS = {1: "event_gpio_actions", 2: "event_message_actions"}
@@ -80,7 +78,7 @@ def _asked(device: VirtualDevice, context: Context, limit: str) -> Sequence[int]
 
 def _trigger_status(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int]]:
     """Type and state. A trigger in a test mode is active; others wait for a condition that does not come."""
-    modes = {c.instance: c.mode for c in device.settings_of("trigger_mode")}
+    modes = {given["instance"]: given["mode"] for given in device.settings_of("trigger_mode")}
     found = []
     for instance in _asked(device, context, TRIGGERS):
         mode = modes.get(instance, 0)
@@ -92,11 +90,8 @@ def _trigger_status(device: VirtualDevice, context: Context) -> Sequence[tuple[i
 def _action_status(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int]]:
     """Type and trigger."""
     actions = _configured(device, "action")
-    found = []
-    for instance in _asked(device, context, ACTIONS):
-        action = actions.get(instance)
-        found.append((0, 0) if action is None else (int(action.type), int(action.trigger)))
-    return found
+    asked = (actions.get(instance, FREE) for instance in _asked(device, context, ACTIONS))
+    return [(int(action["type"]), int(action["trigger"])) for action in asked]
 
 
 # --------------------------------------------------------------------------- others
