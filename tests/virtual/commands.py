@@ -157,8 +157,7 @@ def vectors(p: m.Parameter, kind: m.Vector) -> tuple[list[Any], list[Any]]:
     """The same number in each element, or a unit vector where the length matters; a matrix is that of no rotation."""
     size = len(kind.elements)
     if size == 9:
-        rows = [1.0, 0.0, 0.0] * 3
-        return [[put(kind.scalar, float(i % 4 == 0)) for i, _ in enumerate(rows)]], [[put(kind.scalar, 0.0)] * 9]
+        return [[put(kind.scalar, float(i % 4 == 0)) for i in range(size)]], []
     least, _ = p.magnitude
     if size == 4 or least:
         unit = [put(kind.scalar, n) for n in (1.0, *[0.0] * (size - 1))]

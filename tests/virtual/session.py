@@ -7,6 +7,7 @@ is kept as the steps of a `client` request, which the drivers of all languages t
 from __future__ import annotations
 
 import sys
+from collections.abc import Hashable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -19,6 +20,7 @@ from virtual.commands import Trial
 sys.path.insert(0, str(ROOT / "generated/python"))
 
 from mip_protocol import RawField
+from mip_protocol.packet import SYNC
 from mip_protocol.simulator.device import VirtualDevice
 from mip_protocol.simulator.faults import Faults, Injected
 
@@ -40,14 +42,14 @@ class Answered:
 
 @dataclass
 class Transmitted:
-    """A packet of the device, and what became of it."""
+    """A packet or a sentence of the device, and what became of it."""
 
     packet: bytes
     pieces: list[bytes]
 
     @property
     def intact(self) -> bool:
-        return self.packet in b"".join(self.pieces)
+        return self.packet[:2] == SYNC and self.packet in b"".join(self.pieces)
 
 
 class Witness(Faults):
@@ -64,8 +66,8 @@ class Witness(Faults):
         self.answers.append(Answered(command, answer, sent))
         return delay, sent
 
-    def transmit(self, now: int, packet: bytes) -> list[tuple[int, bytes]]:
-        pieces = super().transmit(now, packet)
+    def transmit(self, now: int, packet: bytes, line: Hashable = None) -> list[tuple[int, bytes]]:
+        pieces = super().transmit(now, packet, line)
         self.packets.append(Transmitted(packet, [p for _, p in pieces]))
         return pieces
 
