@@ -131,9 +131,8 @@ class Track:
             (n, e), (n2, e2) = places[i], places[(i + 1) % count]
             length = hypot(n2 - n, e2 - e)
             if length < 0.01:
-                raise MotionError(
-                    f"track: waypoints {i + 1} and {(i + 1) % count + 1} are at the same place; remove one"
-                )
+                pair = f"{i + 1} and {(i + 1) % count + 1}"
+                raise MotionError(f"track: waypoints {pair} are at the same place; remove one")
             legs.append((length, atan2(e2 - e, n2 - n)))
         arcs = [
             self._arc(legs, i, corner) for i in range(len(legs) if self._loop else len(legs) + 1)
@@ -146,30 +145,39 @@ class Track:
         )
         if self._loop:
             self._heights.append(0.0)
+        limits = [self._fastest(i, legs, arcs, points[i].speed or speed) for i in range(len(legs))]
         for i, (length, heading) in enumerate(legs):
-            cut, _, curvature = arcs[i]
-            end_cut, arc, bend = arcs[(i + 1) % len(arcs)]
+            (cut, *_), (end_cut, arc, bend) = arcs[i], arcs[(i + 1) % len(arcs)]
             n, e = places[i][0] + cut * cos(heading), places[i][1] + cut * sin(heading)
-            limit = points[i].speed or speed
-            climb = abs(self._heights[i + 1] - self._heights[i])
-            way = length - cut - end_cut + (arcs[i][1] + arc) / 2
-            if 1.875 * climb > STEEPEST * way:
-                raise MotionError(
-                    f"track: from waypoint {i + 1} the way climbs {climb:g} m in {way:.0f} m; put the waypoints farther apart"
-                )
-            if climb > 0:
-                limit = min(limit, sqrt(self._limit * way * way / (5.7736 * climb)))
-            line = max(0.0, length - cut - end_cut)
-            self._pieces.append(_Piece(s, line, n, e, heading, 0.0, limit))
-            s += line
+            line = length - cut - end_cut
+            if line > 1e-6:  # else its corners meet
+                self._pieces.append(_Piece(s, line, n, e, heading, 0.0, limits[i]))
+                s += line
+                n, e, _ = self._pieces[-1].place(line)
             self._marks.append(s + arc / 2)
             if arc > 0:
-                n, e, _ = self._pieces[-1].place(line)
-                following = points[(i + 1) % count].speed or speed
-                limit = min(limit, following, sqrt(self._limit / abs(bend)))
+                limit = min(limits[i], limits[(i + 1) % len(limits)], sqrt(self._limit / abs(bend)))
                 self._pieces.append(_Piece(s, arc, n, e, heading, bend, limit))
                 s += arc
         self._length = s
+
+    def _fastest(
+        self,
+        i: int,
+        legs: list[tuple[float, float]],
+        arcs: list[tuple[float, float, float]],
+        speed: float,
+    ) -> float:
+        """The speed at which the climb of a leg keeps within the acceleration, at most `speed`."""
+        (cut, arc, _), (end_cut, end_arc, _) = arcs[i], arcs[(i + 1) % len(arcs)]
+        climb = abs(self._heights[i + 1] - self._heights[i])
+        way = legs[i][0] - cut - end_cut + (arc + end_arc) / 2
+        if 1.875 * climb > STEEPEST * way:
+            raise MotionError(
+                f"track: from waypoint {i + 1} the way climbs {climb:g} m in {way:.0f} m; "
+                "put the waypoints farther apart"
+            )
+        return min(speed, sqrt(self._limit * way * way / (5.7736 * climb))) if climb else speed
 
     def _arc(
         self, legs: list[tuple[float, float]], i: int, corner: float
