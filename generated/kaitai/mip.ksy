@@ -2707,8 +2707,11 @@ types:
       - id: descriptors
         type: u2
         repeat: expr
-        repeat-expr: (_io.size - _io.pos) / 2
+        repeat-expr: descriptors_count
         doc: "Supported descriptors: the descriptor set in the high byte, the field descriptor in the low byte."
+    instances:
+      descriptors_count:
+        value: (_io.size - _io.pos) / 2
   base_built_in_test_response:
     -orig-id: base.built_in_test_response
     doc: "Built-in test response. "
@@ -2737,8 +2740,11 @@ types:
       - id: descriptors
         type: u2
         repeat: expr
-        repeat-expr: (_io.size - _io.pos) / 2
+        repeat-expr: descriptors_count
         doc: "Supported descriptors: the descriptor set in the high byte, the field descriptor in the low byte."
+    instances:
+      descriptors_count:
+        value: (_io.size - _io.pos) / 2
   base_continuous_built_in_test_response:
     -orig-id: base.continuous_built_in_test_response
     doc: "Continuous built-in test response. "

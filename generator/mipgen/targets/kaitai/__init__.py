@@ -37,10 +37,10 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "original": model.original,
         "cases": lambda op: names.cases(member(op.member)),
         "unions": unions,
-        "items": items,
         "presence": expressions.presence,
         "count": expressions.count,
         "peeks": expressions.peeks,
+        "rests": expressions.rests,
         "layouts": expressions.layouts,
         "segments": expressions.segments,
         "alias": expressions.alias,
@@ -95,14 +95,6 @@ def enums(model: m.Model) -> list[m.Enum]:
 
 def unions(record: expressions.Record) -> list[m.SwitchOp]:
     return [op for op in expressions.single(record.operations) if isinstance(op, m.SwitchOp)]
-
-
-def items(op: m.ArrayOp) -> str:
-    """The number of elements of an array to the end of the data."""
-    from ...codec import size_of
-
-    each = size_of(op.item)
-    return "_io.size - _io.pos" if each == 1 else f"(_io.size - _io.pos) / {each}"
 
 
 # --------------------------------------------------------------------------- texts
@@ -190,3 +182,5 @@ def _members(t: m.Type | m.Field, place: m.Position | None) -> Iterator[Identifi
                         yield Identifier(within, member(c.parameter.name), c.parameter.name, c.parameter.position)
             for peek in expressions.peeks(t):
                 yield Identifier(scope, peek.name, f"{peek.op.member}, read ahead", place)
+            for rest in expressions.rests(t):
+                yield Identifier(scope, rest.name, f"the number of {rest.array}", place)

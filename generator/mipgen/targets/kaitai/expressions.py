@@ -71,6 +71,24 @@ def count(op: m.CounterOp, record: Record) -> str:
     return f"_io.size - _io.pos < {between} or ({fits})" if between else fits
 
 
+@dataclass(frozen=True, slots=True)
+class Rest:
+    """The number of elements of an array to the end of the data: an instance, which is computed once, as some
+    languages evaluate the expression of a repetition again for every element."""
+
+    name: str
+    array: str
+    each: int
+
+
+def rests(record: Record) -> list[Rest]:
+    return [
+        Rest(f"{member(op.member)}_count", op.member, codec.size_of(op.item))
+        for op in single(record.operations)
+        if isinstance(op, m.ArrayOp) and op.count is None and op.counter is None
+    ]
+
+
 # --------------------------------------------------------------------------- presence
 
 

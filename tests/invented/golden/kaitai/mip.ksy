@@ -703,8 +703,11 @@ types:
       - id: descriptors
         type: u2
         repeat: expr
-        repeat-expr: (_io.size - _io.pos) / 2
+        repeat-expr: descriptors_count
         doc: As many as there are.
+    instances:
+      descriptors_count:
+        value: (_io.size - _io.pos) / 2
   tools_pin_response:
     -orig-id: tools.pin_response
     doc: "Pin response. "
