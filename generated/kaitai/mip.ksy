@@ -2,7 +2,8 @@ meta:
   id: mip
   title: MIP protocol of MicroStrain inertial sensors
   license: MIT
-  ks-version: "0.11"
+  ks-version: "0.10"
+  encoding: ISO-8859-1
   endian: be
   bit-endian: be
 doc: |
@@ -2505,27 +2506,22 @@ types:
         doc: "Firmware version as one decimal number: 1202 stands for 1.2.02."
       - id: model_name
         type: str
-        encoding: ISO-8859-1
         size: 16
         doc: Name of the model.
       - id: model_number
         type: str
-        encoding: ISO-8859-1
         size: 16
         doc: Part number of the model.
       - id: serial_number
         type: str
-        encoding: ISO-8859-1
         size: 16
         doc: Serial number.
       - id: lot_number
         type: str
-        encoding: ISO-8859-1
         size: 16
         doc: Lot number; reserved and blank on some devices.
       - id: device_options
         type: str
-        encoding: ISO-8859-1
         size: 16
         doc: Options of the unit, such as its sensor ranges.
   mip_3dm_poll_entry:
@@ -2606,7 +2602,6 @@ types:
         doc: "Descriptor set of the data of this receiver. Range: 128 to 254."
       - id: description
         type: str
-        encoding: ISO-8859-1
         size: 32
         doc: Module name or model and firmware version, with a comma between.
   aiding_measurement_time:
@@ -2661,34 +2656,36 @@ types:
     -orig-id: base.comm_speed
     doc: Comm port speed. Baud rate of one communication port.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: port
         type: u1
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
         doc: Port id of the device; 0 means all ports, and is for save, load and default only.
       - id: baud
         type: u4
-        if: function == function_selector::write or _io.size >= 6
+        if: function_value == function_selector::write or _io.size >= 6
         doc: "Baud rate; one that the port supports. Unit: Bd."
   base_gps_time_update:
     -orig-id: base.gps_time_update
     doc: GPS time update. Sets the week number or the time of week of the external (GPS) time.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: field_id
         type: u1
         enum: base_gps_time_field
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::apply or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::apply or _io.size >= 2
         doc: What the value is.
       - id: value
         type: u4
-        if: function == function_selector::write or function == function_selector::apply or _io.size >= 6
+        if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 6
         doc: "What `field_id` says."
   base_soft_reset:
     -orig-id: base.soft_reset
@@ -2842,7 +2839,8 @@ types:
     -orig-id: 3dm.imu_message_format
     doc: IMU Message Format. Fields of the sensor data packets (0x80), in order, with their decimations.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
@@ -2850,19 +2848,20 @@ types:
         type: u1
         valid:
           expr: _ <= 83 and _ * 3 <= _io.size - _io.pos
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Number of fields.
       - id: descriptors
         type: descriptor_rate
         repeat: expr
         repeat-expr: num_descriptors
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Fields and decimations.
   mip_3dm_gnss_message_format:
     -orig-id: 3dm.gnss_message_format
     doc: GNSS Message Format. Fields of the GNSS data packets, in order, with their decimations.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
@@ -2870,19 +2869,20 @@ types:
         type: u1
         valid:
           expr: _ <= 83 and _ * 3 <= _io.size - _io.pos
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "Number of fields. Range: 0 to 82."
       - id: descriptors
         type: descriptor_rate
         repeat: expr
         repeat-expr: num_descriptors
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Fields and decimations.
   mip_3dm_filter_message_format:
     -orig-id: 3dm.filter_message_format
     doc: Estimation Filter Message Format. Fields of the filter data packets (0x82), in order, with their decimations.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
@@ -2890,13 +2890,13 @@ types:
         type: u1
         valid:
           expr: _ <= 83 and _ * 3 <= _io.size - _io.pos
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Number of fields.
       - id: descriptors
         type: descriptor_rate
         repeat: expr
         repeat-expr: num_descriptors
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Fields and decimations.
   mip_3dm_get_filter_base_rate:
     -orig-id: 3dm.get_filter_base_rate
@@ -2905,7 +2905,8 @@ types:
     -orig-id: 3dm.nmea_message_format
     doc: NMEA Message Format. NMEA sentences that the device streams.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
@@ -2913,13 +2914,13 @@ types:
         type: u1
         valid:
           expr: _ <= 50 and _ * 5 <= _io.size - _io.pos
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Number of sentences.
       - id: format_entries
         type: nmea_message
         repeat: expr
         repeat-expr: count
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Sentences to stream.
   mip_3dm_poll_data:
     -orig-id: 3dm.poll_data
@@ -2952,25 +2953,26 @@ types:
     -orig-id: 3dm.message_format
     doc: Message Format. Fields of the data packets of a descriptor set, in order, with their decimations.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: descriptor_set
         type: u1
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
         doc: Data descriptor set; 0 means all of them (save, load, default).
       - id: num_descriptors
         type: u1
         valid:
           expr: _ <= 83 and _ * 3 <= _io.size - _io.pos
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: Number of fields.
       - id: descriptors
         type: descriptor_rate
         repeat: expr
         repeat-expr: num_descriptors
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: Fields and decimations.
   mip_3dm_factory_streaming:
     -orig-id: 3dm.factory_streaming
@@ -2987,119 +2989,125 @@ types:
     -orig-id: 3dm.data_stream_control
     doc: Data Stream Control. Switches a data stream on or off.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: descriptor_set
         type: u1
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
         doc: Data descriptor set; 0 means all streams (save, load, default).
       - id: enable
         type: u1
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: "Whether the stream is sent. Default: true."
   mip_3dm_constellation_settings:
     -orig-id: 3dm.constellation_settings
     doc: Constellation Settings. Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: max_channels
         type: u2
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: "Tracking channels in use at most; no more than the response reports as available. Unit: 1."
       - id: config_count
         type: u1
         valid:
           expr: _ <= 41 and _ * 6 <= _io.size - _io.pos
-        if: function == function_selector::write or _io.size >= 4
+        if: function_value == function_selector::write or _io.size >= 4
         doc: "Number of entries. Range: 0 to 41."
       - id: settings
         type: mip_3dm_constellation_settings_entry
         repeat: expr
         repeat-expr: config_count
-        if: function == function_selector::write or _io.size >= 4
+        if: function_value == function_selector::write or _io.size >= 4
         doc: One entry for each constellation.
   mip_3dm_gnss_sbas_settings:
     -orig-id: 3dm.gnss_sbas_settings
     doc: GNSS SBAS Settings. How the GNSS receivers use satellite based augmentation.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: enable_sbas
         type: u1
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "1 switches SBAS on, 0 off. Range: 0 to 1."
       - id: sbas_options
         type: mip_3dm_sbas_options
-        if: function == function_selector::write or _io.size >= 4
+        if: function_value == function_selector::write or _io.size >= 4
         doc: What SBAS is used for.
       - id: num_included_prns
         type: u1
         valid:
           expr: _ <= 124 and _ * 2 <= _io.size - _io.pos
-        if: function == function_selector::write or _io.size >= 5
+        if: function_value == function_selector::write or _io.size >= 5
         doc: Number of satellites listed; 0 searches for all.
       - id: included_prns
         type: u2
         repeat: expr
         repeat-expr: num_included_prns
-        if: function == function_selector::write or _io.size >= 5
+        if: function_value == function_selector::write or _io.size >= 5
         doc: PRN numbers of the SBAS satellites to search for.
   mip_3dm_gnss_assisted_fix:
     -orig-id: 3dm.gnss_assisted_fix
     doc: GNSS Assisted Fix. Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: option
         type: u1
         enum: mip_3dm_assisted_fix_option
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "Assisted fix. Default: `none_value`."
       - id: flags
         type: u1
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: "Reserved: send 255."
   mip_3dm_gnss_time_assistance:
     -orig-id: 3dm.gnss_time_assistance
     doc: GNSS Time Assistance. Tells the GNSS receiver the present GPS time.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: tow
         type: f8
-        if: function == function_selector::write or _io.size >= 9
+        if: function_value == function_selector::write or _io.size >= 9
         doc: "GPS time of week. Unit: s."
       - id: week_number
         type: u2
-        if: function == function_selector::write or _io.size >= 11
+        if: function_value == function_selector::write or _io.size >= 11
         doc: "GPS week number since 1980. Unit: week."
       - id: accuracy
         type: f4
-        if: function == function_selector::write or _io.size >= 15
+        if: function_value == function_selector::write or _io.size >= 15
         doc: "Accuracy of the time. Unit: s."
   mip_3dm_pps_source_control:
     -orig-id: 3dm.pps_source_control
     doc: PPS Source Control. Where the device takes its pulse per second from.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: source
         type: u1
         enum: mip_3dm_pps_source
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "Source of the pulse. Default: `receiver_1`."
   mip_3dm_get_event_support:
     -orig-id: 3dm.get_event_support
@@ -3113,18 +3121,19 @@ types:
     -orig-id: 3dm.event_control
     doc: Event Control. Enables, disables or tests an event trigger.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: instance
         type: u1
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
         doc: Trigger instance; 0 means all configured triggers, except for read.
       - id: mode
         type: u1
         enum: event_trigger_mode
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: "New mode. Default: `disabled`."
   mip_3dm_get_event_trigger_status:
     -orig-id: 3dm.get_event_trigger_status
@@ -3158,22 +3167,23 @@ types:
     -orig-id: 3dm.event_trigger_config
     doc: Event Trigger Configuration. Kind and condition of an event trigger.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: instance
         type: u1
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
         doc: Trigger instance; 0 means all (save, load, default).
       - id: type
         type: u1
         enum: event_trigger_type
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: "Kind of trigger. Default: `none_value`."
       - id: parameters
         type: parameters_cases
-        if: function == function_selector::write or (_io.size > 3 and ((type == event_trigger_type::gpio and _io.size >= 5) or (type == event_trigger_type::threshold and _io.size >= 7 and (not (threshold_type == event_threshold_type::window) or (_io.size >= 23)) and (not (threshold_type == event_threshold_type::interval) or (_io.size >= 23))) or (type == event_trigger_type::combination and _io.size >= 9)))
+        if: function_value == function_selector::write or (_io.size > 3 and ((type == event_trigger_type::gpio and _io.size >= 5) or (type == event_trigger_type::threshold and _io.size >= 7 and (not (threshold_type == event_threshold_type::window) or (_io.size >= 23)) and (not (threshold_type == event_threshold_type::interval) or (_io.size >= 23))) or (type == event_trigger_type::combination and _io.size >= 9)))
         doc: The condition.
     instances:
       threshold_type:
@@ -3198,26 +3208,27 @@ types:
     -orig-id: 3dm.event_action_config
     doc: Event Action Configuration. Trigger and effect of an event action.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: instance
         type: u1
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
         doc: Action instance; 0 means all (save, load, default).
       - id: trigger
         type: u1
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: Trigger instance that the action follows.
       - id: type
         type: u1
         enum: event_action_type
-        if: function == function_selector::write or _io.size >= 4
+        if: function_value == function_selector::write or _io.size >= 4
         doc: "Kind of action. Default: `none_value`."
       - id: parameters
         type: parameters_cases
-        if: function == function_selector::write or (_io.size > 4 and ((type == event_action_type::gpio and _io.size >= 6) or (type == event_action_type::message and _io.size >= 8)))
+        if: function_value == function_selector::write or (_io.size > 4 and ((type == event_action_type::gpio and _io.size >= 6) or (type == event_action_type::message and _io.size >= 8)))
         doc: The effect.
     types:
       parameters_cases:
@@ -3233,7 +3244,8 @@ types:
     -orig-id: 3dm.device_settings
     doc: Device Start Up Settings. Saves, loads or resets all settings of the device at once.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
@@ -3241,69 +3253,74 @@ types:
     -orig-id: 3dm.sensor_to_vehicle_transform_euler
     doc: Sensor-to-Vehicle Frame Transformation Euler. Mounting of the sensor in the vehicle as Euler angles.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: roll
         type: f4
-        if: function == function_selector::write or _io.size >= 5
+        if: function_value == function_selector::write or _io.size >= 5
         doc: "Rotation about the x axis. Unit: rad."
       - id: pitch
         type: f4
-        if: function == function_selector::write or _io.size >= 9
+        if: function_value == function_selector::write or _io.size >= 9
         doc: "Rotation about the y axis. Unit: rad."
       - id: yaw
         type: f4
-        if: function == function_selector::write or _io.size >= 13
+        if: function_value == function_selector::write or _io.size >= 13
         doc: "Rotation about the z axis. Unit: rad."
   mip_3dm_sensor_to_vehicle_transform_quaternion:
     -orig-id: 3dm.sensor_to_vehicle_transform_quaternion
     doc: Sensor-to-Vehicle Frame Transformation Quaternion. Mounting of the sensor in the vehicle as a quaternion.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: q
         type: quatf
-        if: function == function_selector::write or _io.size >= 17
+        if: function_value == function_selector::write or _io.size >= 17
         doc: "Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Unit: 1."
   mip_3dm_sensor_to_vehicle_transform_dcm:
     -orig-id: 3dm.sensor_to_vehicle_transform_dcm
     doc: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix. Mounting of the sensor in the vehicle as a direction cosine matrix.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: dcm
         type: matrix3f
-        if: function == function_selector::write or _io.size >= 37
+        if: function_value == function_selector::write or _io.size >= 37
         doc: "The matrix in row-major order. Unit: 1."
   mip_3dm_accel_bias:
     -orig-id: 3dm.accel_bias
     doc: Accelerometer Bias Configuration. Bias that is subtracted from the scaled acceleration.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: bias
         type: vector3f
-        if: function == function_selector::write or function == function_selector::apply or _io.size >= 13
+        if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 13
         doc: "Accelerometer bias. Unit: g. Frame: sensor."
   mip_3dm_gyro_bias:
     -orig-id: 3dm.gyro_bias
     doc: Gyroscope Bias Configuration. Bias that is subtracted from the scaled angular rate.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: bias
         type: vector3f
-        if: function == function_selector::write or function == function_selector::apply or _io.size >= 13
+        if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 13
         doc: "Gyroscope bias. Unit: rad/s. Frame: sensor."
   mip_3dm_capture_gyro_bias:
     -orig-id: 3dm.capture_gyro_bias
@@ -3316,180 +3333,190 @@ types:
     -orig-id: 3dm.mag_hard_iron_offset
     doc: Magnetometer Hard Iron Offset. Offset that corrects the scaled magnetic field for hard iron.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: offset
         type: vector3f
-        if: function == function_selector::write or function == function_selector::apply or _io.size >= 13
+        if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 13
         doc: "Hard iron offset. Unit: gauss. Frame: sensor."
   mip_3dm_mag_soft_iron_matrix:
     -orig-id: 3dm.mag_soft_iron_matrix
     doc: Magnetometer Soft Iron Matrix. Matrix that corrects the scaled magnetic field for soft iron.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: matrix
         type: matrix3f
-        if: function == function_selector::write or function == function_selector::apply or _io.size >= 37
+        if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 37
         doc: "Soft iron matrix in row-major order. Unit: 1. Frame: sensor."
   mip_3dm_coning_sculling_enable:
     -orig-id: 3dm.coning_sculling_enable
     doc: Coning and Sculling Enable. Switches the compensation of coning and sculling on or off.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: enable
         type: u1
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "Whether the compensation is on. Default: true."
   mip_3dm_uart_baud_rate:
     -orig-id: 3dm.uart_baud_rate
     doc: UART Baud Rate. Baud rate of the main port.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: baud
         type: u4
-        if: function == function_selector::write or _io.size >= 5
+        if: function_value == function_selector::write or _io.size >= 5
         doc: "Baud rate. Unit: Bd."
   mip_3dm_gpio_config:
     -orig-id: 3dm.gpio_config
     doc: GPIO Configuration. What a GPIO pin is used for.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: pin
         type: u1
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
         doc: GPIO pin, counted from 1; 0 means all pins (save, load, default).
       - id: feature
         type: u1
         enum: gpio_feature
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: "Use of the pin. Default: `unused`."
       - id: behavior
         type: u1
-        if: function == function_selector::write or _io.size >= 4
+        if: function_value == function_selector::write or _io.size >= 4
         doc: Role of the pin within the feature; 0 where the feature names none.
       - id: pin_mode
         type: gpio_pin_mode
-        if: function == function_selector::write or _io.size >= 5
+        if: function_value == function_selector::write or _io.size >= 5
         doc: Electrical options.
   mip_3dm_gpio_state:
     -orig-id: 3dm.gpio_state
     doc: GPIO State. Sets or reads the state of a GPIO pin.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: pin
         type: u1
-        if: function == function_selector::write or function == function_selector::read or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or _io.size >= 2
         doc: "GPIO pin, counted from 1. Range: at least 1."
       - id: state
         type: u1
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: True is high.
   mip_3dm_odometer_config:
     -orig-id: 3dm.odometer_config
     doc: Odometer Configuration. Input from a wheel encoder.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: mode
         type: u1
         enum: mip_3dm_odometer_mode
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: How the input works.
       - id: scaling
         type: f4
-        if: function == function_selector::write or _io.size >= 6
+        if: function_value == function_selector::write or _io.size >= 6
         doc: "Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m."
       - id: uncertainty
         type: f4
-        if: function == function_selector::write or _io.size >= 10
+        if: function_value == function_selector::write or _io.size >= 10
         doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1."
   mip_3dm_imu_low_pass_filter:
     -orig-id: 3dm.imu_low_pass_filter
     doc: Advanced Low-Pass Filter Settings. Low-pass filter of one quantity of the sensor data.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: target_descriptor
         type: u1
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
         doc: "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17."
       - id: enable
         type: u1
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: "Whether the quantity is filtered. Default: true."
       - id: manual
         type: u1
-        if: function == function_selector::write or _io.size >= 4
+        if: function_value == function_selector::write or _io.size >= 4
         doc: "True uses the frequency; false follows half the rate of the message format. Default: false."
       - id: frequency
         type: u2
-        if: function == function_selector::write or _io.size >= 6
+        if: function_value == function_selector::write or _io.size >= 6
         doc: "Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz."
       - id: reserved
         type: u1
-        if: function == function_selector::write or _io.size >= 7
+        if: function_value == function_selector::write or _io.size >= 7
         doc: "Reserved: send 0."
   mip_3dm_complementary_filter:
     -orig-id: 3dm.complementary_filter
     doc: Complementary Filter Configuration. Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: pitch_roll_enable
         type: u1
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Corrects pitch and roll (up, in terms of the 5-series).
       - id: heading_enable
         type: u1
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: Corrects the heading (north, in terms of the 5-series).
       - id: pitch_roll_time_constant
         type: f4
-        if: function == function_selector::write or _io.size >= 7
+        if: function_value == function_selector::write or _io.size >= 7
         doc: "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."
       - id: heading_time_constant
         type: f4
-        if: function == function_selector::write or _io.size >= 11
+        if: function_value == function_selector::write or _io.size >= 11
         doc: "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."
   mip_3dm_sensor_range:
     -orig-id: 3dm.sensor_range
     doc: Sensor Range. Measuring range of a sensor.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: sensor
         type: u1
         enum: mip_3dm_sensor_range_type
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
         doc: The sensor.
       - id: setting
         type: u1
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: Number of the range.
   mip_3dm_get_calibrated_sensor_ranges:
     -orig-id: 3dm.get_calibrated_sensor_ranges
@@ -3503,29 +3530,30 @@ types:
     -orig-id: 3dm.low_pass_filter
     doc: Low-Pass Anti-Aliasing Filter. Low-pass filter of a data field.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: descriptor_set
         type: u1
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
         doc: Descriptor set of the field.
       - id: field_descriptor
         type: u1
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 3
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 3
         doc: Field descriptor; 0 if the set is 0.
       - id: enable
         type: u1
-        if: function == function_selector::write or _io.size >= 4
+        if: function_value == function_selector::write or _io.size >= 4
         doc: Whether the field is filtered.
       - id: manual
         type: u1
-        if: function == function_selector::write or _io.size >= 5
+        if: function_value == function_selector::write or _io.size >= 5
         doc: True uses the frequency; false follows half the rate of the field in the message format.
       - id: frequency
         type: f4
-        if: function == function_selector::write or _io.size >= 9
+        if: function_value == function_selector::write or _io.size >= 9
         doc: "Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz."
   mip_3dm_device_status:
     -orig-id: 3dm.device_status
@@ -4536,83 +4564,89 @@ types:
     -orig-id: filter.vehicle_dynamics_mode
     doc: Vehicle dynamics mode. Kind of vehicle that the filter is tuned for.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: mode
         type: u1
         enum: filter_dynamics_mode
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Kind of vehicle.
   filter_sensor_to_vehicle_rotation_euler:
     -orig-id: filter.sensor_to_vehicle_rotation_euler
     doc: Sensor to vehicle frame transformation. Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: roll
         type: f4
-        if: function == function_selector::write or _io.size >= 5
+        if: function_value == function_selector::write or _io.size >= 5
         doc: "Roll angle. Unit: rad."
       - id: pitch
         type: f4
-        if: function == function_selector::write or _io.size >= 9
+        if: function_value == function_selector::write or _io.size >= 9
         doc: "Pitch angle. Unit: rad."
       - id: yaw
         type: f4
-        if: function == function_selector::write or _io.size >= 13
+        if: function_value == function_selector::write or _io.size >= 13
         doc: "Yaw angle. Unit: rad."
   filter_sensor_to_vehicle_offset:
     -orig-id: filter.sensor_to_vehicle_offset
     doc: Sensor to vehicle offset. Origin of the vehicle frame, as seen from the sensor.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: offset
         type: vector3f
-        if: function == function_selector::write or _io.size >= 13
+        if: function_value == function_selector::write or _io.size >= 13
         doc: "From the sensor to the origin of the vehicle frame. Unit: m. Frame: sensor. Range: magnitude at most 10."
   filter_antenna_offset:
     -orig-id: filter.antenna_offset
     doc: GNSS antenna offset. Position of the GNSS antenna relative to the origin of the sensor.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: offset
         type: vector3f
-        if: function == function_selector::write or _io.size >= 13
+        if: function_value == function_selector::write or _io.size >= 13
         doc: "From the sensor origin to the centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_estimation_control:
     -orig-id: filter.estimation_control
     doc: Estimation control flags. Which states the filter estimates.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: flags
         type: filter_estimated_states
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: States to estimate.
   filter_gnss_source:
     -orig-id: filter.gnss_source
     doc: GNSS aiding source. Which GNSS receiver aids the filter.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: source
         type: u1
         enum: filter_gnss_aiding_source
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Source of the GNSS data.
   filter_external_gnss_update:
     -orig-id: filter.external_gnss_update
@@ -4660,98 +4694,105 @@ types:
     -orig-id: filter.heading_source
     doc: Heading update control. Source of the heading that aids the filter.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: source
         type: u1
         enum: filter_heading_update_source
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Source of the heading.
   filter_auto_initialization_control:
     -orig-id: filter.auto_initialization_control
     doc: Automatic initialization. Whether the filter initializes by itself when the device starts.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: enable
         type: u1
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "0 disables, 1 enables. Range: 0 to 1."
   filter_accel_noise:
     -orig-id: filter.accel_noise
     doc: Accelerometer noise. Standard deviation of the accelerometer noise that the filter assumes (process noise).
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: noise
         type: vector3f
-        if: function == function_selector::write or _io.size >= 13
+        if: function_value == function_selector::write or _io.size >= 13
         doc: "Standard deviation per axis. Unit: m/s^2. Range: greater than 0."
   filter_gyro_noise:
     -orig-id: filter.gyro_noise
     doc: Gyroscope noise. Standard deviation of the gyroscope noise that the filter assumes (process noise).
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: noise
         type: vector3f
-        if: function == function_selector::write or _io.size >= 13
+        if: function_value == function_selector::write or _io.size >= 13
         doc: "Standard deviation per axis. Unit: rad/s. Range: greater than 0."
   filter_accel_bias_model:
     -orig-id: filter.accel_bias_model
     doc: Accelerometer bias model. Parameters of the model by which the accelerometer bias drifts.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: beta
         type: vector3f
-        if: function == function_selector::write or _io.size >= 13
+        if: function_value == function_selector::write or _io.size >= 13
         doc: "Reciprocal of the correlation time per axis. Unit: 1/s."
       - id: noise
         type: vector3f
-        if: function == function_selector::write or _io.size >= 25
+        if: function_value == function_selector::write or _io.size >= 25
         doc: "Standard deviation of the noise per axis. Unit: m/s^2. Range: greater than 0."
   filter_gyro_bias_model:
     -orig-id: filter.gyro_bias_model
     doc: Gyroscope bias model. Parameters of the model by which the gyroscope bias drifts.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: beta
         type: vector3f
-        if: function == function_selector::write or _io.size >= 13
+        if: function_value == function_selector::write or _io.size >= 13
         doc: "Reciprocal of the correlation time per axis. Unit: 1/s."
       - id: noise
         type: vector3f
-        if: function == function_selector::write or _io.size >= 25
+        if: function_value == function_selector::write or _io.size >= 25
         doc: "Standard deviation of the noise per axis. Unit: rad/s. Range: greater than 0."
   filter_auto_zupt:
     -orig-id: filter.auto_zupt
     doc: Automatic zero velocity update. Lets the filter take the device as standing still while its GNSS speed is small.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: enable
         type: u1
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "0 disables, 1 enables. Range: 0 to 1."
       - id: threshold
         type: f4
-        if: function == function_selector::write or _io.size >= 6
+        if: function_value == function_selector::write or _io.size >= 6
         doc: "Largest speed that is taken as zero. Unit: m/s. Range: at least 0."
   filter_external_heading_update_with_time:
     -orig-id: filter.external_heading_update_with_time
@@ -4777,29 +4818,31 @@ types:
     -orig-id: filter.auto_angular_zupt
     doc: Zero angular rate update. Lets the filter take the device as not rotating while its angular rate is small.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: enable
         type: u1
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "0 disables, 1 enables. Range: 0 to 1."
       - id: threshold
         type: f4
-        if: function == function_selector::write or _io.size >= 6
+        if: function_value == function_selector::write or _io.size >= 6
         doc: "Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0."
   filter_tare_orientation:
     -orig-id: filter.tare_orientation
     doc: Tare orientation. Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: axes
         type: filter_tare_axes
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Axes to tare; 0 resets all axes.
   filter_commanded_zupt:
     -orig-id: filter.commanded_zupt
@@ -4811,31 +4854,33 @@ types:
     -orig-id: filter.reference_position
     doc: Set reference position. Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: enable
         type: u1
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "0 disables, 1 enables. Range: 0 to 1."
       - id: latitude
         type: f8
-        if: function == function_selector::write or _io.size >= 10
+        if: function_value == function_selector::write or _io.size >= 10
         doc: "Latitude. Unit: deg. Frame: llh."
       - id: longitude
         type: f8
-        if: function == function_selector::write or _io.size >= 18
+        if: function_value == function_selector::write or _io.size >= 18
         doc: "Longitude. Unit: deg. Frame: llh."
       - id: altitude
         type: f8
-        if: function == function_selector::write or _io.size >= 26
+        if: function_value == function_selector::write or _io.size >= 26
         doc: "Altitude. Unit: m. Frame: llh."
   filter_mag_capture_auto_calibration:
     -orig-id: filter.mag_capture_auto_calibration
     doc: Capture automatic magnetometer calibration. Makes the automatic magnetometer calibration part of the fixed one.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
@@ -4843,103 +4888,111 @@ types:
     -orig-id: filter.gravity_noise
     doc: Gravity noise. Standard deviation of the gravity noise that the filter assumes (process noise).
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: noise
         type: vector3f
-        if: function == function_selector::write or _io.size >= 13
+        if: function_value == function_selector::write or _io.size >= 13
         doc: "Standard deviation per axis. Unit: g. Range: greater than 0."
   filter_pressure_altitude_noise:
     -orig-id: filter.pressure_altitude_noise
     doc: Pressure altitude noise. Standard deviation of the noise of the pressure altitude model that the filter assumes.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: noise
         type: f4
-        if: function == function_selector::write or _io.size >= 5
+        if: function_value == function_selector::write or _io.size >= 5
         doc: "Standard deviation. Unit: m. Range: greater than 0."
   filter_hard_iron_offset_noise:
     -orig-id: filter.hard_iron_offset_noise
     doc: Hard iron offset noise. Standard deviation of the noise of the estimated hard iron offset (process noise).
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: noise
         type: vector3f
-        if: function == function_selector::write or _io.size >= 13
+        if: function_value == function_selector::write or _io.size >= 13
         doc: "Standard deviation per axis. Unit: gauss. Range: greater than 0."
   filter_soft_iron_matrix_noise:
     -orig-id: filter.soft_iron_matrix_noise
     doc: Soft iron matrix noise. Standard deviation of the noise of the estimated soft iron matrix (process noise).
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: noise
         type: matrix3f
-        if: function == function_selector::write or _io.size >= 37
+        if: function_value == function_selector::write or _io.size >= 37
         doc: "Standard deviation per element. Unit: 1. Range: greater than 0."
   filter_enable_measurements:
     -orig-id: filter.enable_measurements
     doc: Enable or disable measurements. Which inertial measurements the filter uses.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: control
         type: filter_measurement_flags
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: Measurements to use.
   filter_mag_noise:
     -orig-id: filter.mag_noise
     doc: Magnetometer noise. Standard deviation of the magnetometer noise that the filter assumes.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: noise
         type: vector3f
-        if: function == function_selector::write or _io.size >= 13
+        if: function_value == function_selector::write or _io.size >= 13
         doc: "Standard deviation per axis. Unit: gauss. Range: greater than 0."
   filter_magnetic_declination_source:
     -orig-id: filter.magnetic_declination_source
     doc: Magnetic declination source. Source of the local declination of the magnetic field.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: source
         type: u1
         enum: filter_mag_parameter_source
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Source of the declination.
       - id: declination
         type: f4
-        if: function == function_selector::write or _io.size >= 6
+        if: function_value == function_selector::write or _io.size >= 6
         doc: "Declination; used only if `source` is manual. Unit: rad."
   filter_accel_magnitude_error_adaptive_measurement:
     -orig-id: filter.accel_magnitude_error_adaptive_measurement
     doc: Gravity magnitude error adaptive measurement. How far the filter trusts gravity measurements whose magnitude is not that of gravity.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: adaptive_measurement
         type: u1
         enum: filter_adaptive_measurement_selector
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Kind of adaptation.
       - id: frequency
         type: f4
@@ -4969,308 +5022,323 @@ types:
     -orig-id: filter.mag_magnitude_error_adaptive_measurement
     doc: Magnetometer magnitude error adaptive measurement. How far the filter trusts a magnetic field whose magnitude is not as expected.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: adaptive_measurement
         type: u1
         enum: filter_adaptive_measurement_selector
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Kind of adaptation.
       - id: frequency
         type: f4
-        if: function == function_selector::write or _io.size >= 6
+        if: function_value == function_selector::write or _io.size >= 6
         doc: "Cut-off frequency of the low-pass filter. Unit: Hz."
       - id: low_limit
         type: f4
-        if: function == function_selector::write or _io.size >= 10
+        if: function_value == function_selector::write or _io.size >= 10
         doc: "Lower limit of the error. Unit: gauss."
       - id: high_limit
         type: f4
-        if: function == function_selector::write or _io.size >= 14
+        if: function_value == function_selector::write or _io.size >= 14
         doc: "Upper limit of the error. Unit: gauss."
       - id: low_limit_uncertainty
         type: f4
-        if: function == function_selector::write or _io.size >= 18
+        if: function_value == function_selector::write or _io.size >= 18
         doc: "Standard deviation at the lower limit. Unit: gauss."
       - id: high_limit_uncertainty
         type: f4
-        if: function == function_selector::write or _io.size >= 22
+        if: function_value == function_selector::write or _io.size >= 22
         doc: "Standard deviation at the upper limit. Unit: gauss."
       - id: minimum_uncertainty
         type: f4
-        if: function == function_selector::write or _io.size >= 26
+        if: function_value == function_selector::write or _io.size >= 26
         doc: "Smallest standard deviation. Unit: gauss."
   filter_mag_dip_angle_error_adaptive_measurement:
     -orig-id: filter.mag_dip_angle_error_adaptive_measurement
     doc: Magnetometer dip angle error adaptive measurement. How far the filter trusts a magnetic field whose dip angle is not as expected.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: enable
         type: u1
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Whether the adaptation is on.
       - id: frequency
         type: f4
-        if: function == function_selector::write or _io.size >= 6
+        if: function_value == function_selector::write or _io.size >= 6
         doc: "Cut-off frequency of the low-pass filter. Unit: Hz."
       - id: high_limit
         type: f4
-        if: function == function_selector::write or _io.size >= 10
+        if: function_value == function_selector::write or _io.size >= 10
         doc: "Upper limit of the error. Unit: rad."
       - id: high_limit_uncertainty
         type: f4
-        if: function == function_selector::write or _io.size >= 14
+        if: function_value == function_selector::write or _io.size >= 14
         doc: "Standard deviation at the upper limit. Unit: rad."
       - id: minimum_uncertainty
         type: f4
-        if: function == function_selector::write or _io.size >= 18
+        if: function_value == function_selector::write or _io.size >= 18
         doc: "Smallest standard deviation. Unit: rad."
   filter_altitude_aiding:
     -orig-id: filter.altitude_aiding
     doc: Altitude aiding. What aids the altitude beside GNSS.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: selector
         type: u1
         enum: filter_altitude_aiding_source
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Source of the aiding.
   filter_pitch_roll_aiding:
     -orig-id: filter.pitch_roll_aiding
     doc: Pitch and roll aiding. What aids pitch and roll while the motion is gentle.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: aiding
         type: u1
         enum: filter_pitch_roll_aiding_source
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Source of the aiding.
   filter_magnetic_inclination_source:
     -orig-id: filter.magnetic_inclination_source
     doc: Magnetic inclination source. Source of the local inclination (dip angle) of the magnetic field.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: source
         type: u1
         enum: filter_mag_parameter_source
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Source of the inclination.
       - id: inclination
         type: f4
-        if: function == function_selector::write or _io.size >= 6
+        if: function_value == function_selector::write or _io.size >= 6
         doc: "Inclination; used only if `source` is manual. Unit: rad."
   filter_magnetic_magnitude_source:
     -orig-id: filter.magnetic_magnitude_source
     doc: Magnetic field magnitude source. Source of the local magnitude of the magnetic field.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: source
         type: u1
         enum: filter_mag_parameter_source
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Source of the magnitude.
       - id: magnitude
         type: f4
-        if: function == function_selector::write or _io.size >= 6
+        if: function_value == function_selector::write or _io.size >= 6
         doc: "Magnitude; used only if `source` is manual. Unit: gauss."
   filter_sensor_to_vehicle_rotation_dcm:
     -orig-id: filter.sensor_to_vehicle_rotation_dcm
     doc: Sensor to vehicle rotation, matrix. Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: dcm
         type: matrix3f
-        if: function == function_selector::write or _io.size >= 37
+        if: function_value == function_selector::write or _io.size >= 37
         doc: "Rotation matrix in row-major order. Unit: 1."
   filter_sensor_to_vehicle_rotation_quaternion:
     -orig-id: filter.sensor_to_vehicle_rotation_quaternion
     doc: Sensor to vehicle rotation, quaternion. Rotation from the sensor frame to the vehicle frame as a quaternion.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: q
         type: quatf
-        if: function == function_selector::write or _io.size >= 17
+        if: function_value == function_selector::write or _io.size >= 17
         doc: "Unit quaternion, scalar part first. Unit: 1. Range: magnitude 0.999 to 1.001."
   filter_aiding_measurement_enable:
     -orig-id: filter.aiding_measurement_enable
     doc: Aiding measurement control. Enables or disables one source of aiding measurements.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: aiding_source
         type: u2
         enum: filter_aiding_source
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 3
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 3
         doc: "The source; `all` is for save, load and default."
       - id: enable
         type: u1
-        if: function == function_selector::write or _io.size >= 4
+        if: function_value == function_selector::write or _io.size >= 4
         doc: Whether the filter uses the source.
   filter_kinematic_constraint:
     -orig-id: filter.kinematic_constraint
     doc: Kinematic constraint. Assumptions about the motion that the filter uses as measurements.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: accel_constraint
         type: u1
         enum: filter_accel_constraint
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "Assumption about the acceleration. Default: `none_value`."
       - id: velocity_constraint
         type: u1
         enum: filter_velocity_constraint
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: "Assumption about the velocity. Default: `none_value`."
       - id: angular_constraint
         type: u1
         enum: filter_angular_constraint
-        if: function == function_selector::write or _io.size >= 4
+        if: function_value == function_selector::write or _io.size >= 4
         doc: "Assumption about the angular rate. Default: `none_value`."
   filter_initialization_config:
     -orig-id: filter.initialization_config
     doc: Navigation filter initialization. Sources and values of the initial attitude, position and velocity of the filter.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: wait_for_run_command
         type: u1
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "1: the filter starts only after `filter_run`; 0: as soon as it can. Range: 0 to 1."
       - id: initial_condition_source
         type: u1
         enum: filter_initial_condition_source
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: Which initial conditions are found and which are given.
       - id: auto_heading_alignment_selector
         type: filter_heading_alignment
-        if: function == function_selector::write or _io.size >= 4
+        if: function_value == function_selector::write or _io.size >= 4
         doc: Ways in which the initial heading may be found.
       - id: initial_heading
         type: f4
-        if: function == function_selector::write or _io.size >= 8
+        if: function_value == function_selector::write or _io.size >= 8
         doc: "Given heading. Unit: deg."
       - id: initial_pitch
         type: f4
-        if: function == function_selector::write or _io.size >= 12
+        if: function_value == function_selector::write or _io.size >= 12
         doc: "Given pitch. Unit: deg."
       - id: initial_roll
         type: f4
-        if: function == function_selector::write or _io.size >= 16
+        if: function_value == function_selector::write or _io.size >= 16
         doc: "Given roll. Unit: deg."
       - id: initial_position
         type: vector3f
-        if: function == function_selector::write or _io.size >= 28
+        if: function_value == function_selector::write or _io.size >= 28
         doc: Given position.
       - id: initial_velocity
         type: vector3f
-        if: function == function_selector::write or _io.size >= 40
+        if: function_value == function_selector::write or _io.size >= 40
         doc: "Given velocity. Unit: m/s."
       - id: reference_frame_selector
         type: u1
         enum: filter_reference_frame
-        if: function == function_selector::write or _io.size >= 41
+        if: function_value == function_selector::write or _io.size >= 41
         doc: Frame of the given position and velocity.
   filter_adaptive_filter_options:
     -orig-id: filter.adaptive_filter_options
     doc: Adaptive filter control. How the filter adapts to measurements that do not fit its model.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: level
         type: u1
         enum: filter_adaptive_level
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "Strength of the adaptation. Default: 2."
       - id: time_limit
         type: u2
-        if: function == function_selector::write or _io.size >= 4
+        if: function_value == function_selector::write or _io.size >= 4
         doc: "Longest time for which measurements are rejected before the filter recovers. Unit: ms."
   filter_multi_antenna_offset:
     -orig-id: filter.multi_antenna_offset
     doc: GNSS multi-antenna offset. Position of the antenna of one receiver on devices with several antennas.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: receiver_id
         type: u1
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
         doc: "Number of the receiver, from 1. Range: at least 1."
       - id: antenna_offset
         type: vector3f
-        if: function == function_selector::write or _io.size >= 14
+        if: function_value == function_selector::write or _io.size >= 14
         doc: "From the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_relative_position_config:
     -orig-id: filter.relative_position_config
     doc: Relative position configuration. Reference point of the relative position that the filter reports.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: source
         type: u1
         enum: filter_relative_position_source
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Source of the reference point.
       - id: reference_frame_selector
         type: u1
         enum: filter_reference_frame
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: Frame of the coordinates.
       - id: reference_coordinates
         type: vector3d
-        if: function == function_selector::write or _io.size >= 27
+        if: function_value == function_selector::write or _io.size >= 27
         doc: Reference point.
   filter_reference_point_lever_arm:
     -orig-id: filter.reference_point_lever_arm
     doc: Reference point lever arm. Moves the point to which the position and the velocity of the filter refer.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: reference_point
         type: u1
         enum: filter_reference_point
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Point to move; it must be 1.
       - id: lever_arm_offset
         type: vector3f
-        if: function == function_selector::write or _io.size >= 14
+        if: function_value == function_selector::write or _io.size >= 14
         doc: "From the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_speed_measurement:
     -orig-id: filter.speed_measurement
@@ -5292,57 +5360,61 @@ types:
     -orig-id: filter.speed_lever_arm
     doc: Speed measurement lever arm. Position of the point whose speed is measured, such as the wheel that an odometer is on.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: source
         type: u1
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
         doc: "Reserved: send 1."
       - id: lever_arm_offset
         type: vector3f
-        if: function == function_selector::write or _io.size >= 14
+        if: function_value == function_selector::write or _io.size >= 14
         doc: "From the sensor to the point of measurement. Unit: m. Frame: vehicle."
   filter_vertical_gyro_constraint_control:
     -orig-id: filter.vertical_gyro_constraint_control
     doc: Vertical gyro constraint. Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: enable
         type: u1
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "0 disables, 1 enables. Range: 0 to 1."
   filter_wheeled_vehicle_constraint_control:
     -orig-id: filter.wheeled_vehicle_constraint_control
     doc: Wheeled vehicle constraint. Lets the filter assume that the vehicle moves only along its x axis.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: enable
         type: u1
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "0 disables, 1 enables. Range: 0 to 1."
   filter_gnss_antenna_calibration_control:
     -orig-id: filter.gnss_antenna_calibration_control
     doc: GNSS antenna offset calibration. Lets the filter track the error of the antenna offset.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: enable
         type: u1
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "0 disables, 1 enables. Range: 0 to 1."
       - id: max_offset
         type: f4
-        if: function == function_selector::write or _io.size >= 6
+        if: function_value == function_selector::write or _io.size >= 6
         doc: "Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame: vehicle. Range: 0 to 0.5. Default: 0.1."
   filter_vehicle_dynamics_mode_response:
     -orig-id: filter.vehicle_dynamics_mode_response
@@ -5810,94 +5882,97 @@ types:
     -orig-id: gnss.signal_config
     doc: Signal configuration. GNSS signals that the device uses.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: gps_enable
         type: gnss_gps_signals
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: GPS signals.
       - id: glonass_enable
         type: gnss_glonass_signals
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: GLONASS signals.
       - id: galileo_enable
         type: gnss_galileo_signals
-        if: function == function_selector::write or _io.size >= 4
+        if: function_value == function_selector::write or _io.size >= 4
         doc: Galileo signals.
       - id: beidou_enable
         type: gnss_beidou_signals
-        if: function == function_selector::write or _io.size >= 5
+        if: function_value == function_selector::write or _io.size >= 5
         doc: BeiDou signals.
       - id: reserved
         type: u1
         repeat: expr
         repeat-expr: 4
-        if: function == function_selector::write or _io.size >= 9
+        if: function_value == function_selector::write or _io.size >= 9
         doc: "Reserved: send 0."
   gnss_rtk_dongle_config:
     -orig-id: gnss.rtk_dongle_config
     doc: RTK dongle configuration. Whether the device talks to the RTK dongle that is connected to it.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: enable
         type: u1
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "1 enables the dongle, 0 disables it. Range: 0 to 1."
       - id: reserved
         type: u1
         repeat: expr
         repeat-expr: 3
-        if: function == function_selector::write or _io.size >= 5
+        if: function_value == function_selector::write or _io.size >= 5
         doc: "Reserved: send 0."
   gnss_spartn_config:
     -orig-id: gnss.spartn_config
     doc: SPARTN configuration. Source and keys of SPARTN corrections.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: enable
         type: u1
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "1 enables SPARTN corrections, 0 disables them. Range: 0 to 1."
       - id: type
         type: u1
         enum: gnss_spartn_connection
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: How the corrections come.
       - id: current_key_tow
         type: u4
-        if: function == function_selector::write or _io.size >= 7
+        if: function_value == function_selector::write or _io.size >= 7
         doc: "GPS time of week until which the current key is valid. Unit: s."
       - id: current_key_week
         type: u2
-        if: function == function_selector::write or _io.size >= 9
+        if: function_value == function_selector::write or _io.size >= 9
         doc: "GPS week number until which the current key is valid. Unit: week."
       - id: current_key
         type: u1
         repeat: expr
         repeat-expr: 32
-        if: function == function_selector::write or _io.size >= 41
+        if: function_value == function_selector::write or _io.size >= 41
         doc: Current key in ASCII digits.
       - id: next_key_tow
         type: u4
-        if: function == function_selector::write or _io.size >= 45
+        if: function_value == function_selector::write or _io.size >= 45
         doc: "GPS time of week until which the next key is valid. Unit: s."
       - id: next_key_week
         type: u2
-        if: function == function_selector::write or _io.size >= 47
+        if: function_value == function_selector::write or _io.size >= 47
         doc: "GPS week number until which the next key is valid. Unit: week."
       - id: next_key
         type: u1
         repeat: expr
         repeat-expr: 32
-        if: function == function_selector::write or _io.size >= 79
+        if: function_value == function_selector::write or _io.size >= 79
         doc: Next key in ASCII digits.
   gnss_receiver_info_response:
     -orig-id: gnss.receiver_info_response
@@ -5998,14 +6073,15 @@ types:
     -orig-id: rtk.connected_device_type
     doc: Connected device type. The device that the modem serves.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: device_type
         type: u1
         enum: rtk_connected_device
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Type of the device.
   rtk_get_activation_code:
     -orig-id: rtk.get_activation_code
@@ -6068,7 +6144,6 @@ types:
     seq:
       - id: imei
         type: str
-        encoding: ISO-8859-1
         size: 32
         doc: International mobile equipment identity.
   rtk_get_imsi_response:
@@ -6077,7 +6152,6 @@ types:
     seq:
       - id: imsi
         type: str
-        encoding: ISO-8859-1
         size: 32
         doc: International mobile subscriber identity.
   rtk_get_iccid_response:
@@ -6086,7 +6160,6 @@ types:
     seq:
       - id: iccid
         type: str
-        encoding: ISO-8859-1
         size: 32
         doc: Number of the SIM card.
   rtk_get_rssi_response:
@@ -6116,7 +6189,6 @@ types:
     seq:
       - id: activation_code
         type: str
-        encoding: ISO-8859-1
         size: 32
         doc: Activation code.
   rtk_get_modem_firmware_version_response:
@@ -6125,7 +6197,6 @@ types:
     seq:
       - id: modem_firmware_version
         type: str
-        encoding: ISO-8859-1
         size: 32
         doc: Firmware version.
   rtk_service_status_response:
@@ -6148,30 +6219,31 @@ types:
     -orig-id: aiding.frame_config
     doc: Frame configuration. Where and how an external sensor is mounted on the vehicle.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: frame_id
         type: u1
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
         doc: "Number of the frame. Range: 1 to 4."
       - id: format
         type: u1
         enum: aiding_aiding_frame_format
-        if: function == function_selector::write or function == function_selector::read or _io.size >= 3
+        if: function_value == function_selector::write or function_value == function_selector::read or _io.size >= 3
         doc: How the rotation is given.
       - id: tracking_enabled
         type: u1
-        if: function == function_selector::write or _io.size >= 4
+        if: function_value == function_selector::write or _io.size >= 4
         doc: Whether the filter estimates the errors of the frame.
       - id: translation
         type: vector3f
-        if: function == function_selector::write or _io.size >= 16
+        if: function_value == function_selector::write or _io.size >= 16
         doc: "Origin of the frame in the vehicle. Unit: m. Frame: vehicle."
       - id: rotation
         type: rotation_cases
-        if: function == function_selector::write or (_io.size > 16 and ((format == aiding_aiding_frame_format::euler and _io.size >= 28) or (format == aiding_aiding_frame_format::quaternion and _io.size >= 32)))
+        if: function_value == function_selector::write or (_io.size > 16 and ((format == aiding_aiding_frame_format::euler and _io.size >= 28) or (format == aiding_aiding_frame_format::quaternion and _io.size >= 32)))
         doc: Rotation from the frame to the vehicle.
     types:
       rotation_cases:
@@ -6189,14 +6261,15 @@ types:
     -orig-id: aiding.echo_control
     doc: Echo control. How the device answers aiding measurements.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: mode
         type: u1
         enum: aiding_aiding_echo_mode
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: How they are answered.
   aiding_ecef_position:
     -orig-id: aiding.ecef_position
@@ -6419,35 +6492,37 @@ types:
     -orig-id: system.interface_control
     doc: Interface control. Protocols that a port takes in and gives out.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: port
         type: u1
         enum: system_comm_interface
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or _io.size >= 2
         doc: The port.
       - id: protocols_incoming
         type: system_comm_protocols
-        if: function == function_selector::write or _io.size >= 6
+        if: function_value == function_selector::write or _io.size >= 6
         doc: Protocols that it takes in.
       - id: protocols_outgoing
         type: system_comm_protocols
-        if: function == function_selector::write or _io.size >= 10
+        if: function_value == function_selector::write or _io.size >= 10
         doc: Protocols that it gives out.
   system_comm_mode:
     -orig-id: system.comm_mode
     doc: Communication mode. Switches the port between the device and one of the sensors inside it.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: mode
         type: u1
         enum: system_protocol_mode
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: "Communication mode. Default: `standard`."
   system_interface_control_response:
     -orig-id: system.interface_control_response
@@ -11830,7 +11905,7 @@ enums:
       doc: Latitude, longitude and height above the ellipsoid (WGS84).
   filter_adaptive_level:
     0:
-      id: off
+      id: "off"
       doc: No adaptation.
     1:
       id: conservative
@@ -12064,10 +12139,10 @@ enums:
       doc: Estimates are unstable or recovering.
   gnss_1_receiver_state:
     0:
-      id: off
+      id: "off"
       doc: Off.
     1:
-      id: on
+      id: "on"
       doc: On.
     2:
       id: unknown
@@ -12091,10 +12166,10 @@ enums:
       doc: Not known.
   gnss_1_antenna_power:
     0:
-      id: off
+      id: "off"
       doc: Off.
     1:
-      id: on
+      id: "on"
       doc: On.
     2:
       id: unknown

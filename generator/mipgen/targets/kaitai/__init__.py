@@ -24,7 +24,7 @@ TOPICS = ("unit", "frame", "range", "default", "valid", "reserved")
 
 def files(model: m.Model) -> Iterator[File]:
     yield File("mip.ksy", "mip.ksy.j2", {"kinds": kinds(model), "kind": kind(model), "enums": enums(model)})
-    yield File("README.md", "README.md.j2", {"shared": model.set(m.SHARED_SET)})
+    yield File("README.md", "README.md.j2", {"readings": readings(model)})
 
 
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
@@ -93,6 +93,21 @@ def enums(model: m.Model) -> list[m.Enum]:
     return [model.protocol.function_selector, *(t for t in model.all_types if isinstance(t, m.Enum))]
 
 
+def readings(model: m.Model) -> dict[str, list[str]]:
+    """The parameters whose values have other names on each device, or by the value of another parameter."""
+    found: dict[str, list[str]] = {"device": [], "parameter": []}
+    holders: list[expressions.Record] = [t for t in model.all_types if isinstance(t, m.Struct)]
+    for record in (*holders, *records(model)):
+        for p in record.parameters:
+            named = [v for v in p.variants if v.type is not None or v.unknown]
+            where = f"`{type_name(record)}.{member(p.name)}`"
+            if p.by_device or any(v.by_device for v in named):
+                found["device"].append(where)
+            if any(not v.by_device for v in named):
+                found["parameter"].append(where)
+    return found
+
+
 def unions(record: expressions.Record) -> list[m.SwitchOp]:
     return [op for op in expressions.single(record.operations) if isinstance(op, m.SwitchOp)]
 
@@ -100,7 +115,7 @@ def unions(record: expressions.Record) -> list[m.SwitchOp]:
 # --------------------------------------------------------------------------- texts
 
 _PLAIN = re.compile(r"[A-Za-z][\w ,.;()/+-]*(?<! )")
-_WORDS = {"true", "false", "null", "yes", "no", "on", "off", "y", "n"}
+_WORDS = {"true", "false", "null", "yes", "no", "on", "off"}  # these are no text in YAML 1.1
 
 
 def text(words: str) -> str:
@@ -145,42 +160,50 @@ def about(name: str, record: expressions.Record, model: m.Model) -> str:
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
+    for scope, name, what, position in _names(model):
+        yield Identifier(scope, names.joined(name), what, position)
+
+
+Named = tuple[str, str, str, m.Position | None]
+
+
+def _names(model: m.Model) -> Iterator[Named]:
     for t in (model.protocol.function_selector, *model.all_types):
-        place = getattr(t, "position", None)
-        yield Identifier("mip", type_name(t), t.name, place)
+        place = None if isinstance(t, m.Vector) else t.position
+        yield "mip", type_name(t), t.name, place
         yield from _members(t, place)
     for number, name, fields in kinds(model):
-        yield Identifier("the enumeration kind", name, f"{fields[0].full_name} ({number:#06x})", fields[0].position)
+        yield "the enumeration kind", name, f"{fields[0].full_name} ({number:#06x})", fields[0].position
         if len(fields) > 1:
-            yield Identifier("mip", f"{name}_layouts", f"layouts of {fields[0].full_name}", fields[0].position)
+            yield "mip", f"{name}_layouts", f"layouts of {fields[0].full_name}", fields[0].position
     for f in records(model):
-        yield Identifier("mip", type_name(f), f.full_name, f.position)
+        yield "mip", type_name(f), f.full_name, f.position
         yield from _members(f, f.position)
 
 
-def _members(t: m.Type | m.Field, place: m.Position | None) -> Iterator[Identifier]:
+def _members(t: m.Type | m.Field, place: m.Position | None) -> Iterator[Named]:
     scope = f"{'the enumeration' if isinstance(t, m.Enum) else 'the type'} {type_name(t)}"
     match t:
         case m.Enum():
             for v in t.values:
-                yield Identifier(scope, value(v.name), v.name, v.position or place)
+                yield scope, value(v.name), v.name, v.position or place
         case m.Bitfield():
             for s in expressions.segments(t):
-                yield Identifier(scope, s.name, s.bits.name if s.bits else "unused bits", place)
+                yield scope, s.name, s.bits.name if s.bits else "unused bits", place
             for b in t.bits:
                 if b.alias:
-                    yield Identifier(scope, member(b.name), b.name, b.position or place)
+                    yield scope, member(b.name), b.name, b.position or place
         case m.Vector():
             for e in t.elements:
-                yield Identifier(scope, member(e), e, place)
+                yield scope, member(e), e, place
         case _:
             for p in t.parameters:
-                yield Identifier(scope, member(p.name), p.name, p.position or place)
+                yield scope, member(p.name), p.name, p.position or place
                 for c in p.cases:
                     if c.parameter is not None:
                         within = f"the type {names.cases(member(p.name))} of {type_name(t)}"
-                        yield Identifier(within, member(c.parameter.name), c.parameter.name, c.parameter.position)
+                        yield within, member(c.parameter.name), c.parameter.name, c.parameter.position
             for peek in expressions.peeks(t):
-                yield Identifier(scope, peek.name, f"{peek.op.member}, read ahead", place)
+                yield scope, peek.name, f"{peek.op.member}, read ahead", place
             for rest in expressions.rests(t):
-                yield Identifier(scope, rest.name, f"the number of {rest.array}", place)
+                yield scope, rest.name, f"the number of {rest.array}", place

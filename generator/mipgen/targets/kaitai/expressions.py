@@ -110,7 +110,7 @@ def presence(op: m.GroupOp, f: m.Field) -> str:
     required = [c.function for c in f.calls if len(c.required) >= op.last]
     if required == [None]:
         return ""
-    functions = [f"function == function_selector::{value(x.name)}" for x in required if x is not None]
+    functions = [f"{member('function')} == function_selector::{value(x.name)}" for x in required if x is not None]
     room = " and ".join(_room(op, f, []))
     return " or ".join([*functions, f"({room})" if functions and " and " in room else room])
 

@@ -31,6 +31,16 @@ def type_name(thing: m.Type | m.Field) -> str:
     return _type(f"{owner}_{thing.name}" if owner else thing.name)
 
 
+def joined(name: str) -> str:
+    """A name as languages write it that join words by case; there, names differ in this.
+
+    >>> joined("pos_1"), joined("pos1")
+    ('pos1', 'pos1')
+    """
+    first, *others = name.split("_")
+    return first + "".join(word[:1].upper() + word[1:] for word in others)
+
+
 def cases(union: str) -> str:
     """The type of a union, inside that of its record."""
     return f"{union}_cases"

@@ -2,7 +2,8 @@ meta:
   id: mip
   title: MIP protocol of MicroStrain inertial sensors
   license: MIT
-  ks-version: "0.11"
+  ks-version: "0.10"
+  encoding: ISO-8859-1
   endian: be
   bit-endian: be
 doc: |
@@ -413,22 +414,23 @@ types:
     -orig-id: tools.settings
     doc: Settings. Every function, and a prefix of parameters for each.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: port
         type: u1
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::save or function == function_selector::load or function == function_selector::default_value or function == function_selector::apply or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::save or function_value == function_selector::load or function_value == function_selector::default_value or function_value == function_selector::apply or _io.size >= 2
         doc: "Number of the port, 0 for all. Range: 0 to 8."
       - id: mode
         type: u1
         enum: mode
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::apply or _io.size >= 3
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::apply or _io.size >= 3
         doc: "What to do. Default: `fast`."
       - id: baud
         type: u4
-        if: function == function_selector::write or function == function_selector::apply or _io.size >= 7
+        if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 7
         doc: "Speed. Unit: Bd. Default: 115200."
       - id: limit
         type: u2
@@ -442,18 +444,19 @@ types:
     -orig-id: tools.set_time
     doc: Set time. Two responses for one command.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: part
         type: u1
         enum: mode
-        if: function == function_selector::write or function == function_selector::read or function == function_selector::apply or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::apply or _io.size >= 2
         doc: Which half of the time.
       - id: value
         type: u4
-        if: function == function_selector::write or function == function_selector::apply or _io.size >= 6
+        if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 6
         doc: "The new value. Unit: s."
   tools_status:
     -orig-id: tools.status
@@ -470,13 +473,14 @@ types:
     -orig-id: tools.bias
     doc: Bias. Its response serves another command too.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: bias
         type: vector3f
-        if: function == function_selector::write or _io.size >= 13
+        if: function_value == function_selector::write or _io.size >= 13
         doc: "Taken off the measurement. Unit: g. Frame: sensor."
   tools_capture_bias:
     -orig-id: tools.capture_bias
@@ -509,22 +513,23 @@ types:
     -orig-id: tools.choice
     doc: Choice. A tagged union with an empty variant, nested unions, arrays and strings in it.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: instance
         type: u1
-        if: function == function_selector::write or function == function_selector::read or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or _io.size >= 2
         doc: Which one.
       - id: shape
         type: u1
         enum: tools_shape
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: Which member follows.
       - id: parameters
         type: parameters_cases
-        if: function == function_selector::write or (_io.size > 3 and ((shape == tools_shape::circle and _io.size >= 8 and (not (circle_fill == tools_fill::solid) or (_io.size >= 12)) and (not (circle_fill == tools_fill::striped) or (_io.size >= 20))) or (shape == tools_shape::path and _io.size >= 5) or (shape == tools_shape::turn and _io.size >= 19) or (shape == tools_shape::label and _io.size >= 11)))
+        if: function_value == function_selector::write or (_io.size > 3 and ((shape == tools_shape::circle and _io.size >= 8 and (not (circle_fill == tools_fill::solid) or (_io.size >= 12)) and (not (circle_fill == tools_fill::striped) or (_io.size >= 20))) or (shape == tools_shape::path and _io.size >= 5) or (shape == tools_shape::turn and _io.size >= 19) or (shape == tools_shape::label and _io.size >= 11)))
         doc: The member.
     instances:
       circle_fill:
@@ -548,7 +553,6 @@ types:
             doc: A rotation.
           - id: label
             type: str
-            encoding: ISO-8859-1
             size: 8
             if: _parent.shape == tools_shape::label
             doc: A name.
@@ -556,7 +560,8 @@ types:
     -orig-id: tools.list
     doc: List. Optional counted array; a read may carry a zero count.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
@@ -564,13 +569,13 @@ types:
         type: u1
         valid:
           expr: _ <= 125 and _ * 2 <= _io.size - _io.pos
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: Number of items.
       - id: items
         type: u2
         repeat: expr
         repeat-expr: count
-        if: function == function_selector::write or _io.size >= 2
+        if: function_value == function_selector::write or _io.size >= 2
         doc: The items.
   tools_inventory:
     -orig-id: tools.inventory
@@ -579,19 +584,20 @@ types:
     -orig-id: tools.pin
     doc: Pin. The names of one number depend on another.
     seq:
-      - id: function
+      - id: function_value
+        -orig-id: function
         type: u1
         enum: function_selector
         doc: What to do with the setting.
       - id: drive
         type: u1
         enum: tools_drive
-        if: function == function_selector::write or function == function_selector::read or _io.size >= 2
+        if: function_value == function_selector::write or function_value == function_selector::read or _io.size >= 2
         doc: What drives it.
       - id: use_value
         -orig-id: use
         type: u1
-        if: function == function_selector::write or _io.size >= 3
+        if: function_value == function_selector::write or _io.size >= 3
         doc: How it is used.
   tools_hello:
     -orig-id: tools.hello
@@ -678,7 +684,6 @@ types:
             doc: A rotation.
           - id: label
             type: str
-            encoding: ISO-8859-1
             size: 8
             if: _parent.shape == tools_shape::label
             doc: A name.
@@ -908,7 +913,6 @@ types:
     seq:
       - id: model
         type: str
-        encoding: ISO-8859-1
         size: 16
         doc: Padded with spaces.
       - id: length
@@ -918,12 +922,10 @@ types:
         doc: Of the name.
       - id: name
         type: str
-        encoding: ISO-8859-1
         size: length
         doc: The name.
       - id: rest
         type: str
-        encoding: ISO-8859-1
         size-eos: true
         doc: All that follows.
   measurements_health:
@@ -1388,7 +1390,7 @@ enums:
     1: solid
     2: striped
   tools_drive:
-    0: off
+    0: "off"
     1: pulse
     2: serial
   tools_pulse_use:
