@@ -17,7 +17,7 @@ modules=$build/modules
 if ! cmp -s "$here/package-lock.json" "$modules/installed.json"; then
     mkdir -p "$modules"
     cp "$here/package.json" "$here/package-lock.json" "$modules"
-    (cd "$modules" && npm ci --silent --no-audit --no-fund --ignore-scripts >&2)
+    (cd "$modules" && npm ci --loglevel=error --no-audit --no-fund --ignore-scripts >&2)
     cp "$here/package-lock.json" "$modules/installed.json"
 fi
 KAITAI_MODULES=$modules

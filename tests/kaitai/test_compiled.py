@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import json
 import os
 import random
 import re
@@ -17,7 +18,7 @@ import pytest
 from awkward import COMMANDS
 from conformance.test_conformance import mutated, random_packets, samples
 from kaitaistruct import BytesIO, KaitaiStream
-from ksy_driver import COMPILED, built, compiled, file
+from ksy_driver import COMPILED, built, compiled, file, ksy
 from mipgen import cli, codec
 from mipgen import model as m
 from mipgen.resolve import load_model
@@ -117,6 +118,13 @@ def test_every_language_of_the_compiler(spec: str, tmp_path: Path) -> None:
             refused.append(language)
     assert refused == ["nim"]
     assert "checks of counts in Nim" in (file(spec).parent / "README.md").read_text("utf-8")
+
+
+@specs
+def test_all_readers_of_yaml_agree(spec: str) -> None:
+    """YAML 1.2, as the compiler in Node reads it, and 1.1, as PyYAML and the compiler in Java do."""
+    text = (compiled(file(spec).parent, spec, "python") / "mip.json").read_text("utf-8")
+    assert json.loads(text) == json.loads(json.dumps(ksy(file(spec))))
 
 
 # --------------------------------------------------------------------------- streams and bits, in Python
