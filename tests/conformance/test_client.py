@@ -87,7 +87,7 @@ def test_what_is_no_step_is_refused(language: str) -> None:
     assert driver(language, "invented").ask(requests) == [{"error": "request"}] * len(requests)
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", offering("client"))
 def test_a_port_that_cannot_be_opened(language: str, tmp_path: Path) -> None:
     ports = [str(tmp_path / "none"), "localhost:1", "localhost:none"]
     requests: list[dict[str, Any]] = [{"op": "live", "port": port, "steps": [END]} for port in ports]
