@@ -80,13 +80,17 @@ def serving(device: Any, *endpoints: Endpoint, speed: float = 1.0, **options: An
 class Client:
     """A program at a terminal or a connection."""
 
-    def __init__(self, place: str) -> None:
+    def __init__(self, place: str, room: int = 0) -> None:
+        """`room`: bytes that the system shall keep for it; 0: as many as it likes."""
         self.socket = None
         if place.startswith("/"):
             self.file = os.open(place, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
         else:
             host, _, number = place.rpartition(":")
-            self.socket = socket.create_connection((host, int(number)))
+            self.socket = socket.socket()
+            if room:
+                self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, room)
+            self.socket.connect((host, int(number)))
             self.socket.setblocking(False)
             self.file = self.socket.fileno()
         self.parser = Parser()
@@ -327,6 +331,14 @@ def test_the_baud_rate_limits_what_passes() -> None:
     assert 1.7 < now < 1.75 and goes > 100
 
 
+def test_a_line_that_was_idle_saves_nothing_up() -> None:
+    peer, link = Peer(10**6), EchoLink(115200)
+    channel = Channel(peer, link, lambda data: data, pace=1.0)
+    link.write(bytes(20000))
+    channel.collect()
+    assert channel.send(1000.0) is not None and len(peer.received) <= 11520 * 0.006
+
+
 def test_a_wrong_baud_rate_garbles_both_ways() -> None:
     peer, link = Peer(10**6), EchoLink(115200)
     channel = Channel(peer, link, lambda data: b"?" * len(data), pace=0.0)
@@ -371,14 +383,25 @@ def test_time_passes_at_the_speed_that_is_wanted() -> None:
 
 
 def test_as_fast_as_clients_read() -> None:
-    """No packet is dropped, however slow the client is; without clients, time stands still."""
+    """No packet is dropped, however slow the client is: time stands still while it does not read."""
     device = VirtualDevice(DEVICE)
-    with serving(device, tcp_at("0"), speed=0, duration=60.0) as server, Client(server.places[0]) as client:
-        client.send(stream())
+    with serving(device, tcp_at("0"), speed=0, duration=40.0) as server, Client(server.places[0], 4096) as client:
+        client.send(stream(500))
+        (channel,) = until(lambda: [c for c in server._channels if c.size >= CAPACITY // 2])
+        now = until(lambda: (device.now, time.sleep(0.05))[0] == device.now and device.now)
+        assert 0 < now < 40e9 and channel.size < CAPACITY
         assert client.at_end()
         data = [p for p in client.packets if p[2] == 0x80]
-        assert 5900 <= len(data) <= 6000 and client.parser.skipped == 0 and not server.complaints
-        assert device.now == 60_000_000_000
+        assert 19000 <= len(data) <= 20000 and client.parser.skipped == 0 and not server.complaints
+        assert device.now == 40_000_000_000
+
+
+def test_time_is_real_while_there_is_nothing_to_read() -> None:
+    device = VirtualDevice(DEVICE)
+    begun = time.monotonic()
+    with serving(device, tcp_at("0"), speed=0, duration=0.3) as server:
+        server.thread.join(PATIENCE)
+    assert device.now == 300_000_000 and time.monotonic() - begun >= 0.3
 
 
 def test_time_that_cannot_be_caught_up_is_given_up() -> None:
@@ -391,7 +414,9 @@ def test_time_that_cannot_be_caught_up_is_given_up() -> None:
             ahead = 86400.0  # the machine was asleep
             client.ask(PING)
             until(lambda: server.complaints)
-            assert device.now < 60e9
+            begun, now = time.monotonic(), device.now
+            until(lambda: device.now > now + 3e8)
+            assert device.now < 60e9 and time.monotonic() - begun > 0.2
     assert server.complaints == ["the machine cannot keep up; simulated time is late from here on"]
 
 
