@@ -1,5 +1,6 @@
-/* The `client` request: steps in, events out. */
+/* The `client` and `live` requests: steps in, events out. */
 #include "driver.h"
+#include "port.h"
 
 #include "mip/client.h"
 
@@ -21,6 +22,9 @@ struct session {
     uint32_t now;
     uint64_t count;
     bool first;
+    /* Of a `live` request; NULL otherwise. */
+    struct port *port;
+    bool told; /* that the port is closed */
     /* All that were sent, oldest first. */
     struct command *sent;
     struct command *last;
@@ -75,6 +79,13 @@ static const char *add(struct session *s, struct mip_builder *builder, const str
     return NULL;
 }
 
+/* The time of a clock, if there is a port. */
+static void tick(struct session *s) {
+    if (s->port != NULL) {
+        s->now = port_milliseconds(s->port);
+    }
+}
+
 static const char *send(struct session *s, const struct json *step) {
     const struct json *fields = json_get(step, "fields");
     uint32_t set;
@@ -82,6 +93,7 @@ static const char *send(struct session *s, const struct json *step) {
         fields->kind != JSON_LIST || fields->size == 0) {
         return REQUEST;
     }
+    tick(s);
     struct mip_builder builder;
     mip_builder_start(&builder, (uint8_t *)arena_take(s->arena, MIP_MAX_PACKET), MIP_MAX_PACKET, (uint8_t)set);
     struct command *commands = NULL;
@@ -114,6 +126,9 @@ static const char *send(struct session *s, const struct json *step) {
         put_unsigned(s->out, c->number);
     }
     put(s->out, "]}");
+    if (s->port != NULL) {
+        port_write(s->port, packet.bytes, packet.size);
+    }
     for (const struct command *c = commands; c != NULL; c = c->next) {
         if (c->request.state == MIP_REQUEST_SILENT) {
             happened(s, "silent", c);
@@ -233,6 +248,14 @@ static void poll(struct session *s) {
     }
 }
 
+static void arrived(struct session *s, const uint8_t *data, size_t size) {
+    struct mip_packet packet;
+    while (mip_parser_next(s->parser, &data, &size, &packet)) {
+        take(s, &packet);
+    }
+    poll(s);
+}
+
 static const char *receive(struct session *s, const struct json *step) {
     const struct json *given = json_get(step, "chunk");
     size_t left;
@@ -243,13 +266,7 @@ static const char *receive(struct session *s, const struct json *step) {
     }
     while (left > 0) {
         const size_t size = chunk < left ? chunk : left;
-        const uint8_t *data = at;
-        size_t rest = size;
-        struct mip_packet packet;
-        while (mip_parser_next(s->parser, &data, &rest, &packet)) {
-            take(s, &packet);
-        }
-        poll(s);
+        arrived(s, at, size);
         at += size;
         left -= size;
     }
@@ -291,27 +308,90 @@ static const char *end(struct session *s, const struct json *step) {
     return NULL;
 }
 
-const char *play(struct output *out, struct arena *arena, const struct json *request) {
-    struct session s = {arena, out, {NULL, 0}, NULL, 0, 0, true, NULL, NULL};
-    const struct json *steps = json_get(request, "steps");
-    if (steps == NULL || steps->kind != JSON_LIST) {
+/* ---------------------------------------------------------------------------------------- a port */
+
+/* What comes within so many milliseconds. */
+static void listen_for(struct session *s, uint32_t milliseconds) {
+    uint8_t data[4096];
+    const size_t size = port_read(s->port, data, sizeof(data), milliseconds);
+    tick(s);
+    arrived(s, data, size);
+    if (s->port->closed && !s->told) {
+        s->told = true;
+        begin(s, "closed");
+        put_char(s->out, '}');
+    }
+}
+
+static const char *answers(struct session *s) {
+    while (s->client.waiting != NULL) {
+        listen_for(s, 100);
+    }
+    return NULL;
+}
+
+static const char *listen_to(struct session *s, const struct json *step) {
+    uint32_t milliseconds;
+    if (get_whole(json_get(step, "milliseconds"), &milliseconds) != NULL) {
         return REQUEST;
     }
+    const uint32_t start = port_milliseconds(s->port);
+    for (uint32_t passed = 0; passed < milliseconds; passed = port_milliseconds(s->port) - start) {
+        listen_for(s, milliseconds - passed < 100 ? milliseconds - passed : 100);
+    }
+    return NULL;
+}
+
+/* -------------------------------------------------------------------------------------- requests */
+
+static const char *take_step(struct session *s, const struct json *step) {
+    const struct json *kind = json_get(step, "step");
+    const bool live = s->port != NULL;
+    return json_equals(kind, "send")               ? send(s, step)
+           : json_equals(kind, "end")              ? end(s, step)
+           : live && json_equals(kind, "answers")  ? answers(s)
+           : live && json_equals(kind, "listen")   ? listen_to(s, step)
+           : !live && json_equals(kind, "receive") ? receive(s, step)
+           : !live && json_equals(kind, "time")    ? wait(s, step)
+                                                   : REQUEST;
+}
+
+static const char *play_steps(struct output *out, struct arena *arena, const struct json *steps, struct port *port) {
+    struct session s = {arena, out, {NULL, 0}, NULL, 0, 0, true, port, false, NULL, NULL};
     mip_client_init(&s.client);
     s.parser = (struct mip_parser *)arena_take(arena, sizeof(struct mip_parser));
     mip_parser_init(s.parser);
     put(out, "{\"events\":[");
     for (const struct json *step = steps->first; step != NULL; step = step->next) {
-        const struct json *kind = json_get(step, "step");
-        const char *wrong = json_equals(kind, "send")      ? send(&s, step)
-                            : json_equals(kind, "receive") ? receive(&s, step)
-                            : json_equals(kind, "time")    ? wait(&s, step)
-                            : json_equals(kind, "end")     ? end(&s, step)
-                                                           : REQUEST;
+        const char *wrong = take_step(&s, step);
         if (wrong != NULL) {
             return wrong;
         }
     }
     put(out, "]}");
     return NULL;
+}
+
+const char *play(struct output *out, struct arena *arena, const struct json *request) {
+    const struct json *steps = json_get(request, "steps");
+    return steps != NULL && steps->kind == JSON_LIST ? play_steps(out, arena, steps, NULL) : REQUEST;
+}
+
+const char *play_live(struct output *out, struct arena *arena, const struct json *request) {
+    const struct json *steps = json_get(request, "steps");
+    const struct json *name = json_get(request, "port");
+    if (steps == NULL || steps->kind != JSON_LIST || name == NULL || name->kind != JSON_STRING) {
+        return REQUEST;
+    }
+    char *text = (char *)arena_take(arena, name->size + 1);
+    for (size_t i = 0; i < name->size; i++) {
+        text[i] = (char)name->text[i];
+    }
+    struct port port;
+    if (!port_open(&port, text)) {
+        return "port";
+    }
+    const char *wrong = play_steps(out, arena, steps, &port);
+    port_close(&port);
+    return wrong;
 }

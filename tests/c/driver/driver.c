@@ -653,6 +653,7 @@ static void answer(struct output *out, const char *line, size_t size) {
                         : json_equals(op, "decode") ? decode(out, &arena, request)
                         : json_equals(op, "encode") ? encode(out, &arena, request)
                         : json_equals(op, "client") ? play(out, &arena, request)
+                        : json_equals(op, "live")   ? play_live(out, &arena, request)
                                                     : REQUEST;
     if (error != NULL) {
         out->size = 0;

@@ -25,7 +25,8 @@ void put_values(struct output *out, const struct mip_codec *codec, const uint8_t
 /* A field of a packet, decoded. */
 void put_field(struct output *out, struct arena *arena, const struct mip_field *field);
 
-/* The `client` request. */
+/* The `client` request, and the same at a port. */
 const char *play(struct output *out, struct arena *arena, const struct json *request);
+const char *play_live(struct output *out, struct arena *arena, const struct json *request);
 
 #endif

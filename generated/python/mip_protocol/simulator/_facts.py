@@ -89,6 +89,7 @@ QUANTITIES: dict[str, str | None] = {
     "gravity.magnitude": "m/s^2",
     "bias.angular_rate": "rad/s",
     "bias.specific_force": "m/s^2",
+    "bias.gyro_setting": "rad/s",
     "identity.matrix": "1",
     "identity.quaternion": "1",
     "covariance.magnetic_field": None,
@@ -204,6 +205,7 @@ QUANTITIES: dict[str, str | None] = {
 
 #: Names of effects -> their arguments.
 EFFECTS: dict[str, tuple[str, ...]] = {
+    "accel_bias": ("bias",),
     "all_settings": (),
     "baud_rate": ("port", "baud"),
     "capture": ("milliseconds",),
@@ -213,6 +215,7 @@ EFFECTS: dict[str, tuple[str, ...]] = {
     "format": ("set", "fields"),
     "frame_rotation": ("format", "rotation"),
     "gps_time": ("field", "value"),
+    "gyro_bias": ("bias",),
     "idle": (),
     "orientation_dcm": ("dcm", "inverse"),
     "orientation_euler": ("roll", "pitch", "yaw", "inverse"),
@@ -279,6 +282,7 @@ VALUES: dict[str, FieldValues] = {
     "3dm.get_event_action_status_response": FieldValues(
         "", {"actions": Value(quantity="event.actions")}
     ),
+    "3dm.gyro_bias_response": FieldValues("", {"bias": Value(quantity="bias.gyro_setting")}),
     "3dm.gpio_state_response": FieldValues("", {"state": Value(quantity="pin.level")}),
     "3dm.get_calibrated_sensor_ranges_response": FieldValues(
         "", {"ranges": Value(quantity="sensor.ranges")}
@@ -1427,6 +1431,8 @@ COMMANDS: dict[str, Behavior] = {
         arguments={"q": "q", "inverse": 1},
         setting="filter.sensor_to_vehicle_rotation_euler",
     ),
+    "3dm.accel_bias": Behavior(effect="accel_bias", arguments={"bias": "bias"}),
+    "3dm.gyro_bias": Behavior(effect="gyro_bias", arguments={"bias": "bias"}),
     "3dm.capture_gyro_bias": Behavior(
         effect="capture", arguments={"milliseconds": "averaging_time_ms"}, setting="3dm.gyro_bias"
     ),

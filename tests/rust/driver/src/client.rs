@@ -1,4 +1,6 @@
-//! The `client` request: steps in, events out.
+//! The `client` and `live` requests: steps in, events out.
+
+use std::time::{Duration, Instant};
 
 use mip_protocol::dynamic::Value;
 use mip_protocol::{
@@ -6,6 +8,7 @@ use mip_protocol::{
 };
 
 use crate::json::Json;
+use crate::port::Port;
 use crate::{
     bytes, decode_error, decode_field, encode_error, hex, object, string, to_value, value_error,
     Answer,
@@ -17,26 +20,58 @@ struct Session {
     now: u64,
     sent: Vec<Ticket<()>>,
     events: Vec<Json>,
+    /// Of a `live` request, and whether it was said that it is closed.
+    port: Option<Port>,
+    told: bool,
 }
 
 pub fn play(request: &Json) -> Answer {
+    play_steps(request, None)
+}
+
+/// The same at a port, with the time of a clock.
+pub fn play_live(request: &Json) -> Answer {
+    let name = request.get("port").and_then(Json::string).ok_or("request")?;
+    request.get("steps").and_then(Json::array).ok_or("request")?;
+    play_steps(request, Some(Port::open(name).map_err(|_| "port")?))
+}
+
+fn play_steps(request: &Json, port: Option<Port>) -> Answer {
     let mut parser = Parser::new();
-    let mut session =
-        Session { client: Client::new(), now: 0, sent: Vec::new(), events: Vec::new() };
+    let (client, sent, events) = (Client::new(), Vec::new(), Vec::new());
+    let mut session = Session { client, now: 0, sent, events, port, told: false };
     for step in request.get("steps").and_then(Json::array).ok_or("request")? {
-        match step.get("step").and_then(Json::string) {
-            Some("send") => session.send(step)?,
-            Some("receive") => session.receive(step, &mut parser)?,
-            Some("time") => {
-                let passed = step.get("milliseconds").and_then(Json::integer::<u32>);
-                session.now += u64::from(passed.ok_or("request")?);
+        let kind = step.get("step").and_then(Json::string).ok_or("request")?;
+        match (kind, session.port.is_some()) {
+            ("send", _) => session.send(step)?,
+            ("end", _) => session.end(&mut parser),
+            ("receive", false) => session.receive(step, &mut parser)?,
+            ("time", false) => {
+                session.now += u64::from(milliseconds(step)?);
                 session.poll(&mut parser);
             }
-            Some("end") => session.end(&mut parser),
+            ("answers", true) => {
+                while session.client.pending() > 0 {
+                    session.read(LOOK, &mut parser);
+                }
+            }
+            ("listen", true) => {
+                let end = Instant::now() + Duration::from_millis(milliseconds(step)?.into());
+                while let Some(left) = end.checked_duration_since(Instant::now()) {
+                    session.read(left.min(LOOK), &mut parser);
+                }
+            }
             _ => return Err("request"),
         }
     }
     Ok(object([("events", Json::Array(session.events))]))
+}
+
+/// How long to wait for bytes before the time is looked at.
+const LOOK: Duration = Duration::from_millis(100);
+
+fn milliseconds(step: &Json) -> Result<u32, &'static str> {
+    step.get("milliseconds").and_then(Json::integer).ok_or("request")
 }
 
 fn number(of: usize) -> Json {
@@ -57,6 +92,7 @@ impl Session {
         if fields.is_empty() {
             return Err("request");
         }
+        self.tick();
         let mut request = self.client.request(set);
         let mut tickets: Vec<Ticket<()>> = Vec::new();
         for field in fields {
@@ -76,11 +112,14 @@ impl Session {
                 }
             }
         }
-        let packet = hex(request.send(self.now).bytes());
+        let packet = request.send(self.now);
         let first = self.sent.len();
         self.sent.extend_from_slice(&tickets);
         let commands = Json::Array((first..self.sent.len()).map(number).collect());
-        self.happens("sent", [("packet", packet), ("commands", commands)]);
+        self.happens("sent", [("packet", hex(packet.bytes())), ("commands", commands)]);
+        if let Some(port) = &mut self.port {
+            port.write(packet.bytes());
+        }
         for (at, _) in tickets.iter().enumerate().filter(|(_, ticket)| ticket.is_silent()) {
             self.happens("silent", [("command", number(first + at))]);
         }
@@ -93,13 +132,32 @@ impl Session {
             Some(chunk) => chunk.integer().filter(|n| *n > 0).ok_or("request")?,
             None => stream.len().max(1),
         };
-        for mut chunk in stream.chunks(chunk) {
-            while let Some(packet) = parser.next(&mut chunk) {
-                self.take(&packet);
-            }
-            self.poll(parser);
+        for chunk in stream.chunks(chunk) {
+            self.arrived(chunk, parser);
         }
         Ok(())
+    }
+
+    fn arrived(&mut self, mut data: &[u8], parser: &mut Parser) {
+        while let Some(packet) = parser.next(&mut data) {
+            self.take(&packet);
+        }
+        self.poll(parser);
+    }
+
+    /// The time of a clock, if there is a port.
+    fn tick(&mut self) {
+        self.now = self.port.as_ref().map_or(self.now, Port::milliseconds);
+    }
+
+    fn read(&mut self, longest: Duration, parser: &mut Parser) {
+        let data = self.port.as_mut().map_or_else(Vec::new, |port| port.read(longest));
+        self.tick();
+        self.arrived(&data, parser);
+        if self.port.as_ref().is_some_and(|port| port.closed) && !self.told {
+            self.told = true;
+            self.happens("closed", []);
+        }
     }
 
     fn poll(&mut self, parser: &mut Parser) {

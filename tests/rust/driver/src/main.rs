@@ -4,6 +4,7 @@
 
 mod client;
 mod json;
+mod port;
 
 use std::io::{self, BufRead, Write};
 
@@ -40,6 +41,7 @@ fn answer(request: &Json) -> Answer {
         Some("decode") => decode(request),
         Some("encode") => encode(request),
         Some("client") => client::play(request),
+        Some("live") => client::play_live(request),
         _ => Err("request"),
     }
 }

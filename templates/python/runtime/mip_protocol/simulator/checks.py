@@ -7,6 +7,7 @@ from enum import IntEnum
 from typing import Any
 
 from .. import reflection
+from ..codec import single_from_bits, single_to_bits
 from ..field import Command, Structure
 from ..parameter import Parameter
 from ..profile import Device
@@ -19,16 +20,17 @@ SAME = Difference()
 
 
 def check(command: Command, profile: Device, keys: tuple[str, ...]) -> None:
-    """Raises Refused. `keys` select an instance of a setting; only a write has other values."""
+    """Raises Refused. `keys` select an instance of a setting; others than writes may have dummy values in the rest."""
     differs = DIFFERENCES.get(profile.id, {})
     function = getattr(command, "function", None) if command.REQUIRED else None
-    for p in reflection.PARAMETERS[type(command)]:
+    required = 0 if function is None else command.REQUIRED.get(function, 0)
+    for number, p in enumerate(reflection.PARAMETERS[type(command)]):
         value = getattr(command, p.attribute, None)
         if p.kind in ("constant", "counter") or value is None or (command.REQUIRED and p.name == "function"):
             continue
         if p.attribute in keys and meaning_all(command, p.attribute, value, function):
             continue
-        if function is None or function in SETS or p.attribute in keys:
+        if function is None or function in SETS or p.attribute in keys or number <= required:
             path = f"{command.NAME}.{p.name}"
             _parameter(p, value, command, differs.get(path, SAME), profile.readings.get(path), profile)
     _instances(command, profile, function)
@@ -111,6 +113,8 @@ def _named(p: Parameter, value: Any, record: Structure, differs: Difference, rea
 def _inside(p: Parameter, value: float, differs: Difference) -> bool:
     least = p.minimum if differs.minimum is None else differs.minimum
     most = p.maximum if differs.maximum is None else differs.maximum
+    if p.scalar == "float":  # a limit is inside as the number that the parameter can hold: pi is rounded up
+        least, most = (None if x is None else single_from_bits(single_to_bits(float(x))) for x in (least, most))
     return (
         (least is None or value >= least)
         and (most is None or value <= most)

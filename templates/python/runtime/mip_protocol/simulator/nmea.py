@@ -1,4 +1,4 @@
-"""NMEA-0183 sentences of the simulated device: the standard ones by NMEA 4.1, and the proprietary ones of the vendor."""
+"""NMEA-0183 sentences of the simulated device: standard ones, and the proprietary ones of the vendor."""
 
 from __future__ import annotations
 

@@ -60,7 +60,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="NAME=ENDPOINT",
         help="a port of the device, as its profile names it, at pty:PATH, pty or tcp:[HOST:]PORT",
     )
-    add("--motion", default="standing", metavar="MOTION", help="how it moves (default: standing)")
+    add(
+        "--motion",
+        default="standing",
+        metavar="MOTION",
+        help="standing (default), circle:radius=20,speed=5, track:file=CSV or replay:file=LOG",
+    )
     add("--seed", type=int, default=0, metavar="N", help="for noise and faults (default: 0)")
     add(
         "--speed",

@@ -145,6 +145,11 @@ class VirtualDevice:
             times.append(self._disturbed)
         return min(times, default=None)
 
+    @property
+    def busy(self) -> bool:
+        """Has it something to send, now or later, without being asked?"""
+        return bool(self._streams) or any(link.next is not None for link in self.links)
+
     def reset(self) -> None:
         """Restarts the device with its saved settings."""
         for link in self.links:

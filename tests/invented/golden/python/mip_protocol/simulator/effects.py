@@ -7,7 +7,7 @@ changes, before it is kept; it may refuse.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from ..field import Command
@@ -165,10 +165,24 @@ def _frame_rotation(device: VirtualDevice, call: Call) -> Outcome:
     return DONE
 
 
+def _accel_bias(device: VirtualDevice, call: Call) -> Outcome:
+    device.world.accel_bias = tuple(call.values["bias"])
+    return DONE
+
+
+def _gyro_bias(device: VirtualDevice, call: Call) -> Outcome:
+    device.world.gyro_bias = tuple(call.values["bias"])
+    return DONE
+
+
 def _capture(device: VirtualDevice, call: Call) -> Outcome:
-    """Averages the bias, which a simulated sensor does not have."""
-    setting = command_type(COMMANDS[call.command.NAME].setting)
-    device.settings.write(device.settings.factory(setting, call.command))
+    """Takes the whole bias of the sensor as the setting, whether it rests or not."""
+    setting: Any = command_type(COMMANDS[call.command.NAME].setting)
+    parameter = str(COMMANDS[setting.NAME].arguments["bias"])
+    factory: Any = device.settings.factory(setting, call.command)
+    kept = replace(factory, **{parameter: device.world.gyro_error})
+    device.settings.write(setting.decode(kept.encode()))
+    device.world.gyro_bias = device.world.gyro_error
     return Outcome(delay=call.values["milliseconds"] * SECOND // 1000)
 
 
@@ -234,6 +248,7 @@ def _nothing(device: VirtualDevice, call: Call) -> Outcome:
 
 
 EFFECTS: dict[str, Effect] = {
+    "accel_bias": _accel_bias,
     "action": _nothing,
     "all_settings": _all_settings,
     "baud_rate": _baud_rate,
@@ -244,6 +259,7 @@ EFFECTS: dict[str, Effect] = {
     "format": _format,
     "frame_rotation": _frame_rotation,
     "gps_time": _gps_time,
+    "gyro_bias": _gyro_bias,
     "idle": _idle,
     "orientation_dcm": _mounting,
     "orientation_euler": _mounting,

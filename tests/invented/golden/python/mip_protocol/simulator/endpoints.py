@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import errno
 import os
+import select
 import socket
 from array import array
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from random import Random
@@ -87,7 +89,8 @@ class Pty:
             os.symlink(self.name, part)
             part.replace(self._path)
         except OSError as error:
-            part.unlink(missing_ok=True)
+            with suppress(OSError):
+                part.unlink()
             raise Failure(
                 f"{self._path} cannot be made: {error.strerror}; choose another path"
             ) from None
@@ -113,6 +116,7 @@ class Pty:
     @property
     def unread(self) -> int:
         """Bytes that the client has not read; they are lost when the terminal ends."""
+        select.select([self._slave], [], [], 0)  # makes the system hand over what is in between
         size = array("i", [0])
         fcntl.ioctl(self._slave, termios.FIONREAD, size)
         return size[0]

@@ -189,6 +189,7 @@ _MOTION: dict[str, Function] = {
     "gravity.magnitude": lambda w, _: w.gravity,
     "bias.angular_rate": lambda w, _: w.gyro_bias_left,
     "bias.specific_force": lambda w, _: w.accel_bias_left,
+    "bias.gyro_setting": lambda w, _: w.gyro_bias,
     "identity.matrix": lambda w, _: (1, 0, 0, 0, 1, 0, 0, 0, 1),
     "identity.quaternion": lambda w, _: (1, 0, 0, 0),
     "covariance.magnetic_field": lambda w, _: (1e-6, 0, 0, 0, 1e-6, 0, 0, 0, 1e-6),

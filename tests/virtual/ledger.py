@@ -1,0 +1,121 @@
+"""Holds what a client reported against what the device did."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from itertools import zip_longest
+
+from conformance.client_model import walk, wanted_responses
+from mipgen import codec
+from mipgen import model as m
+from support import expected_decode, expected_parse, model
+from virtual.commands import Trial
+from virtual.session import Event, Session
+
+#: How a command ends.
+OUTCOMES = {"silent", "acknowledged", "refused", "timed_out", "missing_response", "undecodable"}
+#: Those that an acknowledge field caused.
+ANSWERS = OUTCOMES - {"silent", "timed_out"}
+
+
+def check(session: Session) -> None:
+    """Every command ended once and as the device answered it, and every intact packet was reported once."""
+    packets = arrived(session)
+    every_command_ends(session)
+    data_are_whole(session.client.events, packets)
+    fields_are_conserved(session.client.events, packets)
+    answers_were_sent(session, packets)
+    nobody_waits_in_vain(session)
+
+
+def arrived(session: Session) -> list[bytes]:
+    """The packets in what the client received; those that the device sent and no fault spoiled are among them."""
+    packets = [bytes.fromhex(p) for p in expected_parse(bytes(session.stream))["packets"]]
+    missing = Counter(t.packet for t in session.witness.packets if t.intact) - Counter(packets)
+    assert not missing, [p.hex() for p in missing]
+    return packets
+
+
+def every_command_ends(session: Session) -> None:
+    ends = Counter(e["command"] for e in session.client.events if e["event"] in OUTCOMES)
+    assert dict(ends) == dict.fromkeys(range(len(session.trials)), 1)
+
+
+def data_are_whole(events: list[Event], packets: list[bytes]) -> None:
+    """All data, in order, with the values that the reference finds in them."""
+    of = model("real")
+    sent = ({"event": "received", **expected_decode(of, p)} for p in packets if p[2] >= 0x80)
+    assert [e for e in events if e["event"] == "received" and e["set"] >= 0x80] == list(sent)
+
+
+def fields_are_conserved(events: list[Event], packets: list[bytes]) -> None:
+    """Each field of a reply is part of an answer, or reported as one of none; but once."""
+    came = Counter(len(list(walk(p))) for p in packets if p[2] < 0x80)
+    fields = sum(count * packets_ for count, packets_ in came.items())
+    used = sum(1 + ("response" in e) for e in events if e["event"] in ANSWERS)
+    rest = sum(len(e["fields"]) for e in events if e["event"] == "received" and e["set"] < 0x80)
+    assert fields == used + rest
+
+
+def replies(packets: list[bytes]) -> Iterator[tuple[int, int, int, int | None, bytes]]:
+    """Each acknowledge: set, descriptor and code, and the descriptor and the data of the field behind it."""
+    acknowledge = model("real").protocol.acknowledge.descriptor
+    for packet in packets:
+        fields = list(walk(packet)) if packet[2] < 0x80 else []
+        for (descriptor, data), behind in zip_longest(fields, fields[1:], fillvalue=(None, b"")):
+            if descriptor == acknowledge and len(data) >= 2:
+                yield packet[2], data[0], data[1], *behind
+
+
+def answers_were_sent(session: Session, packets: list[bytes]) -> None:
+    """No answer that the device did not give, and none given twice that came once."""
+    left = Counter(replies(packets))
+    for e in session.client.events:
+        if e["event"] not in ANSWERS:
+            continue
+        command = session.trials[e["command"]].command
+        head = (command.set, command.descriptor, e.get("code", 0))
+        own = [r for r in left if left[r] > 0 and r[:3] == head and holds(e, r[3], r[4])]
+        assert own, e
+        left[own[0]] -= 1
+
+
+def holds(event: Event, descriptor: int | None, data: bytes) -> bool:
+    """Are these the bytes of the response that an event reports?"""
+    response = event.get("response")
+    if response is None:
+        return True
+    if response["descriptor"] != descriptor:
+        return False
+    if "raw" in response:
+        return bool(response["raw"] == data.hex())
+    f = model("real").field(response["name"])
+    assert f is not None
+    encoded = codec.encode(f, response["values"])
+    return data.startswith(encoded) and len(data) == len(encoded) + response["trailing"]
+
+
+def nobody_waits_in_vain(session: Session) -> None:
+    """An acknowledge that answers nothing came for no command that waited for it."""
+    of = model("real")
+    acknowledge = of.protocol.acknowledge.full_name
+    waiting: dict[int, Trial] = {}
+    for e in session.client.events:
+        if e["event"] == "sent":
+            waiting |= {n: session.trials[n] for n in e["commands"]}
+        waiting.pop(e.get("command", -1), None)
+        if e["event"] != "received" or e["set"] >= 0x80:
+            continue
+        for f, behind in zip_longest(e["fields"], e["fields"][1:], fillvalue={}):
+            if f.get("name") != acknowledge:
+                continue
+            for trial in waiting.values():
+                if (trial.command.set, trial.command.descriptor) == (e["set"], f["values"]["command"]):
+                    # The response of another command with this descriptor, which was given up or sent later.
+                    assert f["values"]["code"] == 0 and behind, (trial, e)
+                    assert not asks_for(of, trial, behind), (trial, e)
+
+
+def asks_for(of: m.Model, trial: Trial, response: Event) -> bool:
+    return any(f.full_name == response.get("name") for f in wanted_responses(of, trial.command, trial.values))
