@@ -518,6 +518,13 @@ def test_the_list_of_devices(capsys: pytest.CaptureFixture[str]) -> None:
         assert device.title in line and line.endswith("(incomplete)") is bool(device.incomplete)
 
 
+def test_an_incomplete_profile_is_said_to_be_so(capsys: pytest.CaptureFixture[str]) -> None:
+    known = next(d for d in devices.DEVICES.values() if d.incomplete)
+    code, out, error = run(capsys, "simulate", known.id, "--tcp", "0", "--duration", "0.01")
+    assert code == 0 and out.startswith("localhost:")
+    assert error == f"mip simulate: the profile of {known.title} is incomplete: {' '.join(known.incomplete)}\n"
+
+
 def test_help(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys)
     assert code == 0 and all(f"    {name} " in out and text in out for name, (_, text) in __main__.COMMANDS.items())
@@ -596,10 +603,13 @@ def test_start_in_gps_time() -> None:
         assert found == (days * 86400 + leaps[day]) * 10**9
 
 
-def test_every_package_is_installed() -> None:
-    """The build takes the packages that are listed, and no others."""
+def test_what_is_installed() -> None:
+    """The build takes the packages that are listed, and no others; the program is there."""
     root = ROOT / "generated/python"
-    listed = re.search(r"^packages = \[(.*?)\]", (root / "pyproject.toml").read_text(), re.M)
-    assert listed is not None
+    project = (root / "pyproject.toml").read_text()
+    listed = re.search(r"^packages = \[(.*?)\]", project, re.M)
+    program = re.search(r'^mip = "(.*?):(.*?)"', project, re.M)
+    assert listed is not None and program is not None
     found = {".".join(p.parent.relative_to(root).parts) for p in (root / "mip_protocol").rglob("__init__.py")}
     assert set(re.findall(r'"(.*?)"', listed[1])) == found
+    assert getattr(sys.modules[program[1]], program[2]) is __main__.main
