@@ -533,6 +533,14 @@ def test_help(capsys: pytest.CaptureFixture[str]) -> None:
     assert code == 0 and "lose_answer" in out and "--strict-baud" in out
 
 
+def test_an_interrupt_while_it_starts(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    def interrupted(*_: Any) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(__main__, "import_module", interrupted)
+    assert run(capsys, "simulate", DEVICE) == (130, "", "")
+
+
 def busy() -> tuple[socket.socket, str]:
     taken = socket.create_server(("127.0.0.1", 0))
     return taken, str(taken.getsockname()[1])
