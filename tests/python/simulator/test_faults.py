@@ -301,6 +301,14 @@ def test_what_has_no_response_keeps_its_acknowledge(kind: str) -> None:
     assert wrong(kind, answer=(ACK,)) == (0, [ACK], [])
 
 
+def test_bytes_are_added_only_where_they_mean_nothing() -> None:
+    """Not to an array that reaches to the end of the field, where they would be more elements."""
+    kind = base.GetDeviceDescriptors.RESPONSES[0]
+    response = RawField(0x01, kind.DESCRIPTOR, bytes.fromhex("01010102"))
+    assert kind.decode_with_trailing(response.data + b"\x00\x00")[1] == 0
+    assert wrong("longer_response", answer=(ACK, response)) == (0, [ACK, response], [])
+
+
 def test_the_response_of_another_command_is_one_that_was_sent() -> None:
     faults = Faults(script=["other_response@2"])
     other = RawField(0x01, 0x83, b"\x00" * 4)
