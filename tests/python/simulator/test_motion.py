@@ -123,6 +123,15 @@ def test_tracks_are_smooth_and_within_limits(name: str) -> None:
     assert speeds[0] == 0 and isclose(max(speeds), 14.0, rel_tol=0.01), "it reaches its fastest speed"
 
 
+def test_steep_climbs_are_driven_slowly() -> None:
+    """So that the vehicle is not accelerated upwards by more than the limit."""
+    track = Track([Waypoint(47, 8, 0), Waypoint(47.001, 8, 30), Waypoint(47.003, 8, 30)], 30, acceleration=1.0)
+    states = places(track, track.duration or 0)
+    climbing = [s for s in states if 0.1 < s.height < 29.9]
+    assert 0.6 < max(abs(s.acceleration[2]) for s in climbing) < 1.3
+    assert max(hypot(*s.velocity) for s in climbing) < 10 < max(hypot(*s.velocity) for s in states)
+
+
 def places(motion: Motion, end: float) -> list[State]:
     return [motion.at(t * 0.1) for t in range(round(end * 10))]
 

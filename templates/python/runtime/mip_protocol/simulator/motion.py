@@ -54,7 +54,8 @@ class Circle:
 def _place(motion: str, latitude: float, longitude: float) -> None:
     if not (abs(latitude) <= 89 and abs(longitude) <= 360):
         raise MotionError(
-            f"{motion}: latitude {latitude:g}, longitude {longitude:g} is no place; use degrees, with a latitude of -89 to 89"
+            f"{motion}: latitude {latitude:g}, longitude {longitude:g} is no place; "
+            "use degrees, with a latitude of -89 to 89"
         )
 
 
@@ -120,4 +121,6 @@ def parse_motion(text: str) -> Motion:
     return motion(given.pop(required), **given)
 
 
-__all__ = ["MOTIONS", "Circle", "Motion", "MotionError", "Replay", "Standing", "State", "Track", "Waypoint", "parse_motion"]
+__all__ = [
+    "MOTIONS", "Circle", "Motion", "MotionError", "Replay", "Standing", "State", "Track", "Waypoint", "parse_motion",
+]  # fmt: skip

@@ -26,7 +26,11 @@ EFFECTS: dict[str, tuple[str, ...]] = {
 #: Data fields and responses -> what their values show.
 VALUES: dict[str, FieldValues] = {
     "measurements.accel": FieldValues(
-        "", {"scaled_accel": Value(quantity="specific_force", factor=0.10197162129779283)}
+        "",
+        {
+            "scaled_accel": Value(quantity="specific_force", factor=0.10197162129779283),
+            "valid_flags": Value(bits=("hot", "mode.fast")),
+        },
     ),
     "measurements.numbers": FieldValues(
         "satellites", {"u8": Value(quantity="satellite.number"), "double": Value(number=1.5)}
@@ -36,12 +40,12 @@ VALUES: dict[str, FieldValues] = {
     "measurements.gust": FieldValues("", {"place.x": Value(number=1), "height": Value(number=-2)}),
     "tools.status_long": FieldValues("", {"uptime": Value(quantity="device.uptime")}),
     "tools.status_short": FieldValues("", {"flags": Value(bits=("clock", "general"))}),
+    "more.strings": FieldValues("", {"model": Value(text="Other")}),
     "more.own": FieldValues("", {"mode": Value(names=("slow", "fast"))}),
 }
 VALUES["more.accel"] = VALUES["measurements.accel"]
 VALUES["copy.accel"] = VALUES["measurements.accel"]
 VALUES["copy.numbers"] = VALUES["measurements.numbers"]
-VALUES["more.strings"] = VALUES["measurements.strings"]
 VALUES["copy.strings"] = VALUES["measurements.strings"]
 VALUES["copy.health"] = VALUES["measurements.health"]
 VALUES["copy.gust"] = VALUES["measurements.gust"]
