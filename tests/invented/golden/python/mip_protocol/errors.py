@@ -1,4 +1,4 @@
-"""Exceptions. All are `MipError`, which is a `ValueError`."""
+"""Exceptions. All but `Failure` are `MipError`, which is a `ValueError`."""
 
 from __future__ import annotations
 
@@ -44,3 +44,7 @@ class EncodeError(MipError):
     elements. `tag`: a union's member is not the one that its tag selects. `length`: too long.
     `set`: not of the descriptor set of the packet.
     """
+
+
+class Failure(Exception):
+    """What a command line says in one line before it gives up: what is wrong, and the remedy."""

@@ -22,4 +22,14 @@ class Parameter:
     type: Any = None  # enumeration, bitfield or structure
     tag: str = ""  # attribute that selects a union's member
     cases: dict[int, Parameter | None] = field(default_factory=dict)
-    units: tuple[str, ...] = ()
+    units: tuple[str, ...] = ()  # one for all elements, or one for each
+    frame: str = ""
+    valid: tuple[str, ...] = ()  # what says that it is valid: "flags.bit" or a bool; one, or each's
+    minimum: float | None = None
+    maximum: float | None = None
+    above: float | None = None  # the value is greater, not equal
+    below: float | None = None
+    magnitude: tuple[float | None, float | None] = (None, None)  # least and most of a vector
+    default: Any = (
+        None  # factory default, or the value to send for a reserved one; names as numbers
+    )

@@ -27,7 +27,9 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     tools.Stripes: (
         Parameter("width", "width", "scalar", scalar="double", units=("m",)),
-        Parameter("angle", "angle", "scalar", scalar="float", units=("deg",)),
+        Parameter(
+            "angle", "angle", "scalar", scalar="float", units=("deg",), minimum=-180, maximum=180
+        ),
     ),
     tools.Circle: (
         Parameter("center", "center", "struct", type=types.Point),
@@ -56,11 +58,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     tools.Ping: (),
     tools.Settings: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("port", "port", "scalar", scalar="u8"),
-        Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),
-        Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
+        Parameter("port", "port", "scalar", scalar="u8", minimum=0, maximum=8),
+        Parameter("mode", "mode", "scalar", scalar="u8", default=1, type=types.Mode),
+        Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",), default=115200),
         Parameter("limit", "limit", "scalar", scalar="u16"),
-        Parameter("reserved", "reserved", "scalar", scalar="u8"),
+        Parameter("reserved", "reserved", "scalar", scalar="u8", default=1),
     ),
     tools.SetTime: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -69,13 +71,23 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     tools.Status: (
         Parameter("model", "model", "constant", scalar="u16", constant=4711),
-        Parameter("selector", "selector", "scalar", scalar="u8"),
+        Parameter("selector", "selector", "scalar", scalar="u8", minimum=1, maximum=2),
     ),
     tools.Bias: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",)),
+        Parameter(
+            "bias",
+            "bias",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("g",),
+            frame="sensor",
+        ),
     ),
-    tools.CaptureBias: (Parameter("time", "time", "scalar", scalar="u16", units=("s",)),),
+    tools.CaptureBias: (
+        Parameter("time", "time", "scalar", scalar="u16", units=("s",), minimum=1, maximum=30),
+    ),
     tools.Formats: (
         Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
         Parameter("num_segments", "num_segments", "counter", scalar="u8", counts="segments"),
@@ -119,16 +131,16 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("use", "use", "scalar", scalar="u8"),
     ),
     tools.Hello: (
-        Parameter("reserved", "reserved", "scalar", scalar="float"),
-        Parameter("later", "later", "array", scalar="double", length=2),
+        Parameter("reserved", "reserved", "scalar", scalar="float", default=1.0),
+        Parameter("later", "later", "array", scalar="double", length=2, default=0.0),
     ),
     tools.Readings: (Parameter("drive", "drive", "scalar", scalar="u8", type=tools.Drive),),
     tools.SettingsResponse: (
-        Parameter("port", "port", "scalar", scalar="u8"),
-        Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),
-        Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
+        Parameter("port", "port", "scalar", scalar="u8", minimum=0, maximum=8),
+        Parameter("mode", "mode", "scalar", scalar="u8", default=1, type=types.Mode),
+        Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",), default=115200),
         Parameter("limit", "limit", "scalar", scalar="u16"),
-        Parameter("reserved", "reserved", "scalar", scalar="u8"),
+        Parameter("reserved", "reserved", "scalar", scalar="u8", default=1),
     ),
     tools.SetTimeFastResponse: (Parameter("value", "value", "scalar", scalar="u32", units=("s",)),),
     tools.SetTimeSlowResponse: (Parameter("value", "value", "scalar", scalar="u32", units=("s",)),),
@@ -198,7 +210,15 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),
     ),
     tools.BiasVector: (
-        Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",)),
+        Parameter(
+            "bias",
+            "bias",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("g",),
+            frame="sensor",
+        ),
     ),
     mip_3d.Default: (
         Parameter("class", "class_", "scalar", scalar="u8"),
@@ -215,6 +235,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             scalar="float",
             elements=("x", "y", "z"),
             units=("g",),
+            valid=("valid_flags.ready", "valid_flags.hot", "valid_flags.ready"),
+            frame="sensor",
         ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=types.StateFlags),
     ),
@@ -256,7 +278,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
         Parameter("points", "points", "array", length=2, units=("m",), type=types.Point),
         Parameter("track", "track", "struct", type=types.Segment),
-        Parameter("offsets", "offsets", "array", scalar="s8", length=4),
+        Parameter("offsets", "offsets", "array", scalar="s8", length=4, default=0),
     ),
     measurements.Growing: (
         Parameter("first", "first", "scalar", scalar="u16"),
@@ -265,10 +287,19 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     measurements.Radio: (
         Parameter("connected", "connected", "scalar", scalar="bool"),
-        Parameter("strength", "strength", "scalar", scalar="s32"),
-        Parameter("noise", "noise", "scalar", scalar="float", units=("m",)),
-        Parameter("gap", "gap", "scalar", scalar="float"),
-        Parameter("gaps", "gaps", "array", scalar="double", length=2),
+        Parameter("strength", "strength", "scalar", scalar="s32", valid=("connected",), below=1),
+        Parameter(
+            "noise",
+            "noise",
+            "scalar",
+            scalar="float",
+            units=("m",),
+            valid=("connected",),
+            maximum=10,
+            above=0,
+        ),
+        Parameter("gap", "gap", "scalar", scalar="float", default=0.0),
+        Parameter("gaps", "gaps", "array", scalar="double", length=2, default=0.0),
     ),
     measurements.Cloud: (
         Parameter("num_points", "num_points", "counter", scalar="u8", counts="points"),
@@ -277,10 +308,19 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     measurements.Gust: (
         Parameter("station", "station", "scalar", scalar="u8"),
-        Parameter("place", "place", "struct", type=types.Point),
-        Parameter("height", "height", "scalar", scalar="float", units=("m",)),
+        Parameter("place", "place", "struct", valid=("valid_flags.ready",), type=types.Point),
         Parameter(
-            "speed", "speed", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
+            "height", "height", "scalar", scalar="float", units=("m",), valid=("valid_flags.ready",)
+        ),
+        Parameter(
+            "speed",
+            "speed",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m",),
+            valid=("valid_flags.ready",),
+            magnitude=(None, 40),
         ),
         Parameter("gap", "gap", "constant", scalar="u8", constant=7),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=types.StateFlags),
@@ -289,12 +329,23 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("place", "place", "struct", type=types.Point),
         Parameter("height", "height", "scalar", scalar="float", units=("m",)),
         Parameter(
-            "turn", "turn", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)
+            "turn",
+            "turn",
+            "array",
+            scalar="float",
+            elements=("w", "x", "y", "z"),
+            units=("1",),
+            minimum=-1,
+            maximum=1,
+            magnitude=(0.5, 1.5),
+            default=(1, 0, 0, 0),
         ),
     ),
     more.Own: (Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),),
     shared.Timestamp: (
-        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter(
+            "tow", "tow", "scalar", scalar="double", units=("s",), valid=("valid_flags.ready",)
+        ),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=types.StateFlags),
     ),
 }

@@ -1,0 +1,27 @@
+"""Refusals, by their codes on the wire, and the function selectors that every device treats in one way."""
+
+from __future__ import annotations
+
+OK = 0
+UNKNOWN_COMMAND = 1
+INVALID_PARAMETER = 3
+COMMAND_FAILED = 4
+UNKNOWN_SET = 6
+
+WRITE = 1
+READ = 2
+SAVE = 3
+LOAD = 4
+DEFAULT = 5
+APPLY = 6
+
+#: Those that give a new value.
+SETS = (WRITE, APPLY)
+
+
+class Refused(Exception):
+    """The device refuses a command; `code` says why."""
+
+    def __init__(self, code: int) -> None:
+        super().__init__(f"refused with code {code}")
+        self.code = code

@@ -1,0 +1,273 @@
+"""`mip simulate`: the command line of the virtual device."""
+
+from __future__ import annotations
+
+import argparse
+import difflib
+import signal
+import sys
+from contextlib import ExitStack
+from datetime import datetime, timezone
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+from ..devices import DEVICES, Device, find
+from ..errors import Failure
+from .endpoints import Endpoint, pty_at, tcp_at
+from .fault_kinds import parse_faults, table
+from .faults import Faults, json_log
+from .serve import Server
+
+EPILOG = f"""\
+examples:
+  mip simulate 3dm-cv7-gnss-ins --pty /tmp/mip          a terminal at /tmp/mip, until Ctrl-C
+  mip simulate 3dm-gx5-15 --tcp 5000 --speed 10         TCP, ten times as fast as real time
+  mip simulate 3dm-cv7-gnss-ins --port "UART 1=pty:/tmp/uart" --port "USB 1=tcp:5000"
+  mip simulate 3dm-gx5-15 --fault lose=0.01,noise=0.1:16,lose_answer@3 --fault-log faults.jsonl
+
+When the device can be reached, its endpoints are printed, one in a line.
+
+faults: KIND=RATE with a probability, KIND=RATE:AMOUNT with how much at most, KIND@N at the Nth
+chance; all=RATE is every kind.
+{table()}
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = EPILOG
+    add = parser.add_argument
+    add("device", nargs="?", metavar="DEVICE", help="which one, as --list names it")
+    add("--list", action="store_true", help="list the devices and end")
+    add(
+        "--pty",
+        action="append",
+        default=[],
+        metavar="PATH",
+        help="a pseudo-terminal, with a link to it at PATH",
+    )
+    add(
+        "--tcp",
+        action="append",
+        default=[],
+        metavar="[HOST:]PORT",
+        help="a TCP port; 0: the system chooses one",
+    )
+    add(
+        "--port",
+        action="append",
+        default=[],
+        metavar="NAME=ENDPOINT",
+        help="a port of the device, as its profile names it, at pty:PATH, pty or tcp:[HOST:]PORT",
+    )
+    add("--motion", default="standing", metavar="MOTION", help="how it moves (default: standing)")
+    add("--seed", type=int, default=0, metavar="N", help="for noise and faults (default: 0)")
+    add(
+        "--speed",
+        type=_speed,
+        default=1.0,
+        metavar="X",
+        help="times real time; 0: as fast as clients read",
+    )
+    add(
+        "--start",
+        type=_start,
+        metavar="TIME",
+        help="simulated time at the start: ISO 8601, UTC, or `now`",
+    )
+    add("--duration", type=_seconds, metavar="S", help="end after this many simulated seconds")
+    add(
+        "--storage",
+        type=Path,
+        metavar="FILE",
+        help="keeps saved settings (default: they are lost at the end)",
+    )
+    add(
+        "--strict-baud",
+        action="store_true",
+        help="baud rates limit the data, and wrong ones garble them",
+    )
+    add(
+        "--fault", action="append", default=[], metavar="FAULT,...", help="inject faults; see below"
+    )
+    add("--fault-log", type=Path, metavar="FILE", help="log each fault as a line of JSON")
+    add("--log-packets", action="store_true", help="log each packet that is sent, too")
+
+
+def run(options: argparse.Namespace) -> int:
+    if options.list:
+        width = max(len(d.id) for d in DEVICES.values())
+        for known in DEVICES.values():
+            incomplete = " (incomplete)" if known.incomplete else ""
+            print(f"{known.id:<{width}}  {known.title}{incomplete}")
+        return 0
+    profile = _profile(options.device)
+    endpoints = _endpoints(options, profile)
+    if options.log_packets and options.fault_log is None:
+        raise Failure("--log-packets needs a file; add --fault-log FILE")
+    with ExitStack() as stack:
+        faults = _faults(options, stack)
+        device = _device(options, profile, faults)
+        server = Server(
+            device,
+            endpoints,
+            options.speed,
+            duration=options.duration,
+            strict_baud=options.strict_baud,
+            seed=options.seed,
+            ready=lambda text: print(text, flush=True),
+            complain=_complain,
+        )
+        _until_interrupted(server, stack)
+        stack.enter_context(server)
+        server.run()
+    return 0
+
+
+def _device(options: argparse.Namespace, profile: Device, faults: Faults | None) -> Any:
+    from .device import VirtualDevice
+    from .motion import parse_motion
+    from .state import MotionError
+
+    try:
+        motion = parse_motion(options.motion)
+    except MotionError as error:
+        raise Failure(f"--motion {error}") from None
+    return VirtualDevice(
+        profile,
+        motion=motion,
+        seed=options.seed,
+        start=options.start,
+        storage=options.storage,
+        faults=faults,
+    )
+
+
+def _faults(options: argparse.Namespace, stack: ExitStack) -> Faults | None:
+    plans = parse_faults(",".join(options.fault))
+    log = None
+    if options.fault_log is not None:
+        try:
+            file = stack.enter_context(options.fault_log.open("w", encoding="utf-8"))
+        except OSError as error:
+            raise Failure(f"{options.fault_log} cannot be written: {error.strerror}") from None
+        log = json_log(file)
+    if not plans and log is None:
+        return None
+    return Faults(seed=options.seed, log=log, every_packet=options.log_packets, plans=plans)
+
+
+def _until_interrupted(server: Server, stack: ExitStack) -> None:
+    """Ctrl-C, an ordinary kill and the end of the terminal end it cleanly."""
+
+    def stop(number: int, frame: FrameType | None) -> None:
+        server.stop()
+
+    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)
+        if number is not None:
+            stack.callback(signal.signal, number, signal.signal(number, stop))
+
+
+def _complain(text: str) -> None:
+    print(f"mip simulate: {text}", file=sys.stderr, flush=True)
+
+
+# --------------------------------------------------------------------------- what is wanted
+
+
+def _profile(name: str | None) -> Device:
+    if name is None:
+        raise Failure("which device? `mip simulate --list` names them all")
+    found = find(name) or DEVICES.get(name.lower())
+    if found is None:
+        names = {
+            alias.lower(): d.id for d in DEVICES.values() for alias in (d.id, d.title, *d.also)
+        }
+        near = difflib.get_close_matches(name.lower(), names, 1, 0.5)
+        hint = f"do you mean {names[near[0]]}? " if near else ""
+        raise Failure(f"device '{name}' is unknown; {hint}`mip simulate --list` names them all")
+    return found
+
+
+def _endpoints(options: argparse.Namespace, profile: Device) -> list[Endpoint]:
+    found = [pty_at(path) for path in options.pty] + [tcp_at(text) for text in options.tcp]
+    for text in options.port:
+        name, _, where = text.partition("=")
+        kind, _, place = where.partition(":")
+        if kind not in ("pty", "tcp"):
+            raise Failure(
+                f"--port '{text}' cannot be read; write NAME=pty:PATH or NAME=tcp:[HOST:]PORT"
+            )
+        port = _port(name, profile)
+        found.append(pty_at(place, port) if kind == "pty" else tcp_at(place, port))
+    paths = [e.path for e in found if e.path]
+    for path in paths:
+        if paths.count(path) > 1:
+            raise Failure(f"{path} is given for two terminals; choose different paths")
+    return found or [pty_at("")]
+
+
+def _port(name: str, profile: Device) -> str:
+    """A port of the profile; case, spaces and underscores do not matter."""
+    for port in profile.ports:
+        if _plain(port.name) == _plain(name):
+            return port.name
+    known = ", ".join(p.name for p in profile.ports) or "none are known"
+    raise Failure(f"{profile.title} has no port '{name}'; its ports: {known}")
+
+
+def _plain(name: str) -> str:
+    return name.lower().replace("_", "").replace(" ", "")
+
+
+def _seconds(text: str) -> float:
+    value = float(text)
+    if not 0 < value < 1e10:
+        raise argparse.ArgumentTypeError(f"{text} s is no duration; use a number above 0")
+    return value
+
+
+def _speed(text: str) -> float:
+    value = float(text)
+    if not 0 <= value <= 1e6:
+        raise argparse.ArgumentTypeError(
+            f"{text} is no speed; use 1 for real time, 0 for as fast as possible"
+        )
+    return value
+
+
+def _start(text: str) -> int:
+    """Nanoseconds since the GPS epoch."""
+    try:
+        when = (
+            datetime.now(timezone.utc)
+            if text == "now"
+            else datetime.fromisoformat(text.replace("Z", "+00:00"))
+        )
+    except ValueError:
+        raise argparse.ArgumentTypeError(
+            f"'{text}' is no time; write 2024-05-01T12:00:00"
+        ) from None
+    if when.tzinfo is None:
+        when = when.replace(tzinfo=timezone.utc)
+    return gps_nanoseconds(when)
+
+
+#: When a leap second was inserted after the GPS epoch: the first day that counts it.
+_LEAPS = (
+    (1981, 7), (1982, 7), (1983, 7), (1985, 7), (1988, 1), (1990, 1), (1991, 1), (1992, 7), (1993, 7), (1994, 7),
+    (1996, 1), (1997, 7), (1999, 1), (2006, 1), (2009, 1), (2012, 7), (2015, 7), (2017, 1),
+)  # fmt: skip
+
+
+def gps_nanoseconds(when: datetime) -> int:
+    """GPS time of a UTC time, in nanoseconds since the GPS epoch."""
+    epoch = datetime(1980, 1, 6, tzinfo=timezone.utc)
+    passed = when - epoch
+    if passed.days < 0:
+        raise argparse.ArgumentTypeError(
+            f"{when.isoformat()} is before GPS time, which began on 1980-01-06"
+        )
+    leaps = sum(when >= datetime(year, month, 1, tzinfo=timezone.utc) for year, month in _LEAPS)
+    return ((passed.days * 86400 + passed.seconds + leaps) * 1_000_000 + passed.microseconds) * 1000

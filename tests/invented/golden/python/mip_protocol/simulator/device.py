@@ -1,0 +1,418 @@
+"""A simulated device: it answers every command of a profile and streams data, all in simulated time.
+
+    device = VirtualDevice("3dm-cv7-gnss-ins")
+    link = device.connect()
+    link.write(bytes(Ping().packet()))
+    link.read()          # the acknowledge
+    device.advance(0.5)  # half a second passes
+    link.read()          # the data of that time
+
+Nothing happens by itself: bytes and time come from the caller, so that the same calls give the same bytes.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from .. import devices, reflection, registry
+from ..errors import Failure
+from ..field import Command
+from ..packet import Packet, RawField
+from ..profile import Device, Port
+from . import nmea, values
+from ._facts import COMMANDS
+from .checks import NOTHING, data_sets
+from .codes import DEFAULT, LOAD, READ, SAVE, WRITE
+from .commands import carry_out
+from .effects import act
+from .faults import Faults
+from .knowledge import rate
+from .link import Link
+from .motion import Motion, Standing
+from .settings import Place, Settings, arguments, command_type, home, keys
+from .streams import SECOND, Stream, answers, packets
+from .world import World
+
+#: How long a device takes to start; it answers nothing meanwhile.
+BOOT_TIME = SECOND // 2
+
+#: The rate in Hz of sets whose data come as they arise, and of those whose rate is not known.
+RATE_AS_THEY_ARISE = 1.0
+UNKNOWN_RATE = 100.0
+
+#: How often disturbances may happen.
+DISTURBANCE_TIME = SECOND // 10
+
+#: What factory streaming asks for of each set, at this rate in Hz.
+FACTORY_FIELDS, FACTORY_RATE = 4, 10
+
+
+Encoder = Callable[[], list[RawField]]
+
+
+class VirtualDevice:
+    """One device. Times are nanoseconds since the start, if they are not said to be seconds."""
+
+    def __init__(
+        self,
+        profile: Device | str,
+        *,
+        motion: Motion | None = None,
+        seed: int = 0,
+        start: int | None = None,
+        storage: Path | None = None,
+        faults: Faults | None = None,
+        trace: Callable[[str, bytes], None] | None = None,
+    ) -> None:
+        """`start`: nanoseconds since the GPS epoch. `storage`: the file of saved settings.
+
+        `trace` is told of every packet, before faults: "command", "answer" or "data", and the bytes.
+        """
+        self.profile: Device = _profile(profile)
+        self.seed: int = seed
+        self.faults = faults
+        self.settings = Settings(self.profile, storage)
+        self.world = World(motion or Standing(), seed=seed, start=start)
+        self.known = self.profile.fields | self.profile.perhaps.keys()
+        self.links: list[Link] = []
+        self.pins: dict[int, bool] = {}
+        self.idle = False
+        self.direct = False
+        self.now: int = 0
+        self.booted: int = 0
+        self.bytes_sent: int = 0
+        self.bytes_received: int = 0
+        self._ready_at = 0
+        self.trace = trace
+        self._streams: list[Stream] = []
+        self._encoders: dict[tuple[int, int], Encoder] = {}
+        self._disturbed = DISTURBANCE_TIME
+        self._settle()
+
+    # ----------------------------------------------------------------------- the host's side
+
+    def connect(self, port: str | None = None, capacity: int | None = None) -> Link:
+        """Connects a host with a port, the first one of the profile unless it is named. Hosts may share a port.
+
+        `capacity`: how many bytes may wait until the host reads them; the device drops packets that do not fit.
+        """
+        ports = [p.name for p in self.profile.ports]
+        name = port or (ports[0] if ports else "Main")
+        if port is not None and port not in ports:
+            known = ", ".join(ports) or "none"
+            raise Failure(f"{self.profile.title} has no port '{port}'; known: {known}")
+        link = Link(name, self._receive, capacity)
+        self.links.append(link)
+        self.set_baud_rates()
+        return link
+
+    def disconnect(self, link: Link) -> None:
+        link.closed = True
+        if self.faults is not None:
+            self.faults.forget(self.now, link)
+        self.links = [other for other in self.links if other is not link]
+
+    def advance(self, seconds: float) -> None:
+        """Time passes."""
+        self.run_until(self.now + round(seconds * SECOND))
+
+    def run_until(self, time: int) -> None:
+        """Time passes up to this moment; everything due by then happens."""
+        while (due := self.next) is not None and due <= time:
+            self._move(due)
+            for link in self.links:
+                link.arrive(due)
+                for data in link.due(due):
+                    self._transmit(link, data)
+            for stream in list(self._streams):
+                if stream.next <= due and stream in self._streams:
+                    stream.fire()
+            if self.faults is not None and self._disturbed <= due:
+                self._disturb()
+        self._move(max(self.now, time))
+
+    @property
+    def next(self) -> int | None:
+        """When something happens next without the host."""
+        times = [stream.next for stream in self._streams]
+        times += [link.next for link in self.links if link.next is not None]
+        if self.faults is not None:
+            times.append(self._disturbed)
+        return min(times, default=None)
+
+    def reset(self) -> None:
+        """Restarts the device with its saved settings."""
+        for link in self.links:
+            link.clear()
+        self.settings.restart()
+        self.idle = self.direct = False
+        self.pins.clear()
+        self.booted = self.now
+        self._ready_at = self.now + BOOT_TIME
+        self._settle()
+
+    @property
+    def dropped(self) -> int:
+        """Packets for which hosts have left no room."""
+        return sum(link.dropped for link in self.links)
+
+    def _move(self, time: int) -> None:
+        self.now = time
+        self.world.move_to(time)
+
+    def _disturb(self) -> None:
+        assert self.faults is not None
+        self._disturbed += DISTURBANCE_TIME
+        event = self.faults.event(self.now)
+        if event == "reset":
+            self.reset()
+        elif event == "disconnect":
+            for link in list(self.links):
+                self.disconnect(link)
+
+    # ----------------------------------------------------------------------- commands
+
+    def _receive(self, link: Link, data: bytes) -> None:
+        self.bytes_received += len(data)
+        if self.faults is not None:
+            data = self.faults.receive(self.now, data)
+        if self.now < self._ready_at:
+            return
+        for packet in link.parser.feed(data):
+            if packet.set < 0x80:
+                self._answer(link, packet)
+
+    def _answer(self, link: Link, packet: Packet) -> None:
+        """Carries out the commands of a packet in their order, and what they lead to behind the answers."""
+        self._tell("command", bytes(packet))
+        groups: list[Sequence[RawField]] = []
+        behind: list[Callable[[], None]] = []
+        delay = 0
+        for raw, group, outcome in carry_out(self, link, packet):
+            if group and self.faults is not None:
+                late, group = self.faults.answer(self.now, raw, list(group))
+                delay = max(delay, late)
+            if group:
+                groups.append(group)
+            delay = max(delay, outcome.delay)
+            if outcome.after is not None:
+                behind.append(outcome.after)
+        for data in answers(packet.set, groups):
+            self._tell("answer", data)
+            self._transmit(link, data, delay)
+        for action in behind:
+            action()
+
+    def pause(self, time: int) -> None:
+        """No data for a while."""
+        for stream in self._streams:
+            stream.skip(self.now + time)
+
+    # ----------------------------------------------------------------------- settings
+
+    def settings_of(self, effect: str) -> list[dict[str, Any]]:
+        """The current settings of the commands with an effect, instance by instance: the arguments of the effect."""
+        return [
+            arguments(kept)
+            for _, kept in self.settings.items()
+            if COMMANDS.get(kept.NAME, NOTHING).effect == effect
+        ]
+
+    def apply(self, at: Place, kept: Command | None) -> None:
+        """A setting has changed by itself: its effect follows."""
+        command = (
+            kept if kept is not None else self.settings.factory(command_type(at[0]), _asked(*at))
+        )
+        outcome = act(self, command, None, None)
+        if outcome.after is not None:
+            outcome.after()
+
+    def restore(self, at: Place, saved: bool) -> None:
+        """A setting has its saved value again, or its factory default."""
+        kept = self.settings.load(at) if saved else None
+        if not saved:
+            self.settings.reset(at)
+        self.apply(at, kept)
+
+    def all_settings(self, function: int) -> None:
+        """Saves, loads or resets all settings."""
+        places = self.settings.everything()
+        if function == SAVE:
+            self.settings.save(places)
+        for at in places if function in (LOAD, DEFAULT) else ():
+            self.restore(at, saved=function == LOAD)
+
+    def _settle(self) -> None:
+        """All effects of the settings that the device starts with."""
+        self.world.restart()
+        for name, behavior in COMMANDS.items():
+            if behavior.effect.startswith("orientation") and self._has(name):
+                self.apply((home(command_type(name)).NAME, ()), None)
+        for at, kept in list(self.settings.items()):
+            self.apply(at, kept)
+        self.set_baud_rates()
+        self.arrange()
+
+    def _has(self, name: str) -> bool:
+        kind = command_type(name)
+        return (kind.SET, kind.DESCRIPTOR) in self.known
+
+    def disable_trigger(self, instance: int) -> None:
+        """The mode of a trigger is the default again."""
+        for name, behavior in COMMANDS.items():
+            if behavior.effect == "trigger_mode":
+                self.settings.reset((name, (instance,)))
+
+    def port(self, number: int | None) -> Port | None:
+        """A port by its number; without one, the first that has baud rates."""
+        ports = [p for p in self.profile.ports if p.baud_rates or number]
+        return next((p for p in ports if number in (None, p.id)), None)
+
+    def set_baud_rates(self) -> None:
+        """The links follow the settings of their ports."""
+        rates: dict[str, int] = {}
+        for name, behavior in COMMANDS.items():
+            if behavior.effect == "baud_rate" and self._has(name):
+                for port in (
+                    self.profile.ports if "port" in behavior.arguments else (self.port(None),)
+                ):
+                    if port is not None and port.baud_rates:
+                        asked = _asked(name, () if port.id is None else (port.id,))
+                        rates[port.name] = arguments(self.settings.current(asked))["baud"]
+        for link in self.links:
+            link.baud = rates.get(link.port)
+
+    # ----------------------------------------------------------------------- streams
+
+    def sends(self, set: int, descriptor: int) -> bool:
+        """Is it a field of this data set, or a shared one?"""
+        return (set, descriptor) in self.known or (0xFF, descriptor) in self.known
+
+    def format(self, set: int) -> list[tuple[int, int]]:
+        """The message format of a set: descriptors and decimations."""
+        for given in self.settings_of("format"):
+            if given["set"] == set:
+                return [(entry.descriptor, entry.decimation) for entry in given["fields"]]
+        return []
+
+    def sentence_format(self) -> list[Any]:
+        return [entry for given in self.settings_of("sentences") for entry in given["entries"]]
+
+    def enabled(self, set: int) -> bool:
+        """Is the stream of a set switched on?"""
+        for given in self.settings_of("switch"):
+            if given["set"] == set:
+                return bool(given["enable"])
+        return True
+
+    def streams_set(self, set: int) -> bool:
+        return bool(self.enabled(set) and self.format(set))
+
+    def arrange(self) -> None:
+        """Starts the streams that the settings ask for, and no others."""
+        self._streams = []
+        if self.idle or self.direct:
+            return
+        for set in sorted(data_sets(self.profile)):
+            items = [(d, self._encoder(set, x)) for x, d in self.format(set) if self.sends(set, x)]
+            if items and self.enabled(set):
+                self._start(set, items, partial(self._send_fields, set))
+        for set in sorted({entry.source_descriptor_set for entry in self.sentence_format()}):
+            entries = [
+                (e.decimation, e) for e in self.sentence_format() if e.source_descriptor_set == set
+            ]
+            self._start(set, entries, self.send_sentences)
+
+    def _start(
+        self, set: int, items: list[tuple[int, Any]], fire: Callable[[list[Any]], None]
+    ) -> None:
+        base = self.profile.base_rates.get(set, UNKNOWN_RATE) or RATE_AS_THEY_ARISE
+        self._streams.append(Stream(base, items, fire, self.booted, max(self.now, self._ready_at)))
+
+    def _encoder(self, set: int, descriptor: int) -> Encoder:
+        found = self._encoders.get((set, descriptor))
+        if found is None:
+            kind = registry.types(set, descriptor)[0]
+            encode = values.encoder(kind, self.profile, self.world, set)
+            found = self._encoders[set, descriptor] = partial(_fields, set, descriptor, encode)
+        return found
+
+    def send_data(self, set: int, wanted: Iterable[int], link: Link | None = None) -> None:
+        """One set of data: fields by their descriptors; those that the device does not know are left out."""
+        self._send_fields(set, [self._encoder(set, x) for x in wanted if self.sends(set, x)], link)
+
+    def _send_fields(self, set: int, encoders: Iterable[Encoder], link: Link | None = None) -> None:
+        fields = [field for encode in encoders for field in encode()]
+        if self.faults is not None:
+            fields = self.faults.data(self.now, set, fields)
+        for data in packets(set, fields) if fields else ():
+            self._send(data, link)
+
+    def send_sentences(self, entries: Iterable[Any], link: Link | None = None) -> None:
+        """NMEA sentences."""
+        text = nmea.sentences(entries, self.world)
+        if text:
+            self._send(text, link)
+
+    def factory_formats(self, keep: bool) -> None:
+        """Message formats with the first fields of each set, in place of the present ones or behind them."""
+        names = (name for name, b in COMMANDS.items() if b.effect == "format" and self._has(name))
+        kind: Any = home(command_type(next(names)))
+        at = {name: str(given) for name, given in COMMANDS[kind.NAME].arguments.items()}
+        entry = next(p.type for p in reflection.PARAMETERS[kind] if p.attribute == at["fields"])
+        for set in sorted(data_sets(self.profile)):
+            decimation = max(1, round(rate(self, set) / FACTORY_RATE))
+            own = sorted(x for s, x in self.known if s == set)[:FACTORY_FIELDS]
+            wanted = [*(self.format(set) if keep else ()), *((x, decimation) for x in own)]
+            given = {at["set"]: set, at["fields"]: tuple(entry(*pair) for pair in wanted)}
+            self.settings.write(kind(function=WRITE, **given))
+
+    # ----------------------------------------------------------------------- bytes
+
+    def _send(self, data: bytes, link: Link | None) -> None:
+        """Data, to one host or to all."""
+        self._tell("data", data)
+        for other in self.links if link is None else (link,):
+            self._transmit(other, data)
+
+    def _transmit(self, link: Link, data: bytes, delay: int = 0) -> None:
+        """What is late meets the faults of the line when it is sent, so that the line keeps its order."""
+        if delay > 0:
+            link.hold(self.now + delay, data)
+            return
+        self.bytes_sent += len(data)
+        parts = [(0, data)] if self.faults is None else self.faults.transmit(self.now, data, link)
+        link.send(self.now, parts)
+
+    def _tell(self, what: str, data: bytes) -> None:
+        if self.trace is not None:
+            self.trace(what, data)
+
+
+def _profile(device: Device | str) -> Device:
+    if isinstance(device, Device):
+        return device
+    found = devices.find(device)
+    if found is None:
+        near = difflib.get_close_matches(device, list(devices.DEVICES), 1, 0.3)
+        remedy = f"did you mean '{near[0]}'?" if near else f"known: {', '.join(devices.DEVICES)}"
+        raise Failure(f"no device '{device}'; {remedy}")
+    return found
+
+
+def _fields(set: int, descriptor: int, encode: Callable[[], list[bytes]]) -> list[RawField]:
+    return [RawField(set, descriptor, data) for data in encode()]
+
+
+def _asked(name: str, key: Sequence[int]) -> Command:
+    """A command that asks for an instance of a setting."""
+    kind: Any = command_type(name)
+    asked: Command = kind(function=READ, **dict(zip(keys(kind), key)))
+    return asked
+
+
+__all__ = ["VirtualDevice"]

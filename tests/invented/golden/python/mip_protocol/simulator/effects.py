@@ -1,0 +1,269 @@
+"""What commands do beside keeping a setting, by the names that `spec/simulation` gives them.
+
+An effect of a plain command is done when the command comes. An effect of a setting is done whenever the setting
+changes, before it is kept; it may refuse.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from ..field import Command
+from . import knowledge, views
+from ._facts import COMMANDS
+from .checks import NOTHING, data_sets
+from .codes import COMMAND_FAILED, INVALID_PARAMETER, READ, SETS, Refused
+from .settings import arguments, command_type
+from .streams import SECOND
+
+if TYPE_CHECKING:
+    from .device import VirtualDevice
+    from .link import Link
+
+
+@dataclass
+class Outcome:
+    """How a command goes on after its answer."""
+
+    delay: int = 0  # nanoseconds until the answer
+    after: Callable[[], None] | None = None  # done once it is sent
+
+
+@dataclass
+class Call:
+    """A command on its way: `values` are the arguments of its effect."""
+
+    command: Command
+    values: dict[str, Any]
+    link: Link | None  # None: no command, but a setting that changes for another reason
+    function: int | None
+
+    @property
+    def writes(self) -> bool:
+        return self.function in SETS
+
+
+Effect = Callable[["VirtualDevice", Call], Outcome]
+DONE = Outcome()
+
+SELF_TEST_TIME = 2 * SECOND
+
+
+# --------------------------------------------------------------------------- modes
+
+
+def _idle(device: VirtualDevice, call: Call) -> Outcome:
+    device.idle = True
+    device.arrange()
+    return DONE
+
+
+def _resume(device: VirtualDevice, call: Call) -> Outcome:
+    device.idle = False
+    device.arrange()
+    return DONE
+
+
+def _restart(device: VirtualDevice, call: Call) -> Outcome:
+    return Outcome(after=device.reset)
+
+
+def _self_test(device: VirtualDevice, call: Call) -> Outcome:
+    device.pause(SELF_TEST_TIME)
+    return Outcome(delay=SELF_TEST_TIME)
+
+
+def _communication_mode(device: VirtualDevice, call: Call) -> Outcome:
+    def switch() -> None:
+        device.direct = call.values["mode"] != 1
+
+    return Outcome(after=switch)
+
+
+# --------------------------------------------------------------------------- streams
+
+
+def _format(device: VirtualDevice, call: Call) -> Outcome:
+    """Refuses fields that the device does not send with the set."""
+    set, entries = call.values["set"], call.values["fields"] or ()
+    if call.writes:
+        if set not in data_sets(device.profile):
+            raise Refused(INVALID_PARAMETER)
+        for entry in entries:
+            if not device.sends(set, entry.descriptor) or entry.decimation < 1:
+                raise Refused(INVALID_PARAMETER)
+    return Outcome(after=device.arrange)
+
+
+def _sentences(device: VirtualDevice, call: Call) -> Outcome:
+    for entry in call.values["entries"] or () if call.writes else ():
+        if entry.decimation < 1 or not knowledge.sentence(device, entry):
+            raise Refused(INVALID_PARAMETER)
+    return Outcome(after=device.arrange)
+
+
+def _switch(device: VirtualDevice, call: Call) -> Outcome:
+    return Outcome(after=device.arrange)
+
+
+def _poll(device: VirtualDevice, call: Call) -> Outcome:
+    """One packet with these fields, else with those of the format."""
+    set, wanted = call.values["set"], call.values["fields"]
+    descriptors = [getattr(entry, "descriptor", entry) for entry in wanted]
+    if set not in data_sets(device.profile):
+        raise Refused(INVALID_PARAMETER)
+    if not wanted:
+        descriptors = [descriptor for descriptor, _ in device.format(set)]
+        if not descriptors:
+            raise Refused(COMMAND_FAILED)
+    return Outcome(after=lambda: device.send_data(set, descriptors, call.link))
+
+
+def _poll_sentences(device: VirtualDevice, call: Call) -> Outcome:
+    entries = call.values["entries"] or device.sentence_format()
+    if not entries:
+        raise Refused(COMMAND_FAILED)
+    return Outcome(after=lambda: device.send_sentences(entries, call.link))
+
+
+def _factory_streaming(device: VirtualDevice, call: Call) -> Outcome:
+    """A format with a few fields of each set, in place of the present formats or behind them."""
+    device.factory_formats(keep=call.values["action"] != 0)
+    return Outcome(after=device.arrange)
+
+
+# --------------------------------------------------------------------------- settings
+
+
+def _all_settings(device: VirtualDevice, call: Call) -> Outcome:
+    assert call.function is not None
+    device.all_settings(call.function)
+    return Outcome(after=device.arrange)
+
+
+def _baud_rate(device: VirtualDevice, call: Call) -> Outcome:
+    """Takes effect after the answer, which is sent at the old rate."""
+    port = device.port(call.values.get("port"))
+    baud = call.values["baud"]
+    if call.writes and (port is None or (port.baud_rates and baud not in port.baud_rates)):
+        raise Refused(INVALID_PARAMETER)
+    return Outcome(after=device.set_baud_rates)
+
+
+def _mounting(device: VirtualDevice, call: Call) -> Outcome:
+    effect = COMMANDS[call.command.NAME].effect
+    matrix = views.matrix(effect, call.values)
+    if call.writes and not views.is_rotation(matrix):
+        raise Refused(INVALID_PARAMETER)
+    device.world.sensor_to_vehicle = matrix
+    return DONE
+
+
+def _frame_rotation(device: VirtualDevice, call: Call) -> Outcome:
+    return DONE
+
+
+def _capture(device: VirtualDevice, call: Call) -> Outcome:
+    """Averages the bias, which a simulated sensor does not have."""
+    setting = command_type(COMMANDS[call.command.NAME].setting)
+    device.settings.write(device.settings.factory(setting, call.command))
+    return Outcome(delay=call.values["milliseconds"] * SECOND // 1000)
+
+
+def _gps_time(device: VirtualDevice, call: Call) -> Outcome:
+    """Sets the clock of the simulated world."""
+    if call.writes:
+        if call.values["field"] == 1:
+            device.world.set_gps(week=call.values["value"])
+        else:
+            device.world.set_gps(tow=call.values["value"])
+    return DONE
+
+
+# --------------------------------------------------------------------------- events and pins
+
+
+def _trigger(device: VirtualDevice, call: Call) -> Outcome:
+    """A trigger is disabled after its configuration."""
+    if call.writes:
+        device.disable_trigger(call.values["instance"])
+    return DONE
+
+
+def _trigger_mode(device: VirtualDevice, call: Call) -> Outcome:
+    instance = call.values["instance"]
+    if (
+        call.writes
+        and instance
+        and not knowledge.trigger_type(device, instance)
+        and call.values["mode"]
+    ):
+        raise Refused(COMMAND_FAILED)
+    return DONE
+
+
+def _pin(device: VirtualDevice, call: Call) -> Outcome:
+    """A pin that becomes an output has the level of its behavior."""
+    feature, behavior, pin = call.values["feature"], call.values["behavior"], call.values["pin"]
+    if feature == 1 and behavior in (2, 3):
+        device.pins[pin] = behavior == 3
+    else:
+        device.pins.pop(pin, None)
+    return DONE
+
+
+def _pin_state(device: VirtualDevice, call: Call) -> Outcome:
+    pin = call.values["pin"]
+    if call.writes:
+        if pin not in device.pins:  # not an output
+            raise Refused(COMMAND_FAILED)
+        device.pins[pin] = bool(call.values["state"])
+    return DONE
+
+
+def _nothing(device: VirtualDevice, call: Call) -> Outcome:
+    return DONE
+
+
+EFFECTS: dict[str, Effect] = {
+    "action": _nothing,
+    "all_settings": _all_settings,
+    "baud_rate": _baud_rate,
+    "capture": _capture,
+    "communication_mode": _communication_mode,
+    "device_status": _nothing,
+    "factory_streaming": _factory_streaming,
+    "format": _format,
+    "frame_rotation": _frame_rotation,
+    "gps_time": _gps_time,
+    "idle": _idle,
+    "orientation_dcm": _mounting,
+    "orientation_euler": _mounting,
+    "orientation_quaternion": _mounting,
+    "pin": _pin,
+    "pin_state": _pin_state,
+    "poll": _poll,
+    "poll_sentences": _poll_sentences,
+    "restart": _restart,
+    "resume": _resume,
+    "self_test": _self_test,
+    "sentences": _sentences,
+    "switch": _switch,
+    "trigger": _trigger,
+    "trigger_mode": _trigger_mode,
+}
+
+
+def act(
+    device: VirtualDevice, command: Command, link: Link | None, function: int | None
+) -> Outcome:
+    """The effect of a command, if it has one that this function calls for."""
+    effect = COMMANDS.get(command.NAME, NOTHING).effect
+    if not effect or function == READ:
+        return DONE
+    return EFFECTS[effect](device, Call(command, arguments(command), link, function))
+
+
+__all__ = ["EFFECTS", "Call", "Outcome", "act"]

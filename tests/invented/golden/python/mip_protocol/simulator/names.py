@@ -1,0 +1,39 @@
+"""Numbers of the names that the specification has."""
+
+from __future__ import annotations
+
+from enum import IntEnum, IntFlag
+from functools import cache
+from typing import Any
+
+
+def named(kind: Any, names: tuple[str, ...]) -> int:
+    """The first value of these names that an enumeration has, or all bits of these names that a bitfield has.
+
+    `bits.value` is a number inside a bitfield. Names that the type does not have count nothing.
+    """
+    return _named(kind, names)
+
+
+@cache
+def _named(kind: Any, names: tuple[str, ...]) -> int:
+    if not isinstance(kind, type) or not issubclass(kind, (IntEnum, IntFlag)):
+        return 0
+    members = kind.__members__
+    if issubclass(kind, IntEnum):
+        return next((int(members[n.upper()]) for n in names if n.upper() in members), 0)
+    found = 0
+    for name in names:
+        bits, _, inner = name.partition(".")
+        if bits.upper() not in members:
+            continue
+        mask = int(members[bits.upper()])
+        if inner:
+            numbers: Any = type(getattr(kind(mask), bits))
+            found |= named(numbers, (inner,)) * (mask & -mask)
+        else:
+            found |= mask
+    return found
+
+
+__all__ = ["named"]
