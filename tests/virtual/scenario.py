@@ -52,13 +52,20 @@ def outputs(device: m.Device) -> Iterator[Trial]:
         yield write(known["3dm.gpio_state"], pin=1, state=1)
 
 
-def prepare(session: Session, rate: float = 2) -> None:
+def prepare(session: Session, rate: float = 2, attempts: int = 1) -> None:
     """Streams all data, whatever the commands before have done."""
     known = {s.field.full_name: s for s in commands(session.device)}
     if "base.resume" in known:
-        session.ask(write(known["base.resume"]))
+        insist(session, write(known["base.resume"]), attempts)
     for trial in formats(session.device, rate):
-        session.ask(trial)
+        insist(session, trial, attempts)
+
+
+def insist(session: Session, trial: Trial, attempts: int) -> None:
+    """Asks again, if no answer comes."""
+    for _ in range(attempts):
+        if all(e["event"] != "timed_out" for e in session.ask(trial)):
+            break
 
 
 def ask(session: Session, trial: Trial) -> None:
@@ -70,13 +77,13 @@ def ask(session: Session, trial: Trial) -> None:
 def everything(device: m.Device) -> Session:
     """Each command with each function and each value; then several in a packet, and several packets at once."""
     session = Session(device, Witness())
-    prepare(session)
     for trial in outputs(device):
         ask(session, trial)
-    for support in commands(device):
+    for number, support in enumerate(commands(device)):
+        if number % 4 == 0:
+            prepare(session)
         for trial in (*trials(support, device), *unsupported(support)):
             ask(session, trial)
-        prepare(session)
     for trial in strangers(device):
         ask(session, trial)
     together(session)
@@ -125,10 +132,8 @@ def faulty(device: m.Device, seed: int, attempts: int = 1, **rates: float | tupl
     session = Session(device, Witness(seed=seed, **rates), seed=seed)
     for number, trial in enumerate(few(device, 1)):
         if number % 20 == 0:
-            prepare(session, 4 if len(device.base_rates) < 4 else 1)
-        for _ in range(attempts):
-            if all(e["event"] != "timed_out" for e in session.ask(trial)):
-                break
+            prepare(session, 4 if len(device.base_rates) < 4 else 1, attempts)
+        insist(session, trial, attempts)
         session.wait(40)
     session.wait(500)
     session.end()

@@ -13,7 +13,7 @@ from mipgen import model as m
 from support import LANGUAGES, differences, driver, heavy, model
 from virtual.commands import commands, data_fields
 from virtual.ledger import OUTCOMES, check
-from virtual.scenario import everything, faulty, prepare, silenced
+from virtual.scenario import everything, faulty, formats, prepare, silenced
 from virtual.session import KINDS, Session, Witness
 
 #: Devices whose manual says all that they do, and one of which little is known.
@@ -63,7 +63,8 @@ def test_every_command(name: str) -> None:
     assert functions(device(name)) <= {(t.command.full_name, t.values.get("function")) for t in trials}
     received = [e for e in session.client.events if e["event"] == "received"]
     fields = {(e["set"], f["descriptor"]) for e in received for f in e["fields"]}
-    assert fields >= {(number, d) for number, known in data_fields(device(name)).items() for d in known}
+    if any(formats(device(name), 1)):  # the formats of some devices are not known
+        assert fields >= {(number, d) for number, known in data_fields(device(name)).items() for d in known}
     repeat([session])
 
 
@@ -155,12 +156,9 @@ def spoil(name: str, events: list[dict[str, Any]]) -> list[dict[str, Any]]:
         second = at("received", lambda e: e["set"] >= 0x80 and e != made[first])
         made[first], made[second] = made[second], made[first]
     elif name == "another value":
-        n = at("acknowledged", lambda e: "response" in e and e["response"]["values"].get("enabled") is not None)
-        values = made[n]["response"]["values"]
-        made[n] = {
-            **made[n],
-            "response": {**made[n]["response"], "values": {**values, "enabled": values["enabled"] ^ 1}},
-        }
+        n = at("acknowledged", lambda e: 0 in e.get("response", {}).get("values", {}).values())
+        values = {key: 1 if value == 0 else value for key, value in made[n]["response"]["values"].items()}
+        made[n] = {**made[n], "response": {**made[n]["response"], "values": values}}
     elif name == "an acknowledge that nobody has sent":
         n = at("timed_out")
         made[n] = {**made[n], "event": "acknowledged"}
