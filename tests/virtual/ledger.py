@@ -98,7 +98,10 @@ def holds(event: Event, command: m.Field, descriptor: int | None, data: bytes) -
         return bool(response["raw"] == data.hex())
     f = model("real").field(response["name"])
     assert f is not None
-    encoded = codec.encode(f, response["values"])
+    try:
+        encoded = codec.encode(f, response["values"])
+    except codec.CodecError:
+        return False
     return data.startswith(encoded) and len(data) == len(encoded) + response["trailing"]
 
 
