@@ -85,9 +85,13 @@ class Client:
         self.happens("end", waiting=[w.number for w in self.waiting], skipped=self.skipped)
 
     def poll(self) -> None:
-        """Before a command is given up, what holds back an answer is."""
-        while self.buffer and any(w.deadline <= self.now for w in self.waiting):
-            self.skip()
+        """Before a command is given up, what holds back whole packets is; the start of a packet is kept."""
+        while any(w.deadline <= self.now for w in self.waiting):
+            noise = next((at for at in range(1, len(self.buffer)) if whole(self.buffer[at:])), 0)
+            if not noise:
+                break
+            self.buffer = self.buffer[noise:]
+            self.skipped += noise
             self.take_packets()
         for w in [w for w in self.waiting if w.deadline <= self.now]:
             self.waiting.remove(w)
@@ -204,6 +208,13 @@ def decoded(response: m.Field, data: bytes) -> dict[str, Any]:
     except codec.CodecError as error:
         return {**shown, "error": error.kind, "raw": data.hex()}
     return {**shown, "name": response.full_name, "role": response.role, "values": values, "trailing": trailing}
+
+
+def whole(data: bytes) -> bool:
+    """Does it begin with a packet?"""
+    size = data[3] + 6 if len(data) > 3 else 6
+    begins = data[:2] == b"ue" and len(data) >= size and data[2] != 0
+    return begins and codec.checksum(data[: size - 2]) == data[size - 2 : size]
 
 
 def walk(packet: bytes) -> Iterator[tuple[int | None, bytes]]:

@@ -425,6 +425,24 @@ def scenarios(of: m.Model) -> Iterator[Scenario]:
         f"sent 0; acknowledged 0; received 1; end [] {len(LONG)}",
     )
     yield (
+        "a packet that has begun to come when a command times out is not lost",
+        [w.send(plain), receive(w.data[:cut]), time(TIMEOUT), receive(w.data[cut:]), END],
+        "sent 0; timed_out 0; received 1; end [] 0",
+    )
+    yield (
+        "noise is given up when something whole is behind it, at the next time-out",
+        [
+            w.send(plain),
+            receive(LONG, w.data[:cut]),
+            time(TIMEOUT),
+            w.send(plain),
+            receive(w.data[cut:]),
+            time(TIMEOUT),
+            END,
+        ],
+        f"sent 0; timed_out 0; sent 1; received 1; timed_out 1; end [] {len(LONG)}",
+    )
+    yield (
         "noise, and nothing behind it",
         [w.send(plain), receive(LONG, w.data), time(TIMEOUT)],
         "sent 0; received 1; timed_out 0",

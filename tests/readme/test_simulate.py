@@ -61,8 +61,10 @@ def run(command: str, folder: Path, environment: dict[str, str]) -> subprocess.C
 
 
 @contextmanager
-def device(command: str, folder: Path, environment: dict[str, str]) -> Iterator[subprocess.Popen[str]]:
-    """A command that runs until it is interrupted, once it has said where the device is."""
+def device(
+    command: str, folder: Path, environment: dict[str, str], ends: bool = False
+) -> Iterator[subprocess.Popen[str]]:
+    """A command that runs until it is interrupted, or ends by itself, once it has said where the device is."""
     process = subprocess.Popen(
         ["sh", "-c", f"exec {command}"], cwd=folder, env=environment, stdout=subprocess.PIPE, text=True
     )
@@ -70,7 +72,8 @@ def device(command: str, folder: Path, environment: dict[str, str]) -> Iterator[
         assert process.stdout is not None and process.stdout.readline().strip(), command
         yield process
     finally:
-        process.terminate()
+        if not ends:
+            process.terminate()
         process.communicate(timeout=PATIENCE)
     assert process.returncode == 0
 
@@ -125,7 +128,7 @@ def test_a_parser_against_faults(tmp_path: Path, shell: dict[str, str]) -> None:
     start, check = commands("Test your own parser against faults")
     number = free_port()
     start, check = start.replace("5000", number), check.replace("5000", number)
-    with device(start, tmp_path, shell):
+    with device(start, tmp_path, shell, ends=True):
         done = run(check, tmp_path, shell)
     assert (done.returncode, done.stderr) == (0, "")
     sent, damaged, lost, invented = map(int, re.findall(r"\b\d+\b", done.stdout))
@@ -134,7 +137,7 @@ def test_a_parser_against_faults(tmp_path: Path, shell: dict[str, str]) -> None:
     bad = "class Parser(Parser):\n    def feed(self, data):\n        return super().feed(data)[1:]\n"
     program = (ROOT / "docs/simulate/check_parser.py").read_text("utf-8")
     (tmp_path / "bad.py").write_text(program.replace("\nconnection = ", f"\n{bad}\nconnection = "))
-    with device(start, tmp_path, shell):
+    with device(start, tmp_path, shell, ends=True):
         done = run(check.replace("docs/simulate/check_parser.py", "bad.py"), tmp_path, shell)
     assert done.returncode == 1 and ", 0 packets found that were never sent" in done.stdout
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,6 +15,14 @@ Values = dict[str, Any]
 
 #: Values of one parameter that are tried beside the first.
 MOST = 12
+
+#: Plain numbers of which a device has a few, by the name of the parameter.
+KNOWN: dict[str, Callable[[m.Device], Iterable[int]]] = {
+    "descriptor_set": lambda device: data_fields(device),
+    "port": lambda device: (p.id for p in device.ports if p.id is not None),
+    "baud": lambda device: (rate for p in device.ports for rate in p.baud_rates),
+    "model_number": lambda device: (device.model_number or 0,),
+}
 
 
 @dataclass(frozen=True)
@@ -37,6 +45,18 @@ class Trial:
 def commands(device: m.Device) -> list[m.Support]:
     """What a host can send to the device."""
     return [s for s in device.supports if s.field.role == m.COMMAND and s.field.sent_by == "host"]
+
+
+def data_fields(device: m.Device) -> dict[int, list[int]]:
+    """The descriptors of each data set that it sends, shared ones in the first."""
+    found: dict[int, list[int]] = {}
+    for s in device.supports:
+        if s.field.role == m.DATA and s.field.set != m.SHARED_SET:
+            found.setdefault(s.field.set, []).append(s.field.descriptor)
+    shared = [s.field.descriptor for s in device.supports if s.field.set == m.SHARED_SET]
+    for descriptors in list(found.values())[:1]:
+        descriptors[:0] = shared
+    return found
 
 
 def trials(support: m.Support, device: m.Device) -> Iterator[Trial]:
@@ -136,6 +156,8 @@ def items(p: m.Parameter, device: m.Device | None) -> tuple[list[Any], list[Any]
             return good, bad
         case m.Vector():
             return vectors(p, kind)
+        case m.Scalar() if device and p.name in KNOWN and (own_numbers := list(KNOWN[p.name](device))):
+            return list(dict.fromkeys(own_numbers)), []
         case m.Scalar():
             right, wrong = numbers(p, kind)
             return [put(kind, n) for n in right], [put(kind, n) for n in wrong]
@@ -156,7 +178,7 @@ def flags(kind: m.Bitfield) -> tuple[list[Any], list[Any]]:
 def vectors(p: m.Parameter, kind: m.Vector) -> tuple[list[Any], list[Any]]:
     """The same number in each element, or a unit vector where the length matters; a matrix is that of no rotation."""
     size = len(kind.elements)
-    if size == 9:
+    if size == 9 and p.above is None:
         return [[put(kind.scalar, float(i % 4 == 0)) for i in range(size)]], []
     least, _ = p.magnitude
     if size == 4 or least:

@@ -6,12 +6,12 @@ from collections import Counter
 from collections.abc import Iterator
 from itertools import zip_longest
 
-from conformance.client_model import walk, wanted_responses
+from conformance.client_model import descriptors, walk, wanted_responses
 from mipgen import codec
 from mipgen import model as m
 from support import expected_decode, expected_parse, model
 from virtual.commands import Trial
-from virtual.session import Event, Session
+from virtual.session import START, Event, Session
 
 #: How a command ends.
 OUTCOMES = {"silent", "acknowledged", "refused", "timed_out", "missing_response", "undecodable"}
@@ -27,13 +27,19 @@ def check(session: Session) -> None:
     fields_are_conserved(session.client.events, packets)
     answers_were_sent(session, packets)
     nobody_waits_in_vain(session)
+    failures_have_a_reason(session)
 
 
 def arrived(session: Session) -> list[bytes]:
-    """The packets in what the client received; those that the device sent and no fault spoiled are among them."""
+    """The packets in what the client received: what the device sent but for what is logged as spoiled."""
+    witness = session.witness
     packets = [bytes.fromhex(p) for p in expected_parse(bytes(session.stream))["packets"]]
-    missing = Counter(t.packet for t in session.witness.packets if t.intact) - Counter(packets)
-    assert not missing, [p.hex() for p in missing]
+    came, sent = Counter(packets), Counter(packet for packet, _ in witness.packets)
+    assert sent - came <= Counter(i.packet for i in witness.injected if i.damaged), "a loss is not logged"
+    cut = Counter(i.packet for i in witness.injected if i.kind == "disconnect" and i.damaged)
+    whole = Counter(packet for packet, carried in witness.packets if packet in carried)
+    assert whole - came <= cut, "a packet is lost that no fault has spoiled"
+    assert came - sent <= Counter(i.added for i in witness.injected if i.added), "nobody has sent a packet"
     return packets
 
 
@@ -76,23 +82,26 @@ def answers_were_sent(session: Session, packets: list[bytes]) -> None:
             continue
         command = session.trials[e["command"]].command
         head = (command.set, command.descriptor, e.get("code", 0))
-        own = [r for r in left if left[r] > 0 and r[:3] == head and holds(e, r[3], r[4])]
+        own = [r for r in left if left[r] > 0 and r[:3] == head and holds(e, command, r[3], r[4])]
         assert own, e
         left[own[0]] -= 1
 
 
-def holds(event: Event, descriptor: int | None, data: bytes) -> bool:
-    """Are these the bytes of the response that an event reports?"""
+def holds(event: Event, command: m.Field, descriptor: int | None, data: bytes) -> bool:
+    """Is this what an event reports as behind the acknowledge: these bytes of a response, or none?"""
     response = event.get("response")
     if response is None:
-        return True
+        return event["event"] == "refused" or descriptor not in descriptors(model("real"), command)
     if response["descriptor"] != descriptor:
         return False
     if "raw" in response:
         return bool(response["raw"] == data.hex())
     f = model("real").field(response["name"])
     assert f is not None
-    encoded = codec.encode(f, response["values"])
+    try:
+        encoded = codec.encode(f, response["values"])
+    except codec.CodecError:
+        return False
     return data.startswith(encoded) and len(data) == len(encoded) + response["trailing"]
 
 
@@ -119,3 +128,19 @@ def nobody_waits_in_vain(session: Session) -> None:
 
 def asks_for(of: m.Model, trial: Trial, response: Event) -> bool:
     return any(f.full_name == response.get("name") for f in wanted_responses(of, trial.command, trial.values))
+
+
+def failures_have_a_reason(session: Session) -> None:
+    """A command without a right answer: a fault struck while it waited, or since the device last answered, for a
+    damaged command keeps those behind it until it is complete; or the device was about to start."""
+    faults = [i.now for i in session.witness.injected]
+    sent: dict[int, int] = {}
+    since = 0
+    for e, when in zip(session.client.events, session.when, strict=True):
+        if e["event"] == "sent":
+            sent |= dict.fromkeys(e["commands"], when)
+        if e["event"] in ("timed_out", "missing_response", "undecodable"):
+            first = min(since, sent[e["command"]] - START * 1_000_000)
+            assert any(first <= fault <= when for fault in faults), (session.trials[e["command"]], e)
+        elif e["event"] in ANSWERS:
+            since = when

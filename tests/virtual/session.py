@@ -19,10 +19,12 @@ from virtual.commands import Trial
 
 sys.path.insert(0, str(ROOT / "generated/python"))
 
-from mip_protocol import RawField
 from mip_protocol.packet import SYNC
 from mip_protocol.simulator.device import VirtualDevice
+from mip_protocol.simulator.fault_kinds import KINDS
 from mip_protocol.simulator.faults import Faults, Injected
+
+__all__ = ["KINDS", "START", "Event", "Session", "Witness"]
 
 Event = dict[str, Any]
 
@@ -30,45 +32,22 @@ Event = dict[str, Any]
 #: very instant at which it may be: seconds as floats are not exact.
 TICK = 11
 
-
-@dataclass
-class Answered:
-    """What the device answered to a command, before and after the faults."""
-
-    command: RawField
-    meant: list[RawField]
-    sent: list[RawField]
-
-
-@dataclass
-class Transmitted:
-    """A packet or a sentence of the device, and what became of it."""
-
-    packet: bytes
-    pieces: list[bytes]
-
-    @property
-    def intact(self) -> bool:
-        return self.packet[:2] == SYNC and self.packet in b"".join(self.pieces)
+#: Milliseconds that a device needs to start.
+START = 600
 
 
 class Witness(Faults):
-    """Sees what the device does."""
+    """Sees every packet of the device, and what became of it."""
 
     def __init__(self, **rates: Any) -> None:
         self.injected: list[Injected] = []
-        self.answers: list[Answered] = []
-        self.packets: list[Transmitted] = []
+        self.packets: list[tuple[bytes, bytes]] = []  # as sent, and what the line carries in its place
         super().__init__(log=self.injected.append, **rates)
-
-    def answer(self, now: int, command: RawField, answer: list[RawField]) -> tuple[int, list[RawField]]:
-        delay, sent = super().answer(now, command, answer)
-        self.answers.append(Answered(command, answer, sent))
-        return delay, sent
 
     def transmit(self, now: int, packet: bytes, line: Hashable = None) -> list[tuple[int, bytes]]:
         pieces = super().transmit(now, packet, line)
-        self.packets.append(Transmitted(packet, [p for _, p in pieces]))
+        if packet[:2] == SYNC:  # no NMEA sentence
+            self.packets.append((packet, b"".join(piece for _, piece in pieces)))
         return pieces
 
 
@@ -82,6 +61,7 @@ class Session:
     steps: list[Step] = field(default_factory=list)
     stream: bytearray = field(default_factory=bytearray)
     trials: list[Trial] = field(default_factory=list)  # by the number of the command
+    when: list[int] = field(default_factory=list)  # each event happened, in nanoseconds of the device
     seed: int = 0
 
     def __post_init__(self) -> None:
@@ -95,7 +75,9 @@ class Session:
         {"send": self.client.send, "receive": self.client.receive, "time": self.client.time, "end": self.client.end}[
             step["step"]
         ](step)
-        return self.client.events[before:]
+        happened = self.client.events[before:]
+        self.when += [self.virtual.now] * len(happened)
+        return happened
 
     def send(self, *trials: Trial) -> None:
         """One packet."""
@@ -103,11 +85,18 @@ class Session:
         events = self.step({"step": "send", "set": trials[0].command.set, "fields": entries})
         assert events[0]["event"] == "sent", events
         self.trials += trials
+        self.connect()
         self.link.write(bytes.fromhex(events[0]["packet"]))
         self.read()
 
+    def connect(self) -> None:
+        """Again, if the device has closed the line."""
+        if self.link.closed:
+            self.link = self.virtual.connect()
+
     def read(self) -> None:
         data = self.link.read()
+        self.connect()
         if data:
             self.stream += data
             self.step(receive(data))

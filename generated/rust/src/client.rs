@@ -295,13 +295,12 @@ impl<const N: usize> Client<N> {
     /// Updates the time. Call it until it returns `None`; the overdue commands then have their
     /// events.
     ///
-    /// Noise that looks like the start of a packet holds back what follows. The parser gives up
-    /// such a candidate before a command times out, and this returns the packets behind it, to be
-    /// handled like any other.
+    /// Noise that looks like the start of a packet holds back what follows. Before a command times
+    /// out, this returns the packets behind such noise, to be handled like any other. A packet of
+    /// which a part has come is kept.
     pub fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u64) -> Option<Packet<'p>> {
         let late = self.pending.iter().any(|p| p.deadline <= now_ms);
-        // Give up only candidates that may hide an answer.
-        let found = if late { parser.flush() } else { parser.next(&mut [].as_slice()) };
+        let found = if late { parser.look_behind() } else { parser.next(&mut [].as_slice()) };
         if found.is_none() {
             while let Some(at) = self.pending.iter().position(|p| p.deadline <= now_ms) {
                 let Some(Pending { id, set, descriptor, .. }) = remove(&mut self.pending, at)

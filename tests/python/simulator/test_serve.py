@@ -80,13 +80,17 @@ def serving(device: Any, *endpoints: Endpoint, speed: float = 1.0, **options: An
 class Client:
     """A program at a terminal or a connection."""
 
-    def __init__(self, place: str) -> None:
+    def __init__(self, place: str, room: int = 0) -> None:
+        """`room`: bytes that the system shall keep for it; 0: as many as it likes."""
         self.socket = None
         if place.startswith("/"):
             self.file = os.open(place, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
         else:
             host, _, number = place.rpartition(":")
-            self.socket = socket.create_connection((host, int(number)))
+            self.socket = socket.socket()
+            if room:
+                self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, room)
+            self.socket.connect((host, int(number)))
             self.socket.setblocking(False)
             self.file = self.socket.fileno()
         self.parser = Parser()
@@ -327,6 +331,14 @@ def test_the_baud_rate_limits_what_passes() -> None:
     assert 1.7 < now < 1.75 and goes > 100
 
 
+def test_a_line_that_was_idle_saves_nothing_up() -> None:
+    peer, link = Peer(10**6), EchoLink(115200)
+    channel = Channel(peer, link, lambda data: data, pace=1.0)
+    link.write(bytes(20000))
+    channel.collect()
+    assert channel.send(1000.0) is not None and len(peer.received) <= 11520 * 0.006
+
+
 def test_a_wrong_baud_rate_garbles_both_ways() -> None:
     peer, link = Peer(10**6), EchoLink(115200)
     channel = Channel(peer, link, lambda data: b"?" * len(data), pace=0.0)
@@ -371,14 +383,25 @@ def test_time_passes_at_the_speed_that_is_wanted() -> None:
 
 
 def test_as_fast_as_clients_read() -> None:
-    """No packet is dropped, however slow the client is; without clients, time stands still."""
+    """No packet is dropped, however slow the client is: time stands still while it does not read."""
     device = VirtualDevice(DEVICE)
-    with serving(device, tcp_at("0"), speed=0, duration=60.0) as server, Client(server.places[0]) as client:
-        client.send(stream())
+    with serving(device, tcp_at("0"), speed=0, duration=40.0) as server, Client(server.places[0], 4096) as client:
+        client.send(stream(500))
+        (channel,) = until(lambda: [c for c in server._channels if c.size >= CAPACITY // 2])
+        now = until(lambda: (device.now, time.sleep(0.05))[0] == device.now and device.now)
+        assert 0 < now < 40e9 and channel.size < CAPACITY
         assert client.at_end()
         data = [p for p in client.packets if p[2] == 0x80]
-        assert 5900 <= len(data) <= 6000 and client.parser.skipped == 0 and not server.complaints
-        assert device.now == 60_000_000_000
+        assert 19000 <= len(data) <= 20000 and client.parser.skipped == 0 and not server.complaints
+        assert device.now == 40_000_000_000
+
+
+def test_time_is_real_while_there_is_nothing_to_read() -> None:
+    device = VirtualDevice(DEVICE)
+    begun = time.monotonic()
+    with serving(device, tcp_at("0"), speed=0, duration=0.3) as server:
+        server.thread.join(PATIENCE)
+    assert device.now == 300_000_000 and time.monotonic() - begun >= 0.3
 
 
 def test_time_that_cannot_be_caught_up_is_given_up() -> None:
@@ -391,7 +414,9 @@ def test_time_that_cannot_be_caught_up_is_given_up() -> None:
             ahead = 86400.0  # the machine was asleep
             client.ask(PING)
             until(lambda: server.complaints)
-            assert device.now < 60e9
+            begun, now = time.monotonic(), device.now
+            until(lambda: device.now > now + 3e8)
+            assert device.now < 60e9 and time.monotonic() - begun > 0.2
     assert server.complaints == ["the machine cannot keep up; simulated time is late from here on"]
 
 
@@ -493,12 +518,27 @@ def test_the_list_of_devices(capsys: pytest.CaptureFixture[str]) -> None:
         assert device.title in line and line.endswith("(incomplete)") is bool(device.incomplete)
 
 
+def test_an_incomplete_profile_is_said_to_be_so(capsys: pytest.CaptureFixture[str]) -> None:
+    known = next(d for d in devices.DEVICES.values() if d.incomplete)
+    code, out, error = run(capsys, "simulate", known.id, "--tcp", "0", "--duration", "0.01")
+    assert code == 0 and out.startswith("localhost:")
+    assert error == f"mip simulate: the profile of {known.title} is incomplete: {' '.join(known.incomplete)}\n"
+
+
 def test_help(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys)
     assert code == 0 and all(f"    {name} " in out and text in out for name, (_, text) in __main__.COMMANDS.items())
     assert run(capsys, "--version")[1] == f"mip {__main__.VERSION}\n"
     code, out, _ = run(capsys, "simulate", "--help")
     assert code == 0 and "lose_answer" in out and "--strict-baud" in out
+
+
+def test_an_interrupt_while_it_starts(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    def interrupted(*_: Any) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(__main__, "import_module", interrupted)
+    assert run(capsys, "simulate", DEVICE) == (130, "", "")
 
 
 def busy() -> tuple[socket.socket, str]:
@@ -571,10 +611,13 @@ def test_start_in_gps_time() -> None:
         assert found == (days * 86400 + leaps[day]) * 10**9
 
 
-def test_every_package_is_installed() -> None:
-    """The build takes the packages that are listed, and no others."""
+def test_what_is_installed() -> None:
+    """The build takes the packages that are listed, and no others; the program is there."""
     root = ROOT / "generated/python"
-    listed = re.search(r"^packages = \[(.*?)\]", (root / "pyproject.toml").read_text(), re.M)
-    assert listed is not None
+    project = (root / "pyproject.toml").read_text()
+    listed = re.search(r"^packages = \[(.*?)\]", project, re.M)
+    program = re.search(r'^mip = "(.*?):(.*?)"', project, re.M)
+    assert listed is not None and program is not None
     found = {".".join(p.parent.relative_to(root).parts) for p in (root / "mip_protocol").rglob("__init__.py")}
     assert set(re.findall(r'"(.*?)"', listed[1])) == found
+    assert getattr(sys.modules[program[1]], program[2]) is __main__.main

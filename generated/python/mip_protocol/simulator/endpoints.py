@@ -64,9 +64,8 @@ class Pty:
             raise Failure(
                 f"no pseudo-terminal: {error.strerror}; close some, or use --tcp"
             ) from None
-        tty.setraw(
-            self._slave
-        )  # open all the time: without it, a client that leaves ends the terminal
+        # The slave stays open: without it, a client that leaves ends the terminal.
+        tty.setraw(self._slave)
         os.set_blocking(self._master, False)
         self.name = os.ttyname(self._slave)
         try:

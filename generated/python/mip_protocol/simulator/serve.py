@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import selectors
 import socket
 import time
@@ -241,6 +242,8 @@ class Server:
         elif self._hungry():
             return 0.0
         first = min(waits, default=math.inf)
+        if os.name != "posix":  # where a signal does not end the wait
+            first = min(first, now + 0.5)
         return None if first == math.inf else min(max(first - now, GRAIN), 3600.0)
 
     # ----------------------------------------------------------------- clients

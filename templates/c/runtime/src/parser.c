@@ -79,6 +79,24 @@ bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *si
     }
 }
 
+bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet) {
+    const uint8_t *data = parser->buffer;
+    size_t size = 0;
+    if (mip_parser_next(parser, &data, &size, packet)) {
+        return true;
+    }
+    for (size_t at = 1; at + MIP_HEADER_SIZE < parser->length; at++) {
+        const uint8_t *candidate = parser->buffer + at;
+        size = (size_t)candidate[3] + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE;
+        if (at + size <= parser->length && mip_packet_check(candidate, size, packet) == MIP_OK) {
+            skip(parser, at);
+            size = 0;
+            return mip_parser_next(parser, &data, &size, packet);
+        }
+    }
+    return false;
+}
+
 bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *packet) {
     const uint8_t *data = parser->buffer;
     size_t size = 0;

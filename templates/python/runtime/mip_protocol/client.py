@@ -133,12 +133,16 @@ class Client:
     def poll(self, now: float) -> list[Event]:
         """The commands that have timed out.
 
-        Noise that looks like the start of a long packet holds back what follows. Such a candidate
-        is given up before a command is, and the packets behind it come first.
+        Noise that looks like the start of a long packet holds back what follows. Before a command
+        is given up, the packets behind such noise come first. A packet of which a part has come is
+        kept.
         """
         events: list[Event] = []
-        while self._parser.pending and any(p.deadline <= now for p in self._pending):
-            events += self._events(self._parser.give_up())
+        while any(p.deadline <= now for p in self._pending):
+            packets = self._parser.look_behind()
+            if not packets:
+                break
+            events += self._events(packets)
         events += [TimedOut(p.command) for p in self._pending if p.deadline <= now]
         self._pending = [p for p in self._pending if p.deadline > now]
         return events

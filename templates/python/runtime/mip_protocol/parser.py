@@ -35,15 +35,23 @@ class Parser:
         return self._scan(final=False)
 
     def flush(self) -> list[Packet]:
-        """Gives up an incomplete packet, as after a time-out, and searches the bytes in it."""
+        """Gives up an incomplete packet, as at the end of a file, and searches the bytes in it."""
         return self._scan(final=True)
 
-    def give_up(self) -> list[Packet]:
-        """Gives up only the candidate that holds back what follows it."""
-        dropped = self._buffer[:1]
-        del self._buffer[:1]
-        self.skipped += len(dropped)
-        return self._scan(final=False)
+    def look_behind(self) -> list[Packet]:
+        """Gives up the incomplete packet only if a whole one is behind its first bytes.
+
+        The first was noise then. Otherwise nothing changes.
+        """
+        buffer, at = self._buffer, 0
+        while (at := buffer.find(SYNC, at + 1)) >= 0 and len(buffer) - at >= OVERHEAD:
+            candidate = bytes(buffer[at : at + buffer[at + 3] + OVERHEAD])
+            whole = len(candidate) == candidate[3] + OVERHEAD and candidate[2] != 0
+            if whole and checksum(candidate[:-2]) == candidate[-2:]:
+                self.skipped += at
+                del buffer[:at]
+                return self._scan(final=False)
+        return []
 
     def _scan(self, final: bool) -> list[Packet]:
         buffer, at, packets = self._buffer, 0, []

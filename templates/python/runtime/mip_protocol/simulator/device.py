@@ -222,11 +222,17 @@ class VirtualDevice:
 
     def settings_of(self, effect: str) -> list[dict[str, Any]]:
         """The current settings of the commands with an effect, instance by instance: the arguments of the effect."""
-        return [arguments(kept) for _, kept in self.settings.items() if COMMANDS.get(kept.NAME, NOTHING).effect == effect]
+        return [
+            arguments(kept)
+            for _, kept in self.settings.items()
+            if COMMANDS.get(kept.NAME, NOTHING).effect == effect
+        ]
 
     def apply(self, at: Place, kept: Command | None) -> None:
         """A setting has changed by itself: its effect follows."""
-        command = kept if kept is not None else self.settings.factory(command_type(at[0]), _asked(*at))
+        command = (
+            kept if kept is not None else self.settings.factory(command_type(at[0]), _asked(*at))
+        )
         outcome = act(self, command, None, None)
         if outcome.after is not None:
             outcome.after()
@@ -260,7 +266,9 @@ class VirtualDevice:
 
     def has_effect(self, effect: str) -> bool:
         """Does the device know a command with this effect?"""
-        return any(behavior.effect == effect and self._has(name) for name, behavior in COMMANDS.items())
+        return any(
+            behavior.effect == effect and self._has(name) for name, behavior in COMMANDS.items()
+        )
 
     def _has(self, name: str) -> bool:
         kind = command_type(name)
@@ -282,7 +290,9 @@ class VirtualDevice:
         rates: dict[str, int] = {}
         for name, behavior in COMMANDS.items():
             if behavior.effect == "baud_rate" and self._has(name):
-                for port in self.profile.ports if "port" in behavior.arguments else (self.port(None),):
+                for port in (
+                    self.profile.ports if "port" in behavior.arguments else (self.port(None),)
+                ):
                     if port is not None and port.baud_rates:
                         asked = _asked(name, () if port.id is None else (port.id,))
                         rates[port.name] = arguments(self.settings.current(asked))["baud"]
@@ -325,10 +335,14 @@ class VirtualDevice:
             if items and self.enabled(set):
                 self._start(set, items, partial(self._send_fields, set))
         for set in sorted({entry.source_descriptor_set for entry in self.sentence_format()}):
-            entries = [(e.decimation, e) for e in self.sentence_format() if e.source_descriptor_set == set]
+            entries = [
+                (e.decimation, e) for e in self.sentence_format() if e.source_descriptor_set == set
+            ]
             self._start(set, entries, self.send_sentences)
 
-    def _start(self, set: int, items: list[tuple[int, Any]], fire: Callable[[list[Any]], None]) -> None:
+    def _start(
+        self, set: int, items: list[tuple[int, Any]], fire: Callable[[list[Any]], None]
+    ) -> None:
         base = self.profile.base_rates.get(set, UNKNOWN_RATE) or RATE_AS_THEY_ARISE
         self._streams.append(Stream(base, items, fire, self.booted, max(self.now, self._ready_at)))
 

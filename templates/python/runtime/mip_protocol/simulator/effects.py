@@ -214,7 +214,12 @@ def _trigger(device: VirtualDevice, call: Call) -> Outcome:
 
 def _trigger_mode(device: VirtualDevice, call: Call) -> Outcome:
     instance = call.values["instance"]
-    if call.writes and instance and not knowledge.trigger_type(device, instance) and call.values["mode"]:
+    if (
+        call.writes
+        and instance
+        and not knowledge.trigger_type(device, instance)
+        and call.values["mode"]
+    ):
         raise Refused(COMMAND_FAILED)
     return DONE
 
@@ -274,7 +279,9 @@ EFFECTS: dict[str, Effect] = {
 }
 
 
-def act(device: VirtualDevice, command: Command, link: Link | None, function: int | None) -> Outcome:
+def act(
+    device: VirtualDevice, command: Command, link: Link | None, function: int | None
+) -> Outcome:
     """The effect of a command, if it has one that this function calls for."""
     effect = COMMANDS.get(command.NAME, NOTHING).effect
     if not effect or function == READ:

@@ -64,9 +64,8 @@ class Pty:
             raise Failure(
                 f"no pseudo-terminal: {error.strerror}; close some, or use --tcp"
             ) from None
-        tty.setraw(
-            self._slave
-        )  # open all the time: without it, a client that leaves ends the terminal
+        # The slave stays open: without it, a client that leaves ends the terminal.
+        tty.setraw(self._slave)
         os.set_blocking(self._master, False)
         self.name = os.ttyname(self._slave)
         try:
@@ -181,7 +180,9 @@ class Client:
 
     def close(self) -> None:
         try:
-            while self._socket.recv(4096):  # unread bytes would make the system discard what was sent
+            while self._socket.recv(
+                4096
+            ):  # unread bytes would make the system discard what was sent
                 pass
         except OSError:
             pass

@@ -68,7 +68,11 @@ def _event_types(device: VirtualDevice, context: Context) -> Sequence[tuple[int,
 FREE: Context = {"type": 0, "trigger": 0}
 
 TRIGGERS, ACTIONS = "event_triggers", "event_actions"
-TRIGGER_LIMITS = {1: "event_gpio_triggers", 2: "event_threshold_triggers", 3: "event_combination_triggers"}
+TRIGGER_LIMITS = {
+    1: "event_gpio_triggers",
+    2: "event_threshold_triggers",
+    3: "event_combination_triggers",
+}
 ACTION_LIMITS = {1: "event_gpio_actions", 2: "event_message_actions"}
 
 
@@ -137,7 +141,9 @@ QUANTITIES: dict[str, Quantity] = {
     "device.options": lambda device, context: _padded("4g, 300d/s"),
     "device.number": lambda device, context: device.profile.model_number or 0,
     "device.descriptors": lambda device, context: descriptors(device)[:MOST_DESCRIPTORS],
-    "device.further_descriptors": lambda device, context: descriptors(device)[MOST_DESCRIPTORS:][:MOST_DESCRIPTORS],
+    "device.further_descriptors": lambda device, context: descriptors(device)[MOST_DESCRIPTORS:][
+        :MOST_DESCRIPTORS
+    ],
     "device.uptime": lambda device, context: (device.now - device.booted) / 1e9,
     "device.bytes_sent": lambda device, context: device.bytes_sent & 0xFFFFFFFF,
     "device.bytes_received": lambda device, context: device.bytes_received & 0xFFFFFFFF,
@@ -147,7 +153,9 @@ QUANTITIES: dict[str, Quantity] = {
     "stream.sensor": _stream(0x80),
     "stream.gnss": _stream(0x81),
     "stream.filter": _stream(0x82),
-    "event.slots": lambda device, context: _slots(device, TRIGGERS if context["query"] == 1 else ACTIONS),
+    "event.slots": lambda device, context: _slots(
+        device, TRIGGERS if context["query"] == 1 else ACTIONS
+    ),
     "event.types": _event_types,
     "event.triggers": _trigger_status,
     "event.actions": _action_status,

@@ -76,7 +76,11 @@ def _number(text: str) -> float:
     return value
 
 
-_PLACE: dict[str, Callable[[str], Any]] = {"latitude": _number, "longitude": _number, "height": _number}
+_PLACE: dict[str, Callable[[str], Any]] = {
+    "latitude": _number,
+    "longitude": _number,
+    "height": _number,
+}
 
 #: Names of motions -> class, and its options with what reads them.
 MOTIONS: dict[str, tuple[Callable[..., Motion], dict[str, Callable[[str], Any]]]] = {

@@ -21,7 +21,12 @@ _SOURCES: dict[str, int | None] = {"filter_data": None, "gnss_data": 1, "gnss_1"
 _TALKERS = {"gnss": "GN", "gps": "GP", "galileo": "GA", "glonass": "GL"}
 
 #: Constellation -> talker of its satellites, and what is added to their numbers.
-_CONSTELLATIONS = {"gps": ("GP", 0), "glonass": ("GL", 64), "galileo": ("GA", 0), "beidou": ("GB", 0)}
+_CONSTELLATIONS = {
+    "gps": ("GP", 0),
+    "glonass": ("GL", 64),
+    "galileo": ("GA", 0),
+    "beidou": ("GB", 0),
+}
 
 
 class Entry(Protocol):
@@ -194,7 +199,10 @@ def sentences(entries: Iterable[Entry], world: World) -> bytes:
         if found is not None:
             sentence, source, talker = found
             fix = _fix(world, _SOURCES.get(source))
-            lines += [f"${text}*{checksum(text)}\r\n" for text in (talker + t for t in sentence.make(world, fix))]
+            lines += [
+                f"${text}*{checksum(text)}\r\n"
+                for text in (talker + t for t in sentence.make(world, fix))
+            ]
     return "".join(lines).encode("ascii")
 
 

@@ -16,7 +16,12 @@ PROTOCOLS = {"MIP": 1, "NMEA": 1 << 8, "RTCM": 1 << 9, "SPARTN": 1 << 24}
 MIP, NMEA = PROTOCOLS["MIP"], PROTOCOLS["NMEA"]
 
 #: Limits on the number of ports, beside the main one, that take a protocol in.
-PARSERS = {"MIP": "mip_input_ports", "NMEA": "nmea_input_ports", "RTCM": "rtcm_input_ports", "SPARTN": "spartn_input_ports"}
+PARSERS = {
+    "MIP": "mip_input_ports",
+    "NMEA": "nmea_input_ports",
+    "RTCM": "rtcm_input_ports",
+    "SPARTN": "spartn_input_ports",
+}
 
 
 def main(device: VirtualDevice, name: str) -> bool:

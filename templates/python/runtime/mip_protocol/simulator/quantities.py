@@ -81,7 +81,9 @@ def _ticks(now: int, out: Any) -> int:
 
 
 def _temperature(extreme: float) -> Function:
-    return lambda w, _: 35.0 + extreme * (1 + 0.5 * sin(2 * pi * (w.now % (3600 * SECOND)) / (3600 * SECOND)))
+    return lambda w, _: (
+        35.0 + extreme * (1 + 0.5 * sin(2 * pi * (w.now % (3600 * SECOND)) / (3600 * SECOND)))
+    )
 
 
 _TIME: dict[str, Function] = {
@@ -114,7 +116,9 @@ _SENSORS: dict[str, Function] = {
     "measured.magnetic_field": lambda w, _: w.body(w.magnetic_field),
     "measured.pressure": lambda w, _: w.air[1],
     "measured.speed": lambda w, _: earth.turned(w.state.dcm, w.state.velocity)[0],
-    "counts.specific_force": lambda w, _: _scaled(_sum(w.specific_force, w.accel_bias_left), 1000.0),
+    "counts.specific_force": lambda w, _: _scaled(
+        _sum(w.specific_force, w.accel_bias_left), 1000.0
+    ),
     "counts.angular_rate": lambda w, _: _scaled(_sum(w.state.rate, w.gyro_bias_left), 5000.0),
     "counts.magnetic_field": lambda w, _: _scaled(w.body(w.magnetic_field), 5000.0),
     "counts.pressure": lambda w, _: w.air[1] * 100,
@@ -157,7 +161,9 @@ _MOTION: dict[str, Function] = {
     "velocity.north": lambda w, _: w.state.velocity[0],
     "velocity.east": lambda w, _: w.state.velocity[1],
     "velocity.down": lambda w, _: w.state.velocity[2],
-    "velocity.ecef": lambda w, _: earth.from_ned(w.state.latitude, w.state.longitude, w.state.velocity),
+    "velocity.ecef": lambda w, _: earth.from_ned(
+        w.state.latitude, w.state.longitude, w.state.velocity
+    ),
 }
 
 _SURROUNDINGS: dict[str, Function] = {
@@ -184,7 +190,14 @@ QUANTITIES: dict[str, Function] = {**_TIME, **_SENSORS, **_MOTION, **_SURROUNDIN
 
 #: Those that count from the last time: their item must be an `Output`.
 INTERVALS = frozenset(
-    ("reference.delta", "external.delta", "ticks.delta", "delta.rotation", "delta.velocity", "delta.matrix")
+    (
+        "reference.delta",
+        "external.delta",
+        "ticks.delta",
+        "delta.rotation",
+        "delta.velocity",
+        "delta.matrix",
+    )
 )
 
 #: Standard deviation of what is measured, in the unit of the quantity.

@@ -38,7 +38,9 @@ class Motion(Protocol):
 def rotation(roll: float, pitch: float, yaw: float) -> tuple[Quaternion, Matrix]:
     """The quaternion and the matrix of Euler angles, which apply in the order yaw, pitch, roll."""
     q = multiplied(
-        multiplied((cos(yaw / 2), 0.0, 0.0, sin(yaw / 2)), (cos(pitch / 2), 0.0, sin(pitch / 2), 0.0)),
+        multiplied(
+            (cos(yaw / 2), 0.0, 0.0, sin(yaw / 2)), (cos(pitch / 2), 0.0, sin(pitch / 2), 0.0)
+        ),
         (cos(roll / 2), sin(roll / 2), 0.0, 0.0),
     )
     return q if q[0] >= 0 else (-q[0], -q[1], -q[2], -q[3]), matrix(q)

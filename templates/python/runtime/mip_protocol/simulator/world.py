@@ -23,7 +23,11 @@ _ANTENNAS = {1: (-0.5, 0.0, -0.2), 2: (0.5, 0.0, -0.2)}
 
 
 def _random(source: Random, limit: float) -> Vector:
-    return source.uniform(-limit, limit), source.uniform(-limit, limit), source.uniform(-limit, limit)
+    return (
+        source.uniform(-limit, limit),
+        source.uniform(-limit, limit),
+        source.uniform(-limit, limit),
+    )
 
 
 class Output:
@@ -76,7 +80,9 @@ class World:
     `sensor_to_vehicle` turns vectors of the sensor, which is fixed to the moving body, into the vehicle frame.
     """
 
-    def __init__(self, motion: Motion, *, seed: int | str = 0, start: int | None = None, noise: float = 1.0) -> None:
+    def __init__(
+        self, motion: Motion, *, seed: int | str = 0, start: int | None = None, noise: float = 1.0
+    ) -> None:
         self.motion = motion
         self.seed = seed
         self.start: int = start if start is not None else getattr(motion, "start", None) or START
@@ -86,9 +92,15 @@ class World:
         self.time = 0.0  # the same in seconds
         self.gps = self.start  # ns since the GPS epoch
         self.trigger = 0  # id of the event that causes what is sent
-        self.accel_bias: Vector = (0.0, 0.0, 0.0)  # settings: the sensors subtract them, m/s^2 and rad/s
+        self.accel_bias: Vector = (
+            0.0,
+            0.0,
+            0.0,
+        )  # settings: the sensors subtract them, m/s^2 and rad/s
         self.gyro_bias: Vector = (0.0, 0.0, 0.0)
-        self.settings: dict[str, Any] = {}  # further values that quantities show, by the name of the quantity
+        self.settings: dict[
+            str, Any
+        ] = {}  # further values that quantities show, by the name of the quantity
         bias = Random(f"{seed}:bias")
         #: The whole biases of the sensors.
         self.accel_error = _random(bias, 0.02)

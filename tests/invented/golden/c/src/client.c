@@ -206,8 +206,8 @@ bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint3
     for (const struct mip_request *r = client->waiting; r != NULL; r = r->next) {
         late = late || is_late(r, now);
     }
-    /* Give up only candidates that may hide an answer. */
-    if (parser != NULL && (late ? mip_parser_flush(parser, packet)
+    /* Noise may hide an answer; what has come of the next packet stays. */
+    if (parser != NULL && (late ? mip_parser_look_behind(parser, packet)
                                 : mip_parser_next(parser, &nothing, &none, packet))) {
         return true;
     }

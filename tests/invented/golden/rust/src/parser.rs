@@ -95,7 +95,24 @@ impl Parser {
         self.packet(found, bytes)
     }
 
-    /// Gives up the pending candidate, for instance after a time-out.
+    /// Gives up the pending candidate only if a whole packet is behind its first bytes, and returns
+    /// that packet: the candidate was noise then. Otherwise nothing changes.
+    pub fn look_behind(&mut self) -> Option<Packet<'_>> {
+        let nothing: &mut &[u8] = &mut [].as_slice();
+        let mut found = self.step(nothing);
+        if found.is_none() {
+            let held = self.held();
+            let whole =
+                |at: &usize| matches!(held.get(*at..).map(judge), Some(Candidate::Whole(_)));
+            let at = (1..held.len()).find(whole)?;
+            self.skip(at);
+            self.start = self.start.saturating_add(at);
+            found = self.step(nothing);
+        }
+        self.packet(found?, &[])
+    }
+
+    /// Gives up the pending candidate, for instance at the end of a file.
     ///
     /// Packets inside it are not lost: call it until it returns `None`.
     pub fn flush(&mut self) -> Option<Packet<'_>> {

@@ -125,6 +125,10 @@ def run(options: argparse.Namespace) -> int:
         )
         _until_interrupted(server, stack)
         stack.enter_context(server)
+        if profile.incomplete:
+            _complain(
+                f"the profile of {profile.title} is incomplete: {' '.join(profile.incomplete)}"
+            )
         server.run()
     return 0
 
