@@ -589,8 +589,8 @@ def test_errors_are_one_line_with_a_remedy(
 @pytest.mark.parametrize(
     ("arguments", "error"),
     [
-        (["--speed", "-1"], "-1 is no speed; use 1 for real time"),
-        (["--duration", "0"], "0 s is no duration; use a number above 0"),
+        (["--speed", "-1"], "'-1' is no speed; use 1 for real time"),
+        (["--duration", "0"], "'0' is no duration in seconds; use a number above 0"),
         (["--start", "yesterday"], "'yesterday' is no time; write 2024-05-01T12:00:00"),
         (["--start", "1970-01-01"], "is before GPS time, which began on 1980-01-06"),
         (["--speed", "fast"], "'fast' is no speed; use 1 for real time"),
