@@ -26,19 +26,19 @@ FAULTS = "change=0.01,lose=0.01,noise=0.05,nmea=0.05,false_header=0.02,double_pa
 
 
 @contextmanager
-def simulated(*arguments: str) -> Iterator[str]:
-    """Runs the device, and says where it is."""
-    command = [sys.executable, "-m", "mip_protocol", "simulate", DEVICE, *arguments]
+def simulated(*arguments: str, device: str = DEVICE) -> Iterator[str]:
+    """Runs a device, and says where it is."""
+    command = [sys.executable, "-m", "mip_protocol", "simulate", device, *arguments]
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated/python"), "PYTHONDONTWRITEBYTECODE": "1"}
-    device = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
-        assert device.stdout is not None
-        place = device.stdout.readline().strip()
-        assert place, device.communicate()
+        assert process.stdout is not None
+        place = process.stdout.readline().strip()
+        assert place, process.communicate()
         yield place
     finally:
-        device.terminate()
-        _, complaints = device.communicate(timeout=20)
+        process.terminate()
+        _, complaints = process.communicate(timeout=20)
     assert "Traceback" not in complaints, complaints
 
 
