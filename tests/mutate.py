@@ -41,7 +41,7 @@ class Part:
 PARTS = {
     "generator": Part(
         ("generator/mipgen/*.py",),
-        ("c", "python", "rust", "markdown"),
+        ("c", "kaitai", "python", "rust", "markdown"),
         (("tests/generator", "-k", "not install and not make"), ("tests/conformance", "-k", "python-invented")),
     ),
     "c": Part(
@@ -68,6 +68,11 @@ PARTS = {
     ),
     "markdown": Part(
         ("templates/markdown/*.j2", "generator/mipgen/targets/markdown/*.py"), ("markdown",), (("tests/docs",),)
+    ),
+    "kaitai": Part(
+        ("templates/kaitai/*.j2", "generator/mipgen/targets/kaitai/*.py"),
+        ("kaitai",),
+        (("tests/kaitai",), ("tests/conformance", "-k", "kaitai")),
     ),
     "docs": Part(
         ("generated/c/include/mip/*.h", "generated/python/mip_protocol/*.py", "generated/rust/src/**/*.rs",

@@ -17,13 +17,20 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from mipgen import codec
+from mipgen import cli, codec, discovery
 from mipgen import model as m
 from mipgen.resolve import load_model
 
 ROOT = Path(__file__).parents[1]
 BUILD = ROOT / "build"
-LANGUAGES = ("c", "python", "rust")
+
+#: All targets, with those of the folders that MIPGEN_TARGETS names, as `--target-path` does.
+SOURCES = discovery.sources([Path(p).resolve() for p in os.environ.get("MIPGEN_TARGETS", "").split(os.pathsep) if p])
+
+#: Target -> the operations that its conformance driver offers, of those that have a driver.
+OFFERS: dict[str, tuple[str, ...]] = {
+    name: operations for name, s in SOURCES.items() if (operations := getattr(s.load(), "CONFORMANCE", ()))
+}
 
 #: Specification -> where it is and where its output is.
 SPECS = {
@@ -32,11 +39,23 @@ SPECS = {
 }
 
 
-def each(test: Any) -> Any:
-    """For every language and both specifications."""
-    for mark in (pytest.mark.parametrize("language", LANGUAGES), pytest.mark.parametrize("spec", sorted(SPECS))):
-        test = mark(test)
-    return test
+def offering(*operations: str) -> list[Any]:
+    """The targets whose drivers offer all of these, as parameters of a test; heavy if a driver needs more tools."""
+    return [
+        pytest.param(name, marks=heavy(needs) if (needs := getattr(SOURCES[name].load(), "NEEDS", "")) else ())
+        for name, offered in OFFERS.items()
+        if set(operations) <= set(offered)
+    ]
+
+
+def each(*operations: str) -> Any:
+    """For every language whose driver offers these operations, and both specifications."""
+
+    def mark(test: Any) -> Any:
+        test = pytest.mark.parametrize("language", offering(*operations))(test)
+        return pytest.mark.parametrize("spec", sorted(SPECS))(test)
+
+    return mark
 
 
 @cache
@@ -111,6 +130,24 @@ def locked(folder: Path) -> Iterator[None]:
         yield
 
 
+def build_script(language: str) -> Path:
+    """What builds the driver of a target: in tests/ for ours, beside its target.py for another."""
+    module = SOURCES[language].module
+    return (module.parent if module else ROOT / "tests" / language) / "build_driver.sh"
+
+
+def output(language: str, spec: str) -> Path:
+    """What a target makes of a specification: committed for ours, made now for another."""
+    module = SOURCES[language].module
+    if module is None:
+        return SPECS[spec][1] / language
+    out = BUILD / f"output-{spec}"
+    arguments = ("--spec", str(SPECS[spec][0]), "--out", str(out), "--target-path", str(module.parents[1]))
+    with locked(out):
+        assert cli.main(["generate", *arguments, "--target", language]) == 0
+    return out / language
+
+
 @cache
 def driver(language: str, spec: str) -> Driver:
     """The driver of a language for a specification's output; C runs under the sanitizers."""
@@ -119,11 +156,10 @@ def driver(language: str, spec: str) -> Driver:
         environment |= {"MIP_SANITIZE": "1", "ASAN_OPTIONS": "detect_leaks=0", "UBSAN_OPTIONS": "halt_on_error=1"}
     if language == "rust":  # optimizing takes longer than all tests
         environment |= {"CARGO_PROFILE_RELEASE_OPT_LEVEL": "0"}
-    script = ROOT / "tests" / language / "build_driver.sh"
-    build = BUILD / f"conformance-{spec}-{language}"
+    script, build = build_script(language), BUILD / f"conformance-{spec}-{language}"
     with locked(build):
         done = subprocess.run(
-            [str(script), str(SPECS[spec][1] / language), str(build)],
+            [str(script), str(output(language, spec)), str(build)],
             capture_output=True, text=True, env={**os.environ, **environment},
         )  # fmt: skip
     assert done.returncode == 0, f"{script}: {done.stdout}{done.stderr}"

@@ -40,6 +40,8 @@ fi
 command_or g++ "install it (Debian: apt-get install g++)"
 command_or clang "install it (Debian: apt-get install clang)"
 command_or clang++ "install it (Debian: apt-get install clang)"
+command_or node "install it (Debian: apt-get install nodejs)"
+command_or npm "install it (Debian: apt-get install npm)"
 target=thumbv7m-none-eabi
 if ! rustup target list --installed 2>/dev/null | grep -qx $target; then
     echo "installing $target"

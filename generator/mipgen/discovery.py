@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 MODULE = "target.py"
 CONTENTS = ("TITLE", "files", "identifiers", "filters")  # what a module of a target must have
+OPERATIONS = ("parse", "decode", "encode", "client")  # what a target may declare in CONFORMANCE
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +43,7 @@ class Source:
     def load(self) -> Any:
         """The module of the target."""
         if self.module is None:
-            return importlib.import_module(f"{ours.__name__}.{self.name}")
+            return _declared(importlib.import_module(f"{ours.__name__}.{self.name}"), f"target {self.name}")
         name = f"mipgen_target_{self.name}"
         beside = [str(self.module.parent)]  # allows modules of its own: `from . import names`
         spec = importlib.util.spec_from_file_location(name, self.module, submodule_search_locations=beside)
@@ -53,7 +54,18 @@ class Source:
         missing = [c for c in CONTENTS if not hasattr(module, c)]
         if missing:
             raise Failure(f"a target must have {' and '.join(missing)}", str(self.module))
-        return module
+        return _declared(module, str(self.module))
+
+
+def _declared(module: Any, place: str) -> Any:
+    """The module, if what it says about its driver can be understood."""
+    conformance = getattr(module, "CONFORMANCE", ())
+    unknown = [o for o in conformance if o not in OPERATIONS] if isinstance(conformance, tuple) else [conformance]
+    if unknown:
+        raise Failure(f"CONFORMANCE must be a tuple of {', '.join(map(repr, OPERATIONS))}, not {unknown[0]!r}", place)
+    if not isinstance(getattr(module, "NEEDS", ""), str):
+        raise Failure("NEEDS must be text: the tools of the driver, in few words", place)
+    return module
 
 
 def names() -> list[str]:

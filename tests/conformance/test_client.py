@@ -1,4 +1,4 @@
-"""The command clients of the three languages against one plain model of what a client must do."""
+"""The command clients of all languages against one plain model of what a client must do."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 from conformance.scenarios import END, Step, Words, brief, random_steps, scenarios
 from hypothesis import given
 from strategies import relaxed
-from support import LANGUAGES, SPECS, differences, driver, each, expected, model
+from support import SPECS, differences, driver, each, expected, model, offering
 
 
 def request(steps: list[Step]) -> dict[str, Any]:
@@ -24,12 +24,12 @@ def test_the_model_keeps_every_rule(spec: str) -> None:
         assert "; ".join(brief(e) for e in answer["events"]) == events, name
 
 
-@each
+@each("client")
 def test_every_rule(language: str, spec: str) -> None:
     compare(language, spec, [steps for _, steps, _ in scenarios(model(spec))])
 
 
-@each
+@each("client")
 def test_random_steps(language: str, spec: str) -> None:
     kinds = {e["event"] for steps in drawn(spec) for e in expected(model(spec), request(steps))["events"]}
     assert kinds >= {"sent", "silent", "acknowledged", "refused", "timed_out", "missing_response", "undecodable",
@@ -71,7 +71,7 @@ def smallest(language: str, spec: str, steps: list[Step]) -> list[Step]:
     return steps
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", offering("client"))
 def test_what_is_no_step_is_refused(language: str) -> None:
     wrong: list[Any] = [
         None, 7, "end", {}, {"step": "wait"}, {"step": 1}, {"step": "receive"}, {"step": "receive", "bytes": "7"},
@@ -87,7 +87,7 @@ def test_what_is_no_step_is_refused(language: str) -> None:
     assert driver(language, "invented").ask(requests) == [{"error": "request"}] * len(requests)
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", offering("client"))
 def test_a_port_that_cannot_be_opened(language: str, tmp_path: Path) -> None:
     ports = [str(tmp_path / "none"), "localhost:1", "localhost:none"]
     requests: list[dict[str, Any]] = [{"op": "live", "port": port, "steps": [END]} for port in ports]

@@ -114,7 +114,7 @@ def test_command_line_names_what_is_wrong(capsys: pytest.CaptureFixture[str], tm
     assert cli.main(["validate", "--spec", str(tmp_path)]) == 1
     assert "protocol.yaml is missing" in capsys.readouterr().err
     assert cli.main(["generate", "--spec", str(SPECS["real"][0]), "--target", "cobol"]) == 1
-    assert "unknown target 'cobol'; known: c, markdown" in capsys.readouterr().err
+    assert f"unknown target 'cobol'; known: {', '.join(render.names())}" in capsys.readouterr().err
 
 
 # --------------------------------------------------------------------------- counts, derived and held together
@@ -133,6 +133,7 @@ def test_counts_agree(first: Path) -> None:
     assert count(r"^    DESCRIPTOR = ", "python", "*.py") == each
     assert count(r"^mip_error mip_\w+_decode\(\s*struct mip_", "c/include/mip", "*.h") == each
     assert count(r"^field! \{", "rust/src/", "*.rs") == each
+    assert count(r"^    -orig-id: ", "kaitai", "mip.ksy") == each
     anchors = "|".join(re.escape(f'<a id="{f.full_name}">') for f in all_fields(of))
     assert count(anchors, "markdown/docs", "*.md") == len(all_fields(of)) == len(of.fields) + 1
     assert len(all_fields(of)) - each == sum(f.definition is not None for f in of.fields)

@@ -808,7 +808,12 @@ CV7_GNSS_INS = Device(
         "system_data.built_in_test.result": types.Cv7ContinuousBuiltInTest,
     },
     ack_codes=frozenset([0, 1, 2, 3, 4, 5, 6]),
-    perhaps={},
+    perhaps={
+        (
+            0x7F,
+            0x02,
+        ): "The page on ports of the manual names it, but the list of commands does not."  # system.interface_control
+    },
     incomplete=(),
     also=(),
     generation=7,

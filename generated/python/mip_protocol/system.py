@@ -75,7 +75,7 @@ _INTERFACE_CONTROL_RESPONSE_0 = codec.Block(
 class InterfaceControlResponse(Response):
     """Interface control response (0x7F,0x82).
 
-    Answers `InterfaceControl`.
+    Answers `InterfaceControl`. May be supported by 3DM-CV7-GNSS/INS.
 
     - mip-sdk-4: Interface Control (0x7F,0x02)
     - 3dm-cv7-gnss-ins: Ports
@@ -159,7 +159,7 @@ class InterfaceControl(Command):
     Protocols that a port takes in and gives out.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `InterfaceControlResponse`. No device profile lists it.
+    `InterfaceControlResponse`. May be supported by 3DM-CV7-GNSS/INS.
 
     Accepted on the main port only. The main port always keeps MIP in both directions. The
     acknowledge comes on that port after the change; what arrives meanwhile may be lost. The device

@@ -6,14 +6,16 @@ import json
 from collections import Counter
 from collections.abc import Callable
 from functools import cached_property
+from itertools import pairwise
 from random import Random
 from typing import Any
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from mip_protocol import DecodeError, Packet, PacketBuilder, Parser, RawField, base, registry, sensor
+from mip_protocol import DecodeError, Packet, PacketBuilder, Parser, RawField, base, mip_3dm, registry, sensor, types
 from mip_protocol.errors import Failure
+from mip_protocol.simulator.device import VirtualDevice
 from mip_protocol.simulator.fault_kinds import CHANCES, KINDS, parse_faults, plan, table
 from mip_protocol.simulator.faults import Faults, Injected, json_log
 
@@ -299,6 +301,14 @@ def test_what_has_no_response_keeps_its_acknowledge(kind: str) -> None:
     assert wrong(kind, answer=(ACK,)) == (0, [ACK], [])
 
 
+def test_bytes_are_added_only_where_they_mean_nothing() -> None:
+    """Not to an array that reaches to the end of the field, where they would be more elements."""
+    kind = base.GetDeviceDescriptors.RESPONSES[0]
+    response = RawField(0x01, kind.DESCRIPTOR, bytes.fromhex("01010102"))
+    assert kind.decode_with_trailing(response.data + b"\x00\x00")[1] == 0
+    assert wrong("longer_response", answer=(ACK, response)) == (0, [ACK, response], [])
+
+
 def test_the_response_of_another_command_is_one_that_was_sent() -> None:
     faults = Faults(script=["other_response@2"])
     other = RawField(0x01, 0x83, b"\x00" * 4)
@@ -424,3 +434,65 @@ def test_the_table_names_every_kind() -> None:
     text = table()
     assert all(f"  {name} " in text and kind.description in text for name, kind in KINDS.items())
     assert {kind.of for kind in KINDS.values()} == set(CHANCES)
+
+
+# --------------------------------------------------------------------------- a device
+
+
+def drive(seed: int, script: tuple[str, ...] = (), **rates: float) -> tuple[list[Injected], list[bytes], list[int]]:
+    """A device under faults, with streams and commands, and a host that connects again: log, packets, times of them."""
+    log: list[Injected] = []
+    faults = Faults(seed=seed, log=log.append, every_packet=True, script=script, **rates)
+    device = VirtualDevice("3dm-cv7-gnss-ins", seed=seed, faults=faults)
+    fields = tuple(types.DescriptorRate(d, 10) for d in (0xD3, 0x04, 0x05))
+    wanted = mip_3dm.MessageFormat.write(0x80, fields).packet(), mip_3dm.DataStreamControl.write(0x80, True).packet()
+    found: list[bytes] = []
+    times: list[int] = []
+    parser, link = Parser(), device.connect()
+    for step in range(400):
+        for command in (*wanted, base.GetDeviceInfo().packet()) if step % 40 == 0 else ():
+            link.write(bytes(command))
+        device.advance(0.02)
+        got = [bytes(p) for p in parser.feed(link.read())]
+        if link.closed:
+            got += [bytes(p) for p in parser.flush()]
+            parser, link = Parser(), device.connect()
+        found += got
+        times += [device.now] * len(got)
+    faults.forget(device.now, link)
+    return log, found + [bytes(p) for p in parser.flush()], times
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_device_with_all_faults_loses_what_the_log_says_and_no_more(seed: int) -> None:
+    rates = dict.fromkeys(kinds("packet", "data", "answer", "response"), 0.03)
+    log, found, _ = drive(seed, **rates, **dict.fromkeys(kinds("byte"), 0.002), **dict.fromkeys(kinds("tick"), 0.03))
+    sent = Counter(entry.packet for entry in log if entry.kind == "sent")
+    damaged = Counter(entry.packet for entry in log if entry.damaged)
+    added = Counter(entry.added for entry in log if entry.kind in ("double_packet", "unknown_set"))
+    assert not sent - damaged - Counter(found), "an intact packet was lost"
+    assert not Counter(found) - sent - added, "a packet came that was not sent"
+    assert {entry.kind for entry in log} >= set(kinds("packet", "data", "tick")) | {"sent"}
+    assert damaged.total() > 50 and sent.total() > 300
+    assert drive(seed, **rates) == drive(seed, **rates)
+
+
+def test_a_late_answer_does_not_hold_back_data() -> None:
+    """It comes later than data that are sent after it, and never inside a packet whose rest is delayed."""
+    log, found, times = drive(0, ("late_answer@3",), delay=0.3)
+    (late,) = [entry for entry in log if entry.kind == "late_answer"]
+    seconds = float(late.detail.split()[0])
+    answers = [(p, t) for p, t in zip(found, times) if p[2] == 0x01]
+    assert answers[0][1] / 1e9 >= seconds > 0.2
+    before = [t for p, t in zip(found, times) if p[2] == 0x80 and t < answers[0][1]]
+    assert len(before) > 20
+    assert {entry.kind for entry in log if entry.damaged} <= {"disconnect"}  # at the end of the test
+    cut = Counter(entry.packet for entry in log if entry.damaged)
+    assert Counter(found) == Counter(entry.packet for entry in log if entry.kind == "sent") - cut
+
+
+def test_a_reset_device_keeps_what_was_saved_only() -> None:
+    log, found, times = drive(0, ("reset@5",))
+    quiet = [b - a for a, b in pairwise(times)]
+    assert max(quiet) > 2 * 10**8  # until the host asks again
+    assert [entry.kind for entry in log if entry.kind != "sent"] == ["reset"] and found

@@ -70,7 +70,7 @@ typedef uint8_t mip_system_protocol_mode;
  * Protocols that a port takes in and gives out.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_system_interface_control_response. No device profile lists it.
+ * mip_system_interface_control_response. May be supported by 3DM-CV7-GNSS/INS.
  *
  * Accepted on the main port only. The main port always keeps MIP in both directions.
  *
@@ -128,7 +128,7 @@ mip_system_interface_control_default(mip_system_comm_interface port);
 /**
  * Interface control response: response (0x7F,0x82).
  *
- * Answers mip_system_interface_control.
+ * Answers mip_system_interface_control. May be supported by 3DM-CV7-GNSS/INS.
  *
  * - mip-sdk-4: Interface Control (0x7F,0x02)
  * - 3dm-cv7-gnss-ins: Ports

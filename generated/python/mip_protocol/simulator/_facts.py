@@ -31,6 +31,8 @@ QUANTITIES: dict[str, str | None] = {
     "event.types": None,
     "event.triggers": None,
     "event.actions": None,
+    "port.incoming": None,
+    "port.outgoing": None,
     "pin.level": None,
     "sensor.ranges": None,
     "receiver.list": None,
@@ -87,6 +89,7 @@ QUANTITIES: dict[str, str | None] = {
     "gravity.magnitude": "m/s^2",
     "bias.angular_rate": "rad/s",
     "bias.specific_force": "m/s^2",
+    "bias.gyro_setting": "rad/s",
     "identity.matrix": "1",
     "identity.quaternion": "1",
     "covariance.magnetic_field": None,
@@ -109,6 +112,7 @@ QUANTITIES: dict[str, str | None] = {
     "air.temperature": "degC",
     "air.pressure": "mbar",
     "air.density": "kg/m^3",
+    "filter.position_uncertainty": "m",
     "filter.aids": None,
     "aid.source": None,
     "aid.type": None,
@@ -151,6 +155,9 @@ QUANTITIES: dict[str, str | None] = {
     "dop.tdop": "1",
     "dop.ndop": "1",
     "dop.edop": "1",
+    "gnss.horizontal_accuracy": "m",
+    "gnss.vertical_accuracy": "m",
+    "gnss.position_accuracy": "m",
     "satellite.index": None,
     "satellite.count": None,
     "satellite.used": "1",
@@ -198,6 +205,7 @@ QUANTITIES: dict[str, str | None] = {
 
 #: Names of effects -> their arguments.
 EFFECTS: dict[str, tuple[str, ...]] = {
+    "accel_bias": ("bias",),
     "all_settings": (),
     "baud_rate": ("port", "baud"),
     "capture": ("milliseconds",),
@@ -207,6 +215,7 @@ EFFECTS: dict[str, tuple[str, ...]] = {
     "format": ("set", "fields"),
     "frame_rotation": ("format", "rotation"),
     "gps_time": ("field", "value"),
+    "gyro_bias": ("bias",),
     "idle": (),
     "orientation_dcm": ("dcm", "inverse"),
     "orientation_euler": ("roll", "pitch", "yaw", "inverse"),
@@ -215,6 +224,7 @@ EFFECTS: dict[str, tuple[str, ...]] = {
     "pin_state": ("pin", "state"),
     "poll": ("set", "fields"),
     "poll_sentences": ("entries",),
+    "protocols": ("port", "incoming", "outgoing"),
     "restart": (),
     "resume": (),
     "self_test": (),
@@ -272,6 +282,7 @@ VALUES: dict[str, FieldValues] = {
     "3dm.get_event_action_status_response": FieldValues(
         "", {"actions": Value(quantity="event.actions")}
     ),
+    "3dm.gyro_bias_response": FieldValues("", {"bias": Value(quantity="bias.gyro_setting")}),
     "3dm.gpio_state_response": FieldValues("", {"state": Value(quantity="pin.level")}),
     "3dm.get_calibrated_sensor_ranges_response": FieldValues(
         "", {"ranges": Value(quantity="sensor.ranges")}
@@ -367,6 +378,13 @@ VALUES: dict[str, FieldValues] = {
             "comm_port_bytes_written": Value(quantity="device.bytes_sent"),
             "comm_port_bytes_read": Value(quantity="device.bytes_received"),
             "comm_port_write_overruns": Value(quantity="device.packets_dropped"),
+        },
+    ),
+    "system.interface_control_response": FieldValues(
+        "",
+        {
+            "protocols_incoming": Value(quantity="port.incoming"),
+            "protocols_outgoing": Value(quantity="port.outgoing"),
         },
     ),
     "gnss.receiver_info_response": FieldValues(
@@ -477,7 +495,12 @@ VALUES: dict[str, FieldValues] = {
     "filter_data.gyro_bias": FieldValues("", {"bias": Value(quantity="bias.angular_rate")}),
     "filter_data.accel_bias": FieldValues("", {"bias": Value(quantity="bias.specific_force")}),
     "filter_data.llh_position_uncertainty": FieldValues(
-        "", {"north": Value(number=0.6), "east": Value(number=0.6), "down": Value(number=0.6)}
+        "",
+        {
+            "north": Value(quantity="filter.position_uncertainty"),
+            "east": Value(quantity="filter.position_uncertainty"),
+            "down": Value(quantity="filter.position_uncertainty"),
+        },
     ),
     "filter_data.ned_velocity_uncertainty": FieldValues(
         "", {"north": Value(number=0.03), "east": Value(number=0.03), "down": Value(number=0.03)}
@@ -677,12 +700,16 @@ VALUES: dict[str, FieldValues] = {
             "longitude": Value(quantity="gnss_1.longitude", factor=57.29577951308232),
             "ellipsoid_height": Value(quantity="gnss_1.height"),
             "msl_height": Value(quantity="gnss_1.msl_height"),
-            "horizontal_accuracy": Value(number=1.0),
-            "vertical_accuracy": Value(number=1.5),
+            "horizontal_accuracy": Value(quantity="gnss.horizontal_accuracy"),
+            "vertical_accuracy": Value(quantity="gnss.vertical_accuracy"),
         },
     ),
     "gnss_1.ecef_position": FieldValues(
-        "", {"position": Value(quantity="gnss_1.ecef"), "position_accuracy": Value(number=1.8)}
+        "",
+        {
+            "position": Value(quantity="gnss_1.ecef"),
+            "position_accuracy": Value(quantity="gnss.position_accuracy"),
+        },
     ),
     "gnss_1.ned_velocity": FieldValues(
         "",
@@ -1058,12 +1085,16 @@ VALUES: dict[str, FieldValues] = {
             "longitude": Value(quantity="gnss_2.longitude", factor=57.29577951308232),
             "ellipsoid_height": Value(quantity="gnss_2.height"),
             "msl_height": Value(quantity="gnss_2.msl_height"),
-            "horizontal_accuracy": Value(number=1.0),
-            "vertical_accuracy": Value(number=1.5),
+            "horizontal_accuracy": Value(quantity="gnss.horizontal_accuracy"),
+            "vertical_accuracy": Value(quantity="gnss.vertical_accuracy"),
         },
     ),
     "gnss_2.ecef_position": FieldValues(
-        "", {"position": Value(quantity="gnss_2.ecef"), "position_accuracy": Value(number=1.8)}
+        "",
+        {
+            "position": Value(quantity="gnss_2.ecef"),
+            "position_accuracy": Value(quantity="gnss.position_accuracy"),
+        },
     ),
     "gnss_2.ned_velocity": FieldValues(
         "",
@@ -1400,6 +1431,8 @@ COMMANDS: dict[str, Behavior] = {
         arguments={"q": "q", "inverse": 1},
         setting="filter.sensor_to_vehicle_rotation_euler",
     ),
+    "3dm.accel_bias": Behavior(effect="accel_bias", arguments={"bias": "bias"}),
+    "3dm.gyro_bias": Behavior(effect="gyro_bias", arguments={"bias": "bias"}),
     "3dm.capture_gyro_bias": Behavior(
         effect="capture", arguments={"milliseconds": "averaging_time_ms"}, setting="3dm.gyro_bias"
     ),
@@ -1455,6 +1488,16 @@ COMMANDS: dict[str, Behavior] = {
         instances={"frame_id": "aiding_frames"},
     ),
     "aiding.echo_control": Behavior(initial={"mode": 1}),
+    "system.interface_control": Behavior(
+        effect="protocols",
+        arguments={
+            "port": "port",
+            "incoming": "protocols_incoming",
+            "outgoing": "protocols_outgoing",
+        },
+        all={"port": 0},
+        instances={"port": "ports"},
+    ),
     "system.comm_mode": Behavior(effect="communication_mode", arguments={"mode": "mode"}),
 }
 

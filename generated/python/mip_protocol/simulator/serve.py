@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import selectors
 import socket
 import time
@@ -18,6 +19,8 @@ TURN = 0.02
 #: Seconds of the clock by which simulated time may be late before it gives up catching up, and
 #: for which clients may read what is left.
 LATE = 1.0
+#: Seconds of the clock by which data may be late, so that they come together at high rates.
+GRAIN = 0.002
 #: Clients of one TCP port.
 CLIENTS = 64
 
@@ -29,6 +32,8 @@ class Device(Protocol):
     def now(self) -> int: ...
     @property
     def next(self) -> int | None: ...
+    @property
+    def busy(self) -> bool: ...
     def advance(self, seconds: float) -> None: ...
     def connect(self, port: str | None = None) -> Any: ...  # a `channel.Link`
     def disconnect(self, link: Any) -> None: ...
@@ -59,7 +64,8 @@ class Server:
         ready: Callable[[str], None] = lambda text: None,
         complain: Callable[[str], None] = lambda text: None,
     ) -> None:
-        """`speed`: simulated seconds in a second; 0: as fast as clients read.
+        """`speed`: simulated seconds in a second; 0: as fast as clients read what the device sends,
+        and in real time while it sends nothing.
 
         `duration`: simulated seconds until `run` returns. `ready` is called with each endpoint.
         """
@@ -176,15 +182,20 @@ class Server:
                 key.data(events)
         self._drain()
 
-    def _simulated(self, nanoseconds: int) -> float:
+    def _simulated(self, nanoseconds: float) -> float:
         """How long this takes on the clock."""
-        return nanoseconds / SECOND / self._speed if self._speed else 0.0
+        return nanoseconds / SECOND / (self._speed or 1.0)
+
+    @property
+    def _free(self) -> bool:
+        """Does time pass as fast as clients read?"""
+        return not self._speed and self._device.busy
 
     def _target(self) -> float:
         """The time that the device should have now."""
-        if not self._speed:
+        if self._free:
             return self._end if self._hungry() else self._device.now
-        target = (self._clock() - self._origin) * self._speed * SECOND
+        target = int((self._clock() - self._origin) * (self._speed or 1.0) * SECOND)
         return min(target, self._end)
 
     def _hungry(self) -> bool:
@@ -194,23 +205,26 @@ class Server:
     def _advance(self) -> None:
         """Brings the device to the present, and what it sends to the clients."""
         device, turn = self._device, self._clock() + TURN
-        self._pump()
-        while device.now < (target := self._target()):
-            step = target if device.next is None else min(device.next, target)
-            if not self._speed:
-                if device.next is None and self._end == math.inf:
-                    break  # nothing happens until a client asks
-                step = min(step, device.now + SECOND)
-            device.advance(max(step - device.now, 1) / SECOND)
-            self._pump()
-            if self._clock() > turn:
+        while self._clock() < turn:
+            now, following, target = device.now, device.next, self._target()
+            if following is not None and following <= target:
+                free = self._free
+                device.advance(max(following - now, 1) / SECOND)
+                if free:
+                    self._origin = self._clock() - self._simulated(device.now)
+                self._pump()
+            else:
+                device.advance(max(target - now, 0) / SECOND if target < math.inf else 0.0)
                 break
+        self._pump()
         self._slip()
 
     def _slip(self) -> None:
         """A time that cannot be caught up is lost: the machine was asleep, or is too slow."""
         behind = self._clock() - self._origin - self._simulated(self._device.now)
-        if self._speed and behind > LATE and self._device.now < self._end:
+        if self._free:
+            self._origin += behind
+        elif behind > LATE and self._device.now < self._end:
             self._origin += behind
             if not self._slipped:
                 self._complain("the machine cannot keep up; simulated time is late from here on")
@@ -222,13 +236,15 @@ class Server:
             return 0.0
         waits = [c.waits for c in self._channels if c.waits is not None]
         now = self._clock()
-        if self._speed:
+        if not self._free:
             then = min(self._end, math.inf if self._device.next is None else self._device.next)
-            waits += [self._origin + then / SECOND / self._speed]
-        elif self._hungry() and not (self._device.next is None and self._end == math.inf):
+            waits += [self._origin + self._simulated(then)]
+        elif self._hungry():
             return 0.0
         first = min(waits, default=math.inf)
-        return None if first == math.inf else min(max(first - now, 0.0), 3600.0)
+        if os.name != "posix":  # where a signal does not end the wait
+            first = min(first, now + 0.5)
+        return None if first == math.inf else min(max(first - now, GRAIN), 3600.0)
 
     # ----------------------------------------------------------------- clients
 

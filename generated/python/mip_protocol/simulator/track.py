@@ -131,9 +131,8 @@ class Track:
             (n, e), (n2, e2) = places[i], places[(i + 1) % count]
             length = hypot(n2 - n, e2 - e)
             if length < 0.01:
-                raise MotionError(
-                    f"track: waypoints {i + 1} and {(i + 1) % count + 1} are at the same place; remove one"
-                )
+                pair = f"{i + 1} and {(i + 1) % count + 1}"
+                raise MotionError(f"track: waypoints {pair} are at the same place; remove one")
             legs.append((length, atan2(e2 - e, n2 - n)))
         arcs = [
             self._arc(legs, i, corner) for i in range(len(legs) if self._loop else len(legs) + 1)
@@ -155,7 +154,8 @@ class Track:
             way = length - cut - end_cut + (arcs[i][1] + arc) / 2
             if 1.875 * climb > STEEPEST * way:
                 raise MotionError(
-                    f"track: from waypoint {i + 1} the way climbs {climb:g} m in {way:.0f} m; put the waypoints farther apart"
+                    f"track: from waypoint {i + 1} the way climbs {climb:g} m in {way:.0f} m; "
+                    "put the waypoints farther apart"
                 )
             if climb > 0:
                 limit = min(limit, sqrt(self._limit * way * way / (5.7736 * climb)))

@@ -22,6 +22,14 @@ _GEOID = 45.0
 _ANTENNAS = {1: (-0.5, 0.0, -0.2), 2: (0.5, 0.0, -0.2)}
 
 
+def _random(source: Random, limit: float) -> Vector:
+    return (
+        source.uniform(-limit, limit),
+        source.uniform(-limit, limit),
+        source.uniform(-limit, limit),
+    )
+
+
 class Output:
     """One stream's view of quantities that count from the last time that they were sent."""
 
@@ -94,8 +102,9 @@ class World:
             str, Any
         ] = {}  # further values that quantities show, by the name of the quantity
         bias = Random(f"{seed}:bias")
-        self._accel_error = tuple(bias.uniform(-0.02, 0.02) for _ in range(3))
-        self._gyro_error = tuple(bias.uniform(-5e-4, 5e-4) for _ in range(3))
+        #: The whole biases of the sensors.
+        self.accel_error = _random(bias, 0.02)
+        self.gyro_error = _random(bias, 5e-4)
         self._outputs: dict[tuple[int, str], Output] = {}
         self._state: State | None = None
         self._known: dict[str, Any] = {}
@@ -129,8 +138,9 @@ class World:
         return found
 
     def restart(self) -> None:
-        """The device starts anew: its own clock is at 0."""
+        """The device starts anew: its own clock is at 0, and it removes no bias."""
         self.booted = self.now
+        self.accel_bias = self.gyro_bias = (0.0, 0.0, 0.0)
 
     def set_gps(self, week: int | None = None, tow: float | None = None) -> None:
         """Sets the GPS week, or the whole seconds of the time of week."""
@@ -202,12 +212,12 @@ class World:
     @property
     def accel_bias_left(self) -> Vector:
         """What the setting does not remove."""
-        (a, b, c), (x, y, z) = self._accel_error, self.accel_bias
+        (a, b, c), (x, y, z) = self.accel_error, self.accel_bias
         return a - x, b - y, c - z
 
     @property
     def gyro_bias_left(self) -> Vector:
-        (a, b, c), (x, y, z) = self._gyro_error, self.gyro_bias
+        (a, b, c), (x, y, z) = self.gyro_error, self.gyro_bias
         return a - x, b - y, c - z
 
     @property

@@ -894,6 +894,7 @@ pub static CV7_GNSS_INS: Device = Device {
         0x13 0x31 "aiding.true_heading" [] None;
         0x13 0x32 "aiding.magnetic_field" [] None;
         0x13 0x33 "aiding.pressure" [] None;
+        0x7F 0x02 "system.interface_control" [WRITE READ SAVE LOAD DEFAULT] Some("The page on ports of the manual names it, but the list of commands does not.");
         0x80 0x04 "sensor.scaled_accel" [] None;
         0x80 0x05 "sensor.scaled_gyro" [] None;
         0x80 0x06 "sensor.scaled_mag" [] None;

@@ -67,8 +67,8 @@ record! {
     ///
     /// Protocols that a port takes in and gives out.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`InterfaceControlResponse`]. No
-    /// device profile lists it.
+    /// Functions: write, read, save, load and default. Answered by [`InterfaceControlResponse`].
+    /// May be supported by 3DM-CV7-GNSS/INS.
     ///
     /// - Accepted on the main port only. The main port always keeps MIP in both directions.
     /// - The acknowledge comes on that port after the change; what arrives meanwhile may be lost.
@@ -194,7 +194,7 @@ command! {
 record! {
     /// Interface control response (0x7F,0x82).
     ///
-    /// Answers [`InterfaceControl`].
+    /// Answers [`InterfaceControl`]. May be supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: mip-sdk-4: Interface Control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
     #[derive(Default)]

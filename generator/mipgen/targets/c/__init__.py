@@ -12,9 +12,10 @@ from . import literals, members, names, tables
 from .comments import Comments, comment
 from .identifiers import identifiers
 
-__all__ = ["FORMATTER", "TITLE", "files", "filters", "identifiers"]
+__all__ = ["CONFORMANCE", "FORMATTER", "TITLE", "files", "filters", "identifiers"]
 
 TITLE = "C99, library mip"
+CONFORMANCE = ("parse", "decode", "encode", "client")
 FORMATTER = formatting.CLANG_FORMAT
 
 

@@ -13,6 +13,7 @@ from ...render import File
 from . import docs, members, names, simulator, steps, tables
 
 TITLE = "Python >= 3.10, package mip_protocol"
+CONFORMANCE = ("parse", "decode", "encode", "client")
 FORMATTER = formatting.RUFF
 PACKAGE = "mip_protocol"
 
@@ -21,7 +22,12 @@ def files(model: m.Model) -> Iterator[File]:
     taste = model.taste("taste.py")
     if taste:
         yield File("taste.py", "verbatim.j2", {"text": taste})
-    shown = {"taste": taste.partition('"""\n\n')[2].rstrip(), "client": model.taste("client.py").rstrip()}
+    known = max(model.devices, key=lambda d: len(d.supports), default=None)
+    shown = {
+        "taste": taste.partition('"""\n\n')[2].rstrip(),
+        "client": model.taste("client.py").rstrip(),
+        "device": known.id if known else "DEVICE",  # the one that shows most
+    }
     yield File("README.md", "README.md.j2", shown)
     for name in ("_sets", "types", "protocol", "devices", "reflection"):
         yield File(f"{PACKAGE}/{name}.py", f"{name}.py.j2")

@@ -14,7 +14,16 @@ COMMANDS = {"simulate": ("simulator.command", "run a virtual device, on a pseudo
 
 
 def main(arguments: list[str] | None = None) -> int:
-    given = sys.argv[1:] if arguments is None else arguments
+    try:
+        return _run(sys.argv[1:] if arguments is None else arguments)
+    except KeyboardInterrupt:
+        return 130  # as shells say it
+    except BrokenPipeError:  # the reader has stopped, as `head` does
+        sys.stderr.close()
+        return 1
+
+
+def _run(given: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="mip", description="Tools for devices that speak MIP.")
     parser.add_argument("--version", action="version", version=f"mip {VERSION}")
     commands = parser.add_subparsers(metavar="COMMAND", title="commands", dest="command")
@@ -36,9 +45,6 @@ def main(arguments: list[str] | None = None) -> int:
         return int(chosen.run(options))
     except Failure as failure:
         print(f"mip {options.command}: {failure}", file=sys.stderr)
-        return 1
-    except BrokenPipeError:  # the reader has stopped, as `head` does
-        sys.stderr.close()
         return 1
 
 

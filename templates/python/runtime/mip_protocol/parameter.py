@@ -30,4 +30,6 @@ class Parameter:
     above: float | None = None  # the value is greater, not equal
     below: float | None = None
     magnitude: tuple[float | None, float | None] = (None, None)  # least and most of a vector
-    default: Any = None  # factory default, or the value to send for a reserved one; names as numbers
+    default: Any = (
+        None  # factory default, or the value to send for a reserved one; names as numbers
+    )

@@ -86,7 +86,13 @@ def _shown(device: VirtualDevice, p: Parameter, value: Value, context: dict[str,
     if isinstance(found, Sequence) or p.kind == "text":
         return found
     scaled = found * value.factor
-    return float(scaled) if p.scalar in ("float", "double") else bool(scaled) if p.scalar == "bool" else int(scaled)
+    return (
+        float(scaled)
+        if p.scalar in ("float", "double")
+        else bool(scaled)
+        if p.scalar == "bool"
+        else int(scaled)
+    )
 
 
 def quantity(device: VirtualDevice, name: str, context: dict[str, Any]) -> Any:

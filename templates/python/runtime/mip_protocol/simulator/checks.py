@@ -26,13 +26,19 @@ def check(command: Command, profile: Device, keys: tuple[str, ...]) -> None:
     required = 0 if function is None else command.REQUIRED.get(function, 0)
     for number, p in enumerate(reflection.PARAMETERS[type(command)]):
         value = getattr(command, p.attribute, None)
-        if p.kind in ("constant", "counter") or value is None or (command.REQUIRED and p.name == "function"):
+        if (
+            p.kind in ("constant", "counter")
+            or value is None
+            or (command.REQUIRED and p.name == "function")
+        ):
             continue
         if p.attribute in keys and meaning_all(command, p.attribute, value, function):
             continue
         if function is None or function in SETS or p.attribute in keys or number <= required:
             path = f"{command.NAME}.{p.name}"
-            _parameter(p, value, command, differs.get(path, SAME), profile.readings.get(path), profile)
+            _parameter(
+                p, value, command, differs.get(path, SAME), profile.readings.get(path), profile
+            )
     _instances(command, profile, function)
 
 
@@ -56,7 +62,9 @@ def _instances(command: Command, profile: Device, function: int | None) -> None:
             continue
         value = behavior.translate.get(name, {}).get(value, value)
         if what == "data_sets":
-            known = value in data_sets(profile) or not data_sets(profile)  # a profile may not tell them
+            known = value in data_sets(profile) or not data_sets(
+                profile
+            )  # a profile may not tell them
         elif what == "ports":
             known = any(port.id == value for port in profile.ports)
         else:
@@ -80,7 +88,9 @@ def _parameter(
         _one(p, value, record, differs, reading, profile)
 
 
-def _one(p: Parameter, value: Any, record: Structure, differs: Difference, reading: Any, profile: Device) -> None:
+def _one(
+    p: Parameter, value: Any, record: Structure, differs: Difference, reading: Any, profile: Device
+) -> None:
     if isinstance(value, Structure):
         for member in reflection.PARAMETERS[type(value)]:
             if member.kind not in ("constant", "counter"):
@@ -88,7 +98,10 @@ def _one(p: Parameter, value: Any, record: Structure, differs: Difference, readi
         return
     if isinstance(value, tuple):
         least, most = p.magnitude
-        if not (least or 0) <= math.hypot(*value) <= (math.inf if most is None else most) and (least, most) != (None, None):
+        if not (least or 0) <= math.hypot(*value) <= (math.inf if most is None else most) and (
+            least,
+            most,
+        ) != (None, None):
             raise Refused(INVALID_PARAMETER)
     elif not _named(p, value, record, differs, reading):
         raise Refused(INVALID_PARAMETER)
@@ -113,8 +126,12 @@ def _named(p: Parameter, value: Any, record: Structure, differs: Difference, rea
 def _inside(p: Parameter, value: float, differs: Difference) -> bool:
     least = p.minimum if differs.minimum is None else differs.minimum
     most = p.maximum if differs.maximum is None else differs.maximum
-    if p.scalar == "float":  # a limit is inside as the number that the parameter can hold: pi is rounded up
-        least, most = (None if x is None else single_from_bits(single_to_bits(float(x))) for x in (least, most))
+    if (
+        p.scalar == "float"
+    ):  # a limit is inside as the number that the parameter can hold: pi is rounded up
+        least, most = (
+            None if x is None else single_from_bits(single_to_bits(float(x))) for x in (least, most)
+        )
     return (
         (least is None or value >= least)
         and (most is None or value <= most)

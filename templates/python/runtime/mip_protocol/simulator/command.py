@@ -60,7 +60,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="NAME=ENDPOINT",
         help="a port of the device, as its profile names it, at pty:PATH, pty or tcp:[HOST:]PORT",
     )
-    add("--motion", default="standing", metavar="MOTION", help="how it moves (default: standing)")
+    add(
+        "--motion",
+        default="standing",
+        metavar="MOTION",
+        help="standing (default), circle:radius=20,speed=5, track:file=CSV or replay:file=LOG",
+    )
     add("--seed", type=int, default=0, metavar="N", help="for noise and faults (default: 0)")
     add(
         "--speed",
@@ -120,6 +125,10 @@ def run(options: argparse.Namespace) -> int:
         )
         _until_interrupted(server, stack)
         stack.enter_context(server)
+        if profile.incomplete:
+            _complain(
+                f"the profile of {profile.title} is incomplete: {' '.join(profile.incomplete)}"
+            )
         server.run()
     return 0
 
@@ -184,7 +193,10 @@ def _profile(name: str | None) -> Device:
         names = {
             alias.lower(): d.id for d in DEVICES.values() for alias in (d.id, d.title, *d.also)
         }
-        near = difflib.get_close_matches(name.lower(), names, 1, 0.5)
+        near = [
+            n for n in sorted(names) if name.lower() in n
+        ]  # a part of the name, else a similar one
+        near = near or difflib.get_close_matches(name.lower(), names, 1, 0.5)
         hint = f"do you mean {names[near[0]]}? " if near else ""
         raise Failure(f"device '{name}' is unknown; {hint}`mip simulate --list` names them all")
     return found

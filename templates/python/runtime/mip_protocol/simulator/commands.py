@@ -13,7 +13,17 @@ from ..protocol import Acknowledge
 from ._facts import COMMANDS, FUNCTIONS, SILENCED
 from .answers import response
 from .checks import NOTHING, check, meaning_all
-from .codes import DEFAULT, INVALID_PARAMETER, LOAD, OK, SAVE, SETS, UNKNOWN_COMMAND, UNKNOWN_SET, Refused
+from .codes import (
+    DEFAULT,
+    INVALID_PARAMETER,
+    LOAD,
+    OK,
+    SAVE,
+    SETS,
+    UNKNOWN_COMMAND,
+    UNKNOWN_SET,
+    Refused,
+)
 from .effects import DONE, Outcome, act
 from .settings import command_type, is_setting, keys, place
 
@@ -27,7 +37,9 @@ Group = Sequence[RawField]  # an acknowledge, perhaps with a response
 ALWAYS = ("communication_mode", "device_status")
 
 
-def carry_out(device: VirtualDevice, link: Link, packet: Packet) -> Iterator[tuple[RawField, Group, Outcome]]:
+def carry_out(
+    device: VirtualDevice, link: Link, packet: Packet
+) -> Iterator[tuple[RawField, Group, Outcome]]:
     """Each command with its answer, which is empty if it is silent, and what follows."""
     try:
         for raw in packet:
@@ -78,7 +90,9 @@ def _done(device: VirtualDevice, link: Link, command: Command) -> tuple[Group, O
     function = getattr(command, "function", None) if kind.REQUIRED else None
     if function is not None:
         letters = device.profile.functions.get((kind.SET, kind.DESCRIPTOR))
-        if function not in kind.REQUIRED or (letters is not None and function not in {FUNCTIONS[x] for x in letters}):
+        if function not in kind.REQUIRED or (
+            letters is not None and function not in {FUNCTIONS[x] for x in letters}
+        ):
             raise Refused(INVALID_PARAMETER)
     check(command, device.profile, keys(kind))
     if is_setting(kind) and function in (SAVE, LOAD, DEFAULT):

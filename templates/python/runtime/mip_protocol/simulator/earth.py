@@ -165,7 +165,9 @@ def turned_back(m: Matrix, v: Vector) -> Vector:
 
 
 def product(a: Matrix, b: Matrix) -> Matrix:
-    rows = [[sum(a[3 * i + k] * b[3 * k + j] for k in range(3)) for j in range(3)] for i in range(3)]
+    rows = [
+        [sum(a[3 * i + k] * b[3 * k + j] for k in range(3)) for j in range(3)] for i in range(3)
+    ]
     (p, q, r), (s, t, u), (v, w, x) = rows
     return p, q, r, s, t, u, v, w, x
 

@@ -31,14 +31,20 @@ class Behavior:
     """What a command does beside keeping a setting, and how the setting is kept."""
 
     effect: str = ""
-    arguments: dict[str, str | int] = field(default_factory=dict)  # name of a parameter, or a number
+    arguments: dict[str, str | int] = field(
+        default_factory=dict
+    )  # name of a parameter, or a number
     all: dict[str, int] = field(default_factory=dict)  # parameter -> the value that means all
-    instances: dict[str, str] = field(default_factory=dict)  # parameter -> limit, "ports" or "data_sets"
+    instances: dict[str, str] = field(
+        default_factory=dict
+    )  # parameter -> limit, "ports" or "data_sets"
     translate: dict[str, dict[int, int]] = field(default_factory=dict)  # number -> number of a set
     setting: str = ""  # the command whose setting it is, if not its own
     key: dict[str, int] = field(default_factory=dict)  # which instance of that setting
     initial: dict[str, Any] = field(default_factory=dict)  # values on a new device
-    answers: dict[str, tuple[str, ...]] = field(default_factory=dict)  # response -> devices with this layout
+    answers: dict[str, tuple[str, ...]] = field(
+        default_factory=dict
+    )  # response -> devices with this layout
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from . import nmea
+from . import nmea, ports
 from .checks import data_sets
 
 if TYPE_CHECKING:
@@ -68,7 +68,11 @@ def _event_types(device: VirtualDevice, context: Context) -> Sequence[tuple[int,
 FREE: Context = {"type": 0, "trigger": 0}
 
 TRIGGERS, ACTIONS = "event_triggers", "event_actions"
-TRIGGER_LIMITS = {1: "event_gpio_triggers", 2: "event_threshold_triggers", 3: "event_combination_triggers"}
+TRIGGER_LIMITS = {
+    1: "event_gpio_triggers",
+    2: "event_threshold_triggers",
+    3: "event_combination_triggers",
+}
 ACTION_LIMITS = {1: "event_gpio_actions", 2: "event_message_actions"}
 
 
@@ -116,6 +120,14 @@ def sentence(device: VirtualDevice, entry: Any) -> bool:
     return entry.source_descriptor_set in data_sets(device.profile) | {0} and nmea.known(entry)
 
 
+def _port_protocols(way: int) -> Quantity:
+    def found(device: VirtualDevice, context: Context) -> int:
+        port = ports.by_number(device, context["port"])
+        return 0 if port is None else ports.protocols(device, port)[way]
+
+    return found
+
+
 def _stream(set: int) -> Quantity:
     return lambda device, context: device.streams_set(set)
 
@@ -129,7 +141,9 @@ QUANTITIES: dict[str, Quantity] = {
     "device.options": lambda device, context: _padded("4g, 300d/s"),
     "device.number": lambda device, context: device.profile.model_number or 0,
     "device.descriptors": lambda device, context: descriptors(device)[:MOST_DESCRIPTORS],
-    "device.further_descriptors": lambda device, context: descriptors(device)[MOST_DESCRIPTORS:][:MOST_DESCRIPTORS],
+    "device.further_descriptors": lambda device, context: descriptors(device)[MOST_DESCRIPTORS:][
+        :MOST_DESCRIPTORS
+    ],
     "device.uptime": lambda device, context: (device.now - device.booted) / 1e9,
     "device.bytes_sent": lambda device, context: device.bytes_sent & 0xFFFFFFFF,
     "device.bytes_received": lambda device, context: device.bytes_received & 0xFFFFFFFF,
@@ -139,10 +153,14 @@ QUANTITIES: dict[str, Quantity] = {
     "stream.sensor": _stream(0x80),
     "stream.gnss": _stream(0x81),
     "stream.filter": _stream(0x82),
-    "event.slots": lambda device, context: _slots(device, TRIGGERS if context["query"] == 1 else ACTIONS),
+    "event.slots": lambda device, context: _slots(
+        device, TRIGGERS if context["query"] == 1 else ACTIONS
+    ),
     "event.types": _event_types,
     "event.triggers": _trigger_status,
     "event.actions": _action_status,
+    "port.incoming": _port_protocols(0),
+    "port.outgoing": _port_protocols(1),
     "pin.level": lambda device, context: device.pins.get(context["pin"], False),
     "sensor.ranges": lambda device, context: RANGES.get(context["sensor"], ()),
     "receiver.list": _receivers,

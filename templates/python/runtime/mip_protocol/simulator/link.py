@@ -11,9 +11,12 @@ from ..parser import Parser
 class Link:
     """One host at one port. `write` and `read` are the host's; `VirtualDevice.connect` makes it."""
 
-    def __init__(self, port: str, receive: Callable[[Link, bytes], None], capacity: int | None) -> None:
+    def __init__(
+        self, port: str, receive: Callable[[Link, bytes], None], capacity: int | None
+    ) -> None:
         self.port = port
         self.baud: int | None = None  # None: the port has no baud rate
+        self.takes = self.gives = ~0  # protocols of the port, as bits
         self.closed = False
         self.dropped = 0  # packets for which the host has left no room
         self.parser = Parser()
@@ -27,7 +30,9 @@ class Link:
     def write(self, data: bytes) -> None:
         """The host sends bytes; the device acts at once."""
         if self.closed:
-            raise ConnectionError(f"the device has closed the link to its port '{self.port}'; connect again")
+            raise ConnectionError(
+                f"the device has closed the link to its port '{self.port}'; connect again"
+            )
         self._receive(self, bytes(data))
 
     def read(self) -> bytes:

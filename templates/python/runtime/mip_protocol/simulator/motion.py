@@ -54,7 +54,8 @@ class Circle:
 def _place(motion: str, latitude: float, longitude: float) -> None:
     if not (abs(latitude) <= 89 and abs(longitude) <= 360):
         raise MotionError(
-            f"{motion}: latitude {latitude:g}, longitude {longitude:g} is no place; use degrees, with a latitude of -89 to 89"
+            f"{motion}: latitude {latitude:g}, longitude {longitude:g} is no place; "
+            "use degrees, with a latitude of -89 to 89"
         )
 
 
@@ -75,7 +76,11 @@ def _number(text: str) -> float:
     return value
 
 
-_PLACE: dict[str, Callable[[str], Any]] = {"latitude": _number, "longitude": _number, "height": _number}
+_PLACE: dict[str, Callable[[str], Any]] = {
+    "latitude": _number,
+    "longitude": _number,
+    "height": _number,
+}
 
 #: Names of motions -> class, and its options with what reads them.
 MOTIONS: dict[str, tuple[Callable[..., Motion], dict[str, Callable[[str], Any]]]] = {
@@ -120,4 +125,6 @@ def parse_motion(text: str) -> Motion:
     return motion(given.pop(required), **given)
 
 
-__all__ = ["MOTIONS", "Circle", "Motion", "MotionError", "Replay", "Standing", "State", "Track", "Waypoint", "parse_motion"]
+__all__ = [
+    "MOTIONS", "Circle", "Motion", "MotionError", "Replay", "Standing", "State", "Track", "Waypoint", "parse_motion",
+]  # fmt: skip

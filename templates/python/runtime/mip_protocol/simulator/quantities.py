@@ -5,16 +5,14 @@ The item is that of a list (`for_each`), an `Output` for other data, and the val
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import atan2, hypot, pi, sin
 from typing import Any, NamedTuple
 
-from . import earth, satellites
-from .earth import LIGHT, SECOND, WEEK, Vector
+from . import earth
+from .earth import SECOND, WEEK, Vector
+from .receivers import GNSS, Function
 from .state import conjugate, euler, matrix, multiplied, rotation_vector
 from .world import Output, World
-
-Function = Callable[[World, Any], Any]
 
 
 class Receiver(NamedTuple):
@@ -38,10 +36,6 @@ def _sum(a: Vector, b: Vector) -> Vector:
 
 def _scaled(v: Vector, k: float) -> Vector:
     return v[0] * k, v[1] * k, v[2] * k
-
-
-def _length(v: Vector) -> float:
-    return float(hypot(*v))
 
 
 def _force(w: World, _: Any) -> Vector:
@@ -86,43 +80,10 @@ def _ticks(now: int, out: Any) -> int:
     return round(now * rate / SECOND) % 2**32
 
 
-def _base_station(w: World, _: Any) -> Vector:
-    latitude, longitude, height = earth.llh(*w.origin)
-    return earth.ecef(latitude + 5000.0 / earth.A, longitude, height)
-
-
 def _temperature(extreme: float) -> Function:
-    return lambda w, _: 35.0 + extreme * (1 + 0.5 * sin(2 * pi * (w.now % (3600 * SECOND)) / (3600 * SECOND)))
-
-
-def _gnss(receiver: int) -> dict[str, Function]:
-    """The quantities of one receiver."""
-
-    def course_accuracy(w: World, _: Any) -> float:
-        n, e, _d = w.antenna(receiver).velocity
-        return min(pi, 0.1 / max(hypot(n, e), 1e-3))
-
-    def ecef_velocity(w: World, _: Any) -> Vector:
-        a = w.antenna(receiver)
-        return earth.from_ned(a.latitude, a.longitude, a.velocity)
-
-    own: dict[str, Function] = {
-        "latitude": lambda w, _: w.antenna(receiver).latitude,
-        "longitude": lambda w, _: w.antenna(receiver).longitude,
-        "height": lambda w, _: w.antenna(receiver).height,
-        "msl_height": lambda w, _: w.antenna(receiver).height - w.geoid,
-        "ecef": lambda w, _: w.antenna(receiver).ecef,
-        "velocity": lambda w, _: w.antenna(receiver).velocity,
-        "ecef_velocity": ecef_velocity,
-        "speed": lambda w, _: _length(w.antenna(receiver).velocity),
-        "ground_speed": lambda w, _: hypot(*w.antenna(receiver).velocity[:2]),
-        "course": lambda w, _: w.course(w.antenna(receiver).velocity),
-        "course_accuracy": course_accuracy,
-        "clock_bias": lambda w, _: w.clock(receiver)[0],
-        "clock_drift": lambda w, _: w.clock(receiver)[1],
-        "satellites": lambda w, _: w.satellites(receiver),
-    }
-    return {f"gnss_{receiver}.{name}": function for name, function in own.items()}
+    return lambda w, _: (
+        35.0 + extreme * (1 + 0.5 * sin(2 * pi * (w.now % (3600 * SECOND)) / (3600 * SECOND)))
+    )
 
 
 _TIME: dict[str, Function] = {
@@ -155,7 +116,9 @@ _SENSORS: dict[str, Function] = {
     "measured.magnetic_field": lambda w, _: w.body(w.magnetic_field),
     "measured.pressure": lambda w, _: w.air[1],
     "measured.speed": lambda w, _: earth.turned(w.state.dcm, w.state.velocity)[0],
-    "counts.specific_force": lambda w, _: _scaled(_sum(w.specific_force, w.accel_bias_left), 1000.0),
+    "counts.specific_force": lambda w, _: _scaled(
+        _sum(w.specific_force, w.accel_bias_left), 1000.0
+    ),
     "counts.angular_rate": lambda w, _: _scaled(_sum(w.state.rate, w.gyro_bias_left), 5000.0),
     "counts.magnetic_field": lambda w, _: _scaled(w.body(w.magnetic_field), 5000.0),
     "counts.pressure": lambda w, _: w.air[1] * 100,
@@ -185,6 +148,7 @@ _MOTION: dict[str, Function] = {
     "gravity.magnitude": lambda w, _: w.gravity,
     "bias.angular_rate": lambda w, _: w.gyro_bias_left,
     "bias.specific_force": lambda w, _: w.accel_bias_left,
+    "bias.gyro_setting": lambda w, _: w.gyro_bias,
     "identity.matrix": lambda w, _: (1, 0, 0, 0, 1, 0, 0, 0, 1),
     "identity.quaternion": lambda w, _: (1, 0, 0, 0),
     "covariance.magnetic_field": lambda w, _: (1e-6, 0, 0, 0, 1e-6, 0, 0, 0, 1e-6),
@@ -197,7 +161,9 @@ _MOTION: dict[str, Function] = {
     "velocity.north": lambda w, _: w.state.velocity[0],
     "velocity.east": lambda w, _: w.state.velocity[1],
     "velocity.down": lambda w, _: w.state.velocity[2],
-    "velocity.ecef": lambda w, _: earth.from_ned(w.state.latitude, w.state.longitude, w.state.velocity),
+    "velocity.ecef": lambda w, _: earth.from_ned(
+        w.state.latitude, w.state.longitude, w.state.velocity
+    ),
 }
 
 _SURROUNDINGS: dict[str, Function] = {
@@ -210,6 +176,7 @@ _SURROUNDINGS: dict[str, Function] = {
     "air.temperature": lambda w, _: w.air[0],
     "air.pressure": lambda w, _: w.air[1],
     "air.density": lambda w, _: w.air[2],
+    "filter.position_uncertainty": lambda w, _: 0.6,
     "filter.aids": lambda w, _: _AIDS,
     "aid.source": lambda w, aid: aid.source,
     "aid.type": lambda w, aid: aid.type,
@@ -219,75 +186,18 @@ _SURROUNDINGS: dict[str, Function] = {
     "receiver.clock_drift": lambda w, receiver: receiver.clock[1],
 }
 
-_GNSS: dict[str, Function] = {
-    **_gnss(1),
-    **_gnss(2),
-    "dop.gdop": lambda w, _: w.dop.gdop,
-    "dop.pdop": lambda w, _: w.dop.pdop,
-    "dop.hdop": lambda w, _: w.dop.hdop,
-    "dop.vdop": lambda w, _: w.dop.vdop,
-    "dop.tdop": lambda w, _: w.dop.tdop,
-    "dop.ndop": lambda w, _: w.dop.ndop,
-    "dop.edop": lambda w, _: w.dop.edop,
-    "satellite.index": lambda w, s: s.number,
-    "satellite.count": lambda w, s: s.of,
-    "satellite.used": lambda w, _: len(w.satellites(1)),
-    "satellite.channel": lambda w, s: s.number,
-    "satellite.constellation": lambda w, s: s.satellite.constellation,
-    "satellite.id": lambda w, s: s.satellite.id,
-    "satellite.signal": lambda w, s: s.satellite.signal,
-    "satellite.elevation": lambda w, s: s.elevation,
-    "satellite.azimuth": lambda w, s: s.azimuth,
-    "satellite.strength": lambda w, s: s.strength,
-    "satellite.pseudorange": lambda w, s: s.pseudorange,
-    "satellite.phase": lambda w, s: s.pseudorange * s.satellite.frequency / LIGHT,
-    "satellite.doppler": lambda w, s: s.doppler,
-    "satellite.lock_time": lambda w, s: (w.now - w.booted) / SECOND,
-    "gnss.gps_satellites": lambda w, _: satellites.only(w.satellites(1), "gps"),
-    "sbas.system": lambda w, _: satellites.sbas(w.state.longitude)[0],
-    "sbas.id": lambda w, _: satellites.sbas(w.state.longitude)[1],
-    "sbas.corrections": lambda w, _: len(satellites.only(w.satellites(1), "gps")),
-    "base_station.ecef": _base_station,
-}
-
-
-def _visible(constellation: str) -> Function:
-    return lambda w, _: satellites.ephemerides(w.satellites(1), constellation, w.gps)
-
-
-def _day(e: satellites.Ephemeris) -> tuple[int, float]:
-    return satellites.glonass_day(e.time, earth.leap_seconds(e.time))
-
-
-_EPHEMERIDES: dict[str, Function] = {
-    **{f"ephemeris.{name}": _visible(name) for name in ("gps", "glonass", "galileo", "beidou")},
-    "ephemeris.satellite": lambda w, e: e.satellite.id,
-    "ephemeris.index": lambda w, e: e.number,
-    "ephemeris.count": lambda w, e: e.of,
-    "ephemeris.issue": lambda w, e: e.time // (7200 * SECOND) % 240,
-    "ephemeris.reference_time": lambda w, e: e.time % WEEK / SECOND,
-    "ephemeris.semi_major_axis": lambda w, e: e.satellite.axis,
-    "ephemeris.mean_anomaly": lambda w, e: e.mean_anomaly,
-    "ephemeris.eccentricity": lambda w, e: satellites.ECCENTRICITY,
-    "ephemeris.argument_of_perigee": lambda w, e: satellites.ARGUMENT,
-    "ephemeris.node": lambda w, e: e.node,
-    "ephemeris.node_rate": lambda w, e: satellites.NODE_RATE,
-    "ephemeris.inclination": lambda w, e: e.satellite.inclination,
-    "ephemeris.clock_bias": lambda w, e: e.satellite.clock_bias,
-    "ephemeris.frequency": lambda w, e: e.satellite.frequency_number,
-    "ephemeris.time_of_day": lambda w, e: _day(e)[1] // 30 * 30,
-    "ephemeris.day_time": lambda w, e: _day(e)[1],
-    "ephemeris.day": lambda w, e: _day(e)[0] % 256,
-    "ephemeris.odd": lambda w, e: int(_day(e)[1] // 900) % 2,
-    "ephemeris.position": lambda w, e: satellites.place(e.satellite, e.time / SECOND),
-    "ephemeris.velocity": lambda w, e: satellites.velocity(e.satellite, e.time / SECOND),
-}
-
-QUANTITIES: dict[str, Function] = {**_TIME, **_SENSORS, **_MOTION, **_SURROUNDINGS, **_GNSS, **_EPHEMERIDES}
+QUANTITIES: dict[str, Function] = {**_TIME, **_SENSORS, **_MOTION, **_SURROUNDINGS, **GNSS}
 
 #: Those that count from the last time: their item must be an `Output`.
 INTERVALS = frozenset(
-    ("reference.delta", "external.delta", "ticks.delta", "delta.rotation", "delta.velocity", "delta.matrix")
+    (
+        "reference.delta",
+        "external.delta",
+        "ticks.delta",
+        "delta.rotation",
+        "delta.velocity",
+        "delta.matrix",
+    )
 )
 
 #: Standard deviation of what is measured, in the unit of the quantity.

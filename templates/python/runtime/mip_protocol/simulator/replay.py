@@ -12,20 +12,32 @@ from typing import Any
 
 from .. import reflection, registry
 from ..errors import DecodeError, PacketError
-from ..field import Field
 from ..packet import Packet
 from ..parser import Parser
 from . import earth
 from ._facts import VALUES
 from .earth import SECOND, WEEK, Vector
 from .names import named
-from .state import MotionError, Quaternion, State, between, matrix, quaternion, rotation, rotation_vector
+from .state import (
+    MotionError,
+    Quaternion,
+    State,
+    between,
+    matrix,
+    quaternion,
+    rotation,
+    rotation_vector,
+)
 
 #: A clock that jumps by more than this, or backwards, has been set: time goes on without a gap.
 GAP = 60 * SECOND
 GPS, REFERENCE = "gps.tow", "reference.time"
 
-_ATTITUDE = (("attitude.quaternion",), ("attitude.dcm",), ("attitude.roll", "attitude.pitch", "attitude.yaw"))
+_ATTITUDE = (
+    ("attitude.quaternion",),
+    ("attitude.dcm",),
+    ("attitude.roll", "attitude.pitch", "attitude.yaw"),
+)
 _POSITION = (
     ("position.latitude", "position.longitude", "position.height"), ("position.ecef",),
     ("gnss_1.latitude", "gnss_1.longitude", "gnss_1.height"), ("gnss_1.ecef",),
@@ -128,7 +140,9 @@ class Replay:
         counts = Counter(name for clocks in said for name in clocks)
         if not counts:
             if rate is None:
-                raise MotionError(f"replay: {path} has no times; say how often its packets come: rate=HZ")
+                raise MotionError(
+                    f"replay: {path} has no times; say how often its packets come: rate=HZ"
+                )
             return _even(packets, rate)
         clock = max((GPS, REFERENCE), key=lambda name: counts[name])
         known: list[tuple[int, int]] = []  # number of the packet, time
@@ -212,7 +226,9 @@ def _clocks(packet: Packet) -> dict[str, int]:
 def _places(kind: Any, names: Sequence[str]) -> tuple[tuple[Any, float], ...]:
     """The parameters that show these quantities, with their factors; empty if one is missing."""
     source = VALUES.get(kind.NAME)
-    shown = {v.quantity: (path, v.factor) for path, v in source.parameters.items()} if source else {}
+    shown = (
+        {v.quantity: (path, v.factor) for path, v in source.parameters.items()} if source else {}
+    )
     if not all(name in shown for name in names):
         return ()
     parameters = {p.name: p for p in reflection.PARAMETERS[kind]}
@@ -238,7 +254,13 @@ def _shown(set: int, descriptor: int, data: bytes, names: Sequence[str]) -> list
             if bit and not value & named(type(value), (bit,)):
                 return None
         value = getattr(field, p.attribute)
-        scaled = tuple(x / factor for x in value) if p.elements else value if factor == 1 else value / factor
+        scaled = (
+            tuple(x / factor for x in value)
+            if p.elements
+            else value
+            if factor == 1
+            else value / factor
+        )
         if any(x != x for x in (scaled if p.elements else (scaled,))):
             return None
         found.append(scaled)

@@ -64,4 +64,12 @@ def to_quaternion(m: Matrix) -> tuple[float, float, float, float]:
     return (w, x, y, z) if w >= 0 else (-w, -x, -y, -z)
 
 
-__all__ = ["IDENTITY", "Matrix", "of_euler", "of_quaternion", "to_euler", "to_quaternion", "transposed"]
+__all__ = [
+    "IDENTITY",
+    "Matrix",
+    "of_euler",
+    "of_quaternion",
+    "to_euler",
+    "to_quaternion",
+    "transposed",
+]

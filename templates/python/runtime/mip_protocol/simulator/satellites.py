@@ -69,13 +69,22 @@ class Ephemeris(NamedTuple):
 
 
 def _constellation(
-    name: str, signal: str, frequency: float, planes: int, axis: float, inclination: float, step: float = 0.0
+    name: str,
+    signal: str,
+    frequency: float,
+    planes: int,
+    axis: float,
+    inclination: float,
+    step: float = 0.0,
 ) -> list[Satellite]:
     found = []
     for i in range(24):
         plane, slot = i % planes, i // planes
         number = (i * 5) % 14 - 7 if step else 0
-        node, anomaly = 2 * pi * plane / planes + axis * 1e-7, 2 * pi * (slot / (24 // planes) + plane / 24)
+        node, anomaly = (
+            2 * pi * plane / planes + axis * 1e-7,
+            2 * pi * (slot / (24 // planes) + plane / 24),
+        )
         bias = ((i * 7) % 24 - 11.5) * 1e-5
         found.append(
             Satellite(
@@ -129,7 +138,13 @@ def _line(s: Satellite, t: float, antenna: Vector) -> tuple[Vector, float, float
 
 
 def seen(
-    gps: int, latitude: float, longitude: float, height: float, moves: Vector, bias: float, drift: float
+    gps: int,
+    latitude: float,
+    longitude: float,
+    height: float,
+    moves: Vector,
+    bias: float,
+    drift: float,
 ) -> tuple[Seen, ...]:
     """All satellites in view of an antenna; `moves` is its Earth-fixed velocity, `bias` that of the receiver clock."""
     t = gps / SECOND
@@ -163,7 +178,9 @@ def ephemerides(satellites: Sequence[Seen], constellation: str, gps: int) -> tup
     """Of the satellites in view of one constellation: the last ones with a reference time before now."""
     step = (1800 if constellation == "glonass" else 7200) * SECOND
     time = gps // step * step
-    return tuple(Ephemeris(s.number, s.of, s.satellite, time) for s in only(satellites, constellation))
+    return tuple(
+        Ephemeris(s.number, s.of, s.satellite, time) for s in only(satellites, constellation)
+    )
 
 
 class Dop(NamedTuple):
@@ -187,7 +204,9 @@ def dop(satellites: Sequence[Seen]) -> Dop:
     if q is None:
         return Dop(*[99.9] * 7)
     n, e, d, t = (q[i][i] for i in range(4))
-    return Dop(sqrt(n + e + d + t), sqrt(n + e + d), sqrt(n + e), sqrt(d), sqrt(t), sqrt(n), sqrt(e))
+    return Dop(
+        sqrt(n + e + d + t), sqrt(n + e + d), sqrt(n + e), sqrt(d), sqrt(t), sqrt(n), sqrt(e)
+    )
 
 
 def _inverse(m: list[list[float]]) -> list[list[float]] | None:
@@ -217,9 +236,19 @@ def sbas(longitude: float) -> tuple[str, int]:
 
 
 def glonass_day(gps: int, leap_seconds: int) -> tuple[int, float]:
-    """Day within four years from 1 (a leap year begins them, as 1980), and seconds of the day, in the time of GLONASS (UTC + 3 h)."""
+    """Day within four years, which begin with a leap year, from 1; seconds of the day. By UTC + 3 h, as GLONASS."""
     moscow = gps + (3 * 3600 - leap_seconds) * SECOND
     return (moscow // DAY + 5) % 1461 + 1, moscow % DAY / SECOND
 
 
-__all__ = ["SATELLITES", "Ephemeris", "Satellite", "Seen", "dop", "ephemerides", "place", "sbas", "seen"]
+__all__ = [
+    "SATELLITES",
+    "Ephemeris",
+    "Satellite",
+    "Seen",
+    "dop",
+    "ephemerides",
+    "place",
+    "sbas",
+    "seen",
+]

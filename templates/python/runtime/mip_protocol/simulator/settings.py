@@ -52,8 +52,12 @@ def keys(kind: type[Command]) -> tuple[str, ...]:
 @cache
 def _keys(name: str) -> tuple[str, ...]:
     kind = command_type(name)
-    required = next((kind.REQUIRED[f] for f in (SAVE, LOAD, DEFAULT, READ) if f in kind.REQUIRED), 0)
-    return tuple(p.attribute for p in _parameters(kind)[:required] if p.kind not in ("constant", "counter"))
+    required = next(
+        (kind.REQUIRED[f] for f in (SAVE, LOAD, DEFAULT, READ) if f in kind.REQUIRED), 0
+    )
+    return tuple(
+        p.attribute for p in _parameters(kind)[:required] if p.kind not in ("constant", "counter")
+    )
 
 
 def _parameters(kind: type[Structure]) -> list[Parameter]:
@@ -167,7 +171,12 @@ class Settings:
         if self._storage is None:
             return
         kept = [
-            {"setting": name, "instance": list(key), "command": value.NAME, "data": value.encode().hex()}
+            {
+                "setting": name,
+                "instance": list(key),
+                "command": value.NAME,
+                "data": value.encode().hex(),
+            }
             for (name, key), value in sorted(self._saved.items(), key=lambda item: item[0])
         ]
         text = json.dumps({"device": self._profile.id, "settings": kept}, indent=1)
@@ -195,17 +204,25 @@ def _write(kind: type[Command], given: dict[str, Any]) -> Command:
     return kind.decode(cast(Any, kind)(function=function, **given).encode())
 
 
-def _filled(p: Parameter, record: dict[str, Any], default: Any = None, only: frozenset[int] | None = None) -> Any:
+def _filled(
+    p: Parameter, record: dict[str, Any], default: Any = None, only: frozenset[int] | None = None
+) -> Any:
     """The value of a parameter that nothing else gives."""
     if p.kind == "switch":
         case = p.cases.get(record.get(p.tag, 0))
         return None if case is None else _filled(case, record, case.default)
     if default is not None and not (only and default not in only):
-        length = p.length if isinstance(p.length, int) and not isinstance(default, (tuple, str)) else None
+        length = (
+            p.length
+            if isinstance(p.length, int) and not isinstance(default, (tuple, str))
+            else None
+        )
         return default if length is None else (default,) * length
     if p.kind == "text":
         return " " * p.length if isinstance(p.length, int) else ""
-    if p.kind == "struct" or (p.kind == "array" and p.type is not None and issubclass(p.type, Structure)):
+    if p.kind == "struct" or (
+        p.kind == "array" and p.type is not None and issubclass(p.type, Structure)
+    ):
         members: dict[str, Any] = {}
         if not isinstance(p.length, str):
             for member in _held(p.type):
@@ -240,7 +257,9 @@ def _stored(path: Path, profile: Device) -> dict[Place, Command]:
     try:
         kept = json.loads(path.read_text("utf-8"))
         if kept["device"] != profile.id:
-            raise Failure(f"{path} has the settings of {kept['device']}, not of {profile.id}; name another file")
+            raise Failure(
+                f"{path} has the settings of {kept['device']}, not of {profile.id}; name another file"
+            )
         return {
             (entry["setting"], tuple(entry["instance"])): command_type(entry["command"]).decode(
                 bytes.fromhex(entry["data"])
@@ -252,7 +271,20 @@ def _stored(path: Path, profile: Device) -> dict[Place, Command]:
     except Failure:
         raise
     except (ValueError, KeyError, TypeError, StopIteration, MipError):
-        raise Failure(f"{path} is not a file of saved settings; remove it or name another file") from None
+        raise Failure(
+            f"{path} is not a file of saved settings; remove it or name another file"
+        ) from None
 
 
-__all__ = ["Key", "Place", "Settings", "WRITE", "arguments", "command_type", "home", "is_setting", "keys", "place"]
+__all__ = [
+    "Key",
+    "Place",
+    "Settings",
+    "WRITE",
+    "arguments",
+    "command_type",
+    "home",
+    "is_setting",
+    "keys",
+    "place",
+]

@@ -41,7 +41,10 @@ class Stream:
     def skip(self, until: int) -> None:
         """Sends nothing until then."""
         while self.next < until:
-            self._tick = max(self._tick, (until - self._origin) * self._numerator // (SECOND * self._denominator) - 1)
+            self._tick = max(
+                self._tick,
+                (until - self._origin) * self._numerator // (SECOND * self._denominator) - 1,
+            )
             self._advance()
 
     def fire(self) -> None:

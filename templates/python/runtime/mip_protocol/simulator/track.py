@@ -61,14 +61,19 @@ class _Phase(NamedTuple):
 class _Lap:
     """The phases from one end of the path to the other."""
 
-    def __init__(self, pieces: Sequence[_Piece], speeds: Sequence[float], acceleration: float) -> None:
+    def __init__(
+        self, pieces: Sequence[_Piece], speeds: Sequence[float], acceleration: float
+    ) -> None:
         self.phases: list[_Phase] = []
         t, a = 0.0, acceleration
         for i, (piece, u, v) in enumerate(zip(pieces, speeds, speeds[1:])):
             top = min(piece.limit, sqrt((2 * a * piece.length + u * u + v * v) / 2))
             top = max(top, u, v)
             up, down = (top * top - u * u) / (2 * a), (top * top - v * v) / (2 * a)
-            steps = [(0.0, u, a, (top - u) / a), (up, top, 0.0, max(0.0, piece.length - up - down) / top)]
+            steps = [
+                (0.0, u, a, (top - u) / a),
+                (up, top, 0.0, max(0.0, piece.length - up - down) / top),
+            ]
             steps.append((piece.length - down, top, -a, (top - v) / a))
             for at, speed, rate, duration in steps:
                 if duration > 0:
@@ -82,7 +87,12 @@ class _Lap:
         phase = self.phases[max(0, bisect_right(self.times, t) - 1)]
         dt = t - phase.time
         speed = phase.speed + phase.acceleration * dt
-        return phase.piece, phase.at + (phase.speed + speed) / 2 * dt, max(0.0, speed), phase.acceleration
+        return (
+            phase.piece,
+            phase.at + (phase.speed + speed) / 2 * dt,
+            max(0.0, speed),
+            phase.acceleration,
+        )
 
 
 class Track:
@@ -113,17 +123,26 @@ class Track:
         places = []
         for p in points:
             east = (radians(p.longitude) - plane.longitude + pi) % (2 * pi) - pi
-            places.append(((radians(p.latitude) - plane.latitude) * plane.along, east * plane.across))
+            places.append(
+                ((radians(p.latitude) - plane.latitude) * plane.along, east * plane.across)
+            )
         legs = []
         for i in range(count if self._loop else count - 1):
             (n, e), (n2, e2) = places[i], places[(i + 1) % count]
             length = hypot(n2 - n, e2 - e)
             if length < 0.01:
-                raise MotionError(f"track: waypoints {i + 1} and {(i + 1) % count + 1} are at the same place; remove one")
+                pair = f"{i + 1} and {(i + 1) % count + 1}"
+                raise MotionError(f"track: waypoints {pair} are at the same place; remove one")
             legs.append((length, atan2(e2 - e, n2 - n)))
-        arcs = [self._arc(legs, i, corner) for i in range(len(legs) if self._loop else len(legs) + 1)]
+        arcs = [
+            self._arc(legs, i, corner) for i in range(len(legs) if self._loop else len(legs) + 1)
+        ]
         self._pieces: list[_Piece] = []
-        s, self._marks, self._heights = 0.0, [-arcs[0][1] / 2], [p.height - points[0].height for p in points]
+        s, self._marks, self._heights = (
+            0.0,
+            [-arcs[0][1] / 2],
+            [p.height - points[0].height for p in points],
+        )
         if self._loop:
             self._heights.append(0.0)
         for i, (length, heading) in enumerate(legs):
@@ -135,7 +154,8 @@ class Track:
             way = length - cut - end_cut + (arcs[i][1] + arc) / 2
             if 1.875 * climb > STEEPEST * way:
                 raise MotionError(
-                    f"track: from waypoint {i + 1} the way climbs {climb:g} m in {way:.0f} m; put the waypoints farther apart"
+                    f"track: from waypoint {i + 1} the way climbs {climb:g} m in {way:.0f} m; "
+                    "put the waypoints farther apart"
                 )
             if climb > 0:
                 limit = min(limit, sqrt(self._limit * way * way / (5.7736 * climb)))
@@ -151,7 +171,9 @@ class Track:
                 s += arc
         self._length = s
 
-    def _arc(self, legs: list[tuple[float, float]], i: int, corner: float) -> tuple[float, float, float]:
+    def _arc(
+        self, legs: list[tuple[float, float]], i: int, corner: float
+    ) -> tuple[float, float, float]:
         """What the corner at waypoint `i` cuts off its legs, the length of its arc, and the curvature."""
         if not self._loop and i in (0, len(legs)):
             return 0.0, 0.0, 0.0
@@ -202,7 +224,9 @@ class Track:
     def _hasten(self, speeds: list[float]) -> None:
         """No joint faster than the one before and the acceleration allow."""
         for i, piece in enumerate(self._pieces):
-            speeds[i + 1] = min(speeds[i + 1], sqrt(speeds[i] ** 2 + 2 * self._limit * piece.length))
+            speeds[i + 1] = min(
+                speeds[i + 1], sqrt(speeds[i] ** 2 + 2 * self._limit * piece.length)
+            )
 
     @property
     def duration(self) -> float | None:
@@ -249,7 +273,9 @@ class Track:
 def _check(points: Sequence[Waypoint], loop: bool) -> None:
     least = 3 if loop else 2
     if len(points) < least:
-        raise MotionError(f"track: {len(points)} waypoints; a track{' that loops' * loop} needs at least {least}")
+        raise MotionError(
+            f"track: {len(points)} waypoints; a track{' that loops' * loop} needs at least {least}"
+        )
     for i, p in enumerate(points, 1):
         if not all(isfinite(x) for x in p if x is not None):
             raise MotionError(f"track: waypoint {i} has a value that is not a number")
@@ -258,7 +284,9 @@ def _check(points: Sequence[Waypoint], loop: bool) -> None:
                 f"track: waypoint {i} is at {p.latitude:g}, {p.longitude:g}; use degrees, with a latitude of -89 to 89"
             )
         if p.speed is not None and p.speed <= 0:
-            raise MotionError(f"track: the speed at waypoint {i} is {p.speed:g} m/s; it must be above 0")
+            raise MotionError(
+                f"track: the speed at waypoint {i} is {p.speed:g} m/s; it must be above 0"
+            )
 
 
 def read_waypoints(path: str | Path) -> list[Waypoint]:
@@ -280,7 +308,9 @@ def read_waypoints(path: str | Path) -> list[Waypoint]:
             values = [float(cell) for cell in cells if cell]
         except ValueError:
             if not first:
-                raise MotionError(f"{path}:{number}: '{','.join(cells)}' is not made of numbers") from None
+                raise MotionError(
+                    f"{path}:{number}: '{','.join(cells)}' is not made of numbers"
+                ) from None
             first = False
             continue
         first = False

@@ -53,7 +53,9 @@ def _recorded(source: FieldValues) -> bool:
     return not shown or any(not name.startswith(_CLOCKS) for name in shown)
 
 
-def _encoder(kind: type[Field], profile: Device, world: World, set: int, source: FieldValues) -> Encoder:
+def _encoder(
+    kind: type[Field], profile: Device, world: World, set: int, source: FieldValues
+) -> Encoder:
     readers, layout = _readers(kind, profile, world, source)
     pack = struct.Struct(">" + layout).pack
     if source.for_each:
@@ -94,7 +96,9 @@ def _readers(
     constants: tuple[Any, ...] = ()
     layout = ""
     for p, path in _flat(kind):
-        if p.kind not in ("scalar", "constant", "array") or not isinstance(p.length, (int, type(None))):
+        if p.kind not in ("scalar", "constant", "array") or not isinstance(
+            p.length, (int, type(None))
+        ):
             raise TypeError(f"{kind.NAME}.{path}: a {p.kind} cannot be simulated in a data field")
         count = len(p.elements) * (p.length or 1) if p.elements else p.length or 1
         letter = _LETTERS[p.scalar]
@@ -146,7 +150,13 @@ def _with(read: Reader | tuple[Any, ...], flags: int) -> Reader | tuple[Any, ...
 
 
 def _reader(
-    p: Parameter, value: Value | None, letter: str, count: int, type_: Any, world: World, noise: Random
+    p: Parameter,
+    value: Value | None,
+    letter: str,
+    count: int,
+    type_: Any,
+    world: World,
+    noise: Random,
 ) -> Reader | tuple[Any, ...]:
     """What reads a parameter; its numbers themselves if they never change."""
     if p.constant is not None:
@@ -184,7 +194,9 @@ def _numbers(given: Any, letter: str, count: int) -> tuple[Any, ...]:
     return tuple(kind(x) for x in (values + (0,) * count)[:count])
 
 
-def _single(function: Function, factor: float, deviation: float, world: World, noise: Random) -> Reader:
+def _single(
+    function: Function, factor: float, deviation: float, world: World, noise: Random
+) -> Reader:
     gauss = noise.gauss
     if deviation:
         return lambda item: (function(world, item) * factor + gauss(0.0, deviation),)
@@ -193,7 +205,9 @@ def _single(function: Function, factor: float, deviation: float, world: World, n
     return lambda item: (function(world, item) * factor,)
 
 
-def _vector(function: Function, factor: float, deviation: float, world: World, noise: Random) -> Reader:
+def _vector(
+    function: Function, factor: float, deviation: float, world: World, noise: Random
+) -> Reader:
     gauss = noise.gauss
 
     def noisy(item: Any) -> tuple[Any, ...]:
@@ -214,7 +228,9 @@ def _vector(function: Function, factor: float, deviation: float, world: World, n
 def _whole(function: Function, factor: float, letter: str, count: int, world: World) -> Reader:
     """Whole numbers, rounded; beyond what the type holds, its limit."""
     bits = 8 * struct.calcsize(letter)
-    low, high = (-(1 << bits - 1), (1 << bits - 1) - 1) if letter.islower() else (0, (1 << bits) - 1)
+    low, high = (
+        (-(1 << bits - 1), (1 << bits - 1) - 1) if letter.islower() else (0, (1 << bits) - 1)
+    )
 
     def fitting(x: Any) -> int:
         whole: int = round(x * factor) if factor != 1 else round(x)

@@ -16,7 +16,11 @@ ACKNOWLEDGE = Acknowledge.DESCRIPTOR
 
 
 def answer(
-    kind: str, command: RawField, fields: list[RawField], seen: dict[tuple[int, int], RawField], random: Random
+    kind: str,
+    command: RawField,
+    fields: list[RawField],
+    seen: dict[tuple[int, int], RawField],
+    random: Random,
 ) -> tuple[list[RawField], str]:
     """An answer with a fault, and what is wrong with it; the same fields if it cannot have it.
 
@@ -48,7 +52,9 @@ def answer(
     return [ack, made, *rest[1:]], f"the response is {what}"
 
 
-def _response(kind: str, raw: RawField, seen: dict[tuple[int, int], RawField], random: Random) -> RawField:
+def _response(
+    kind: str, raw: RawField, seen: dict[tuple[int, int], RawField], random: Random
+) -> RawField:
     if kind == "wrong_descriptor":
         return unused_response(raw, random)
     if kind == "other_response":
@@ -121,7 +127,9 @@ def responses(set: int) -> tuple[type[Response], ...]:
     return tuple(t for n, t in all_types() if n == set and issubclass(t, Response))
 
 
-def other_response(raw: RawField, seen: dict[tuple[int, int], RawField], random: Random) -> RawField:
+def other_response(
+    raw: RawField, seen: dict[tuple[int, int], RawField], random: Random
+) -> RawField:
     """The response of another command: one that was sent before, else one of that descriptor."""
     sent = [f for (n, d), f in sorted(seen.items()) if n == raw.set and d != raw.descriptor]
     if sent:

@@ -23,7 +23,7 @@ from ..errors import Failure
 from ..field import Command
 from ..packet import Packet, RawField
 from ..profile import Device, Port
-from . import nmea, values
+from . import nmea, ports, values
 from ._facts import COMMANDS
 from .checks import NOTHING, data_sets
 from .codes import DEFAULT, LOAD, READ, SAVE, WRITE
@@ -100,14 +100,15 @@ class VirtualDevice:
 
         `capacity`: how many bytes may wait until the host reads them; the device drops packets that do not fit.
         """
-        ports = [p.name for p in self.profile.ports]
-        name = port or (ports[0] if ports else "Main")
-        if port is not None and port not in ports:
-            known = ", ".join(ports) or "none"
+        names = [p.name for p in self.profile.ports]
+        name = port or (names[0] if names else "Main")
+        if port is not None and port not in names:
+            known = ", ".join(names) or "none"
             raise Failure(f"{self.profile.title} has no port '{port}'; known: {known}")
         link = Link(name, self._receive, capacity)
         self.links.append(link)
         self.set_baud_rates()
+        ports.arrange(self)
         return link
 
     def disconnect(self, link: Link) -> None:
@@ -143,6 +144,11 @@ class VirtualDevice:
         if self.faults is not None:
             times.append(self._disturbed)
         return min(times, default=None)
+
+    @property
+    def busy(self) -> bool:
+        """Has it something to send, now or later, without being asked?"""
+        return bool(self._streams) or any(link.next is not None for link in self.links)
 
     def reset(self) -> None:
         """Restarts the device with its saved settings."""
@@ -180,7 +186,7 @@ class VirtualDevice:
         self.bytes_received += len(data)
         if self.faults is not None:
             data = self.faults.receive(self.now, data)
-        if self.now < self._ready_at:
+        if self.now < self._ready_at or not link.takes & ports.MIP:
             return
         for packet in link.parser.feed(data):
             if packet.set < 0x80:
@@ -255,7 +261,14 @@ class VirtualDevice:
         for at, kept in list(self.settings.items()):
             self.apply(at, kept)
         self.set_baud_rates()
+        ports.arrange(self)
         self.arrange()
+
+    def has_effect(self, effect: str) -> bool:
+        """Does the device know a command with this effect?"""
+        return any(
+            behavior.effect == effect and self._has(name) for name, behavior in COMMANDS.items()
+        )
 
     def _has(self, name: str) -> bool:
         kind = command_type(name)
@@ -350,13 +363,13 @@ class VirtualDevice:
         if self.faults is not None:
             fields = self.faults.data(self.now, set, fields)
         for data in packets(set, fields) if fields else ():
-            self._send(data, link)
+            self._send(data, link, ports.MIP)
 
     def send_sentences(self, entries: Iterable[Any], link: Link | None = None) -> None:
         """NMEA sentences."""
         text = nmea.sentences(entries, self.world)
         if text:
-            self._send(text, link)
+            self._send(text, link, ports.NMEA)
 
     def factory_formats(self, keep: bool) -> None:
         """Message formats with the first fields of each set, in place of the present ones or behind them."""
@@ -373,11 +386,12 @@ class VirtualDevice:
 
     # ----------------------------------------------------------------------- bytes
 
-    def _send(self, data: bytes, link: Link | None) -> None:
-        """Data, to one host or to all."""
+    def _send(self, data: bytes, link: Link | None, protocol: int) -> None:
+        """Data, to one host or to all whose ports give out the protocol."""
         self._tell("data", data)
         for other in self.links if link is None else (link,):
-            self._transmit(other, data)
+            if other.gives & protocol or link is not None:
+                self._transmit(other, data)
 
     def _transmit(self, link: Link, data: bytes, delay: int = 0) -> None:
         """What is late meets the faults of the line when it is sent, so that the line keeps its order."""

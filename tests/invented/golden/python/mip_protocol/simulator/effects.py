@@ -7,11 +7,11 @@ changes, before it is kept; it may refuse.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from ..field import Command
-from . import knowledge, views
+from . import knowledge, ports, views
 from ._facts import COMMANDS
 from .checks import NOTHING, data_sets
 from .codes import COMMAND_FAILED, INVALID_PARAMETER, READ, SETS, Refused
@@ -165,10 +165,24 @@ def _frame_rotation(device: VirtualDevice, call: Call) -> Outcome:
     return DONE
 
 
+def _accel_bias(device: VirtualDevice, call: Call) -> Outcome:
+    device.world.accel_bias = tuple(call.values["bias"])
+    return DONE
+
+
+def _gyro_bias(device: VirtualDevice, call: Call) -> Outcome:
+    device.world.gyro_bias = tuple(call.values["bias"])
+    return DONE
+
+
 def _capture(device: VirtualDevice, call: Call) -> Outcome:
-    """Averages the bias, which a simulated sensor does not have."""
-    setting = command_type(COMMANDS[call.command.NAME].setting)
-    device.settings.write(device.settings.factory(setting, call.command))
+    """Takes the whole bias of the sensor as the setting, whether it rests or not."""
+    setting: Any = command_type(COMMANDS[call.command.NAME].setting)
+    parameter = str(COMMANDS[setting.NAME].arguments["bias"])
+    factory: Any = device.settings.factory(setting, call.command)
+    kept = replace(factory, **{parameter: device.world.gyro_error})
+    device.settings.write(setting.decode(kept.encode()))
+    device.world.gyro_bias = device.world.gyro_error
     return Outcome(delay=call.values["milliseconds"] * SECOND // 1000)
 
 
@@ -180,6 +194,12 @@ def _gps_time(device: VirtualDevice, call: Call) -> Outcome:
         else:
             device.world.set_gps(tow=call.values["value"])
     return DONE
+
+
+def _protocols(device: VirtualDevice, call: Call) -> Outcome:
+    if call.writes:
+        ports.check(device, call.values, call.link)
+    return Outcome(after=lambda: ports.arrange(device))
 
 
 # --------------------------------------------------------------------------- events and pins
@@ -228,6 +248,7 @@ def _nothing(device: VirtualDevice, call: Call) -> Outcome:
 
 
 EFFECTS: dict[str, Effect] = {
+    "accel_bias": _accel_bias,
     "action": _nothing,
     "all_settings": _all_settings,
     "baud_rate": _baud_rate,
@@ -238,6 +259,7 @@ EFFECTS: dict[str, Effect] = {
     "format": _format,
     "frame_rotation": _frame_rotation,
     "gps_time": _gps_time,
+    "gyro_bias": _gyro_bias,
     "idle": _idle,
     "orientation_dcm": _mounting,
     "orientation_euler": _mounting,
@@ -246,6 +268,7 @@ EFFECTS: dict[str, Effect] = {
     "pin_state": _pin_state,
     "poll": _poll,
     "poll_sentences": _poll_sentences,
+    "protocols": _protocols,
     "restart": _restart,
     "resume": _resume,
     "self_test": _self_test,

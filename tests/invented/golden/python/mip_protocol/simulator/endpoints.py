@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import errno
 import os
+import select
 import socket
 from array import array
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from random import Random
@@ -62,9 +64,8 @@ class Pty:
             raise Failure(
                 f"no pseudo-terminal: {error.strerror}; close some, or use --tcp"
             ) from None
-        tty.setraw(
-            self._slave
-        )  # open all the time: without it, a client that leaves ends the terminal
+        # The slave stays open: without it, a client that leaves ends the terminal.
+        tty.setraw(self._slave)
         os.set_blocking(self._master, False)
         self.name = os.ttyname(self._slave)
         try:
@@ -87,7 +88,8 @@ class Pty:
             os.symlink(self.name, part)
             part.replace(self._path)
         except OSError as error:
-            part.unlink(missing_ok=True)
+            with suppress(OSError):
+                part.unlink()
             raise Failure(
                 f"{self._path} cannot be made: {error.strerror}; choose another path"
             ) from None
@@ -113,6 +115,7 @@ class Pty:
     @property
     def unread(self) -> int:
         """Bytes that the client has not read; they are lost when the terminal ends."""
+        select.select([self._slave], [], [], 0)  # makes the system hand over what is in between
         size = array("i", [0])
         fcntl.ioctl(self._slave, termios.FIONREAD, size)
         return size[0]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from . import nmea
+from . import nmea, ports
 from .checks import data_sets
 
 if TYPE_CHECKING:
@@ -120,6 +120,14 @@ def sentence(device: VirtualDevice, entry: Any) -> bool:
     return entry.source_descriptor_set in data_sets(device.profile) | {0} and nmea.known(entry)
 
 
+def _port_protocols(way: int) -> Quantity:
+    def found(device: VirtualDevice, context: Context) -> int:
+        port = ports.by_number(device, context["port"])
+        return 0 if port is None else ports.protocols(device, port)[way]
+
+    return found
+
+
 def _stream(set: int) -> Quantity:
     return lambda device, context: device.streams_set(set)
 
@@ -151,6 +159,8 @@ QUANTITIES: dict[str, Quantity] = {
     "event.types": _event_types,
     "event.triggers": _trigger_status,
     "event.actions": _action_status,
+    "port.incoming": _port_protocols(0),
+    "port.outgoing": _port_protocols(1),
     "pin.level": lambda device, context: device.pins.get(context["pin"], False),
     "sensor.ranges": lambda device, context: RANGES.get(context["sensor"], ()),
     "receiver.list": _receivers,

@@ -16,6 +16,7 @@ class Link:
     ) -> None:
         self.port = port
         self.baud: int | None = None  # None: the port has no baud rate
+        self.takes = self.gives = ~0  # protocols of the port, as bits
         self.closed = False
         self.dropped = 0  # packets for which the host has left no room
         self.parser = Parser()

@@ -54,7 +54,8 @@ class Circle:
 def _place(motion: str, latitude: float, longitude: float) -> None:
     if not (abs(latitude) <= 89 and abs(longitude) <= 360):
         raise MotionError(
-            f"{motion}: latitude {latitude:g}, longitude {longitude:g} is no place; use degrees, with a latitude of -89 to 89"
+            f"{motion}: latitude {latitude:g}, longitude {longitude:g} is no place; "
+            "use degrees, with a latitude of -89 to 89"
         )
 
 
@@ -125,14 +126,5 @@ def parse_motion(text: str) -> Motion:
 
 
 __all__ = [
-    "MOTIONS",
-    "Circle",
-    "Motion",
-    "MotionError",
-    "Replay",
-    "Standing",
-    "State",
-    "Track",
-    "Waypoint",
-    "parse_motion",
-]
+    "MOTIONS", "Circle", "Motion", "MotionError", "Replay", "Standing", "State", "Track", "Waypoint", "parse_motion",
+]  # fmt: skip

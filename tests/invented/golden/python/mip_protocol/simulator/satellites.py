@@ -236,7 +236,7 @@ def sbas(longitude: float) -> tuple[str, int]:
 
 
 def glonass_day(gps: int, leap_seconds: int) -> tuple[int, float]:
-    """Day within four years from 1 (a leap year begins them, as 1980), and seconds of the day, in the time of GLONASS (UTC + 3 h)."""
+    """Day within four years, which begin with a leap year, from 1; seconds of the day. By UTC + 3 h, as GLONASS."""
     moscow = gps + (3 * 3600 - leap_seconds) * SECOND
     return (moscow // DAY + 5) % 1461 + 1, moscow % DAY / SECOND
 

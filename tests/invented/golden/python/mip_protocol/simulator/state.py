@@ -43,7 +43,7 @@ def rotation(roll: float, pitch: float, yaw: float) -> tuple[Quaternion, Matrix]
         ),
         (cos(roll / 2), sin(roll / 2), 0.0, 0.0),
     )
-    return q, matrix(q)
+    return q if q[0] >= 0 else (-q[0], -q[1], -q[2], -q[3]), matrix(q)
 
 
 def multiplied(a: Quaternion, b: Quaternion) -> Quaternion:
@@ -154,11 +154,12 @@ class Plane:
         turn = curvature * speed
         sideways = turn * speed
         climb, g2 = grade * speed, grade / k
-        yaw_rate = turn * kn * ke / k2
+        narrows = -s / c * speed * dn / self.along  # relative rate of ke; that of kn is negligible
         pitch_rate = bend * speed / k / (1 + g2 * g2)
         cp = 1 / sqrt(1 + g2 * g2)
         sp = g2 * cp
         cy, sy = tn / k, te / k
+        yaw_rate = turn * kn * ke / k2 + cy * sy * narrows
         # Halves of the angles, without their functions: pitch is less than a right angle.
         hp = sqrt((1 + cp) / 2)
         hq = sp / (2 * hp)
@@ -175,7 +176,7 @@ class Plane:
             (speed * tn, speed * te, -climb),
             (
                 (acceleration * dn - sideways * de) * kn,
-                (acceleration * de + sideways * dn) * ke,
+                (acceleration * de + sideways * dn + speed * de * narrows) * ke,
                 -grade * acceleration - bend * speed * speed,
             ),
             (hy * hp, -hz * hq, hy * hq, hz * hp),

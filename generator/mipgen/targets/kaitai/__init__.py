@@ -1,0 +1,209 @@
+"""Kaitai Struct: one file that describes streams, packets and all fields."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
+
+from ... import describe
+from ... import model as m
+from ...naming import Identifier
+from ...render import File
+from . import expressions, names
+from .names import member, type_name, value
+
+TITLE = "Kaitai Struct, mip.ksy"
+CONFORMANCE = ("decode",)
+NEEDS = "Kaitai Struct with Node"
+
+#: What a reader is told of a parameter besides its description.
+TOPICS = ("unit", "frame", "range", "default", "valid", "reserved")
+
+
+def files(model: m.Model) -> Iterator[File]:
+    yield File("mip.ksy", "mip.ksy.j2", {"kinds": kinds(model), "kind": kind(model), "enums": enums(model)})
+    yield File("README.md", "README.md.j2", {"readings": readings(model)})
+
+
+def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
+    return {
+        "member": member,
+        "value": value,
+        "type": type_name,
+        "scalar": names.SCALARS.__getitem__,
+        "home": lambda fields: home(fields, model),
+        "original": model.original,
+        "cases": lambda op: names.cases(member(op.member)),
+        "unions": unions,
+        "presence": expressions.presence,
+        "count": expressions.count,
+        "peeks": expressions.peeks,
+        "rests": expressions.rests,
+        "layouts": expressions.layouts,
+        "segments": expressions.segments,
+        "alias": expressions.alias,
+        "text": text,
+        "hex": "0x{:02x}".format,
+        "hex2": "0x{:04x}".format,
+        "prose": lambda words: say(describe.prose(words, model)),
+        "about": lambda name, record: about(name, record, model),
+        "records": lambda _: records(model),
+    }
+
+
+# --------------------------------------------------------------------------- what there is
+
+
+def kinds(model: m.Model) -> list[tuple[int, str, tuple[m.Field, ...]]]:
+    """Every descriptor that can be decoded: its number (set, descriptor), its name, and its layouts."""
+    found: dict[tuple[int, int], list[m.Field]] = {}
+    for f in (model.protocol.acknowledge, *model.fields):
+        found.setdefault((f.set, f.descriptor), []).append(f)
+    return [(s << 8 | d, type_name(fields[0]), tuple(fields)) for (s, d), fields in sorted(found.items())]
+
+
+def home(fields: tuple[m.Field, ...], model: m.Model) -> str:
+    """The type of a descriptor's data."""
+    return type_name(model.original(fields[0])) if len(fields) == 1 else f"{type_name(fields[0])}_layouts"
+
+
+def kind(model: m.Model) -> str:
+    """The number of a descriptor in `kinds`; the acknowledge field and shared fields are in many sets."""
+    ack, shared = model.protocol.acknowledge.descriptor, model.set(m.SHARED_SET)
+    numbers = {f.descriptor for f in shared.fields} if shared else set()
+    own = sorted(
+        {(f.set, f.descriptor) for f in model.fields if 0x80 <= f.set < m.SHARED_SET and f.descriptor in numbers}
+    )
+    terms = [f"set < 0x80 and descriptor == {ack:#04x} ? {ack:#06x}"]
+    if numbers:
+        but = "".join(f" and not (set == {s:#04x} and descriptor == {d:#04x})" for s, d in own)
+        inside = f"descriptor >= {min(numbers):#04x} and descriptor <= {max(numbers):#04x}"
+        terms.append(f"set >= 0x80 and {inside}{but} ? {m.SHARED_SET << 8:#06x} | descriptor")
+    return " : ".join([*terms, "set << 8 | descriptor"])
+
+
+def records(model: m.Model) -> list[m.Field]:
+    """The fields that have a type of their own; others repeat one of another set."""
+    return [model.protocol.acknowledge, *(f for f in model.fields if f.definition is None)]
+
+
+def enums(model: m.Model) -> list[m.Enum]:
+    return [model.protocol.function_selector, *(t for t in model.all_types if isinstance(t, m.Enum))]
+
+
+def readings(model: m.Model) -> dict[str, list[str]]:
+    """The parameters whose values have other names on each device, or by the value of another parameter."""
+    found: dict[str, list[str]] = {"device": [], "parameter": []}
+    holders: list[expressions.Record] = [t for t in model.all_types if isinstance(t, m.Struct)]
+    for record in (*holders, *records(model)):
+        for p in record.parameters:
+            named = [v for v in p.variants if v.type is not None or v.unknown]
+            where = f"`{type_name(record)}.{member(p.name)}`"
+            if p.by_device or any(v.by_device for v in named):
+                found["device"].append(where)
+            if any(not v.by_device for v in named):
+                found["parameter"].append(where)
+    return found
+
+
+def unions(record: expressions.Record) -> list[m.SwitchOp]:
+    return [op for op in expressions.single(record.operations) if isinstance(op, m.SwitchOp)]
+
+
+# --------------------------------------------------------------------------- texts
+
+_PLAIN = re.compile(r"[A-Za-z][\w ,.;()/+-]*(?<! )")
+_WORDS = {"true", "false", "null", "yes", "no", "on", "off"}  # these are no text in YAML 1.1
+
+
+def text(words: str) -> str:
+    """Text as YAML writes it on one line.
+
+    >>> text("Speed, in m/s."), text("Of: all"), text('a "b"')
+    ('Speed, in m/s.', '"Of: all"', '"a \\\\"b\\\\""')
+    """
+    plain = _PLAIN.fullmatch(words) and words.lower() not in _WORDS
+    return words if plain else json.dumps(words, ensure_ascii=False)
+
+
+def say(words: Iterable[str | describe.Ref]) -> str:
+    return describe.say(words, _named)
+
+
+def _named(ref: describe.Ref) -> str:
+    """What the file calls something that a text names."""
+    match ref.thing:
+        case m.Field() | m.Enum() | m.Bitfield() | m.Struct():
+            return f"`{type_name(ref.thing)}`"
+        case m.EnumValue():
+            return f"`{value(ref.thing.name)}`"
+        case m.Bits():
+            return f"`{'.'.join(map(member, ref.words.split('.')))}`"
+        case m.Parameter():
+            return f"`{member(ref.thing.name)}`"
+        case _:
+            return ref.words
+
+
+def about(name: str, record: expressions.Record, model: m.Model) -> str:
+    """What is said of a parameter, or of one that a union holds; empty if nothing is."""
+    everything = [q for p in record.parameters for q in (p, *(c.parameter for c in p.cases)) if q is not None]
+    p = next(q for q in everything if q.name == name)
+    facts = describe.topics(describe.parameter(p, record, model), *TOPICS) if p in record.parameters else []
+    parts = [say(describe.prose(p.description, model)) if p.description else "", *(say(f.sentence) for f in facts)]
+    return " ".join(filter(None, parts))
+
+
+# --------------------------------------------------------------------------- identifiers
+
+
+def identifiers(model: m.Model) -> Iterator[Identifier]:
+    for scope, name, what, position in _names(model):
+        yield Identifier(scope, names.joined(name), what, position)
+
+
+Named = tuple[str, str, str, m.Position | None]
+
+
+def _names(model: m.Model) -> Iterator[Named]:
+    for t in (model.protocol.function_selector, *model.all_types):
+        place = None if isinstance(t, m.Vector) else t.position
+        yield "mip", type_name(t), t.name, place
+        yield from _members(t, place)
+    for number, name, fields in kinds(model):
+        yield "the enumeration kind", name, f"{fields[0].full_name} ({number:#06x})", fields[0].position
+        if len(fields) > 1:
+            yield "mip", f"{name}_layouts", f"layouts of {fields[0].full_name}", fields[0].position
+    for f in records(model):
+        yield "mip", type_name(f), f.full_name, f.position
+        yield from _members(f, f.position)
+
+
+def _members(t: m.Type | m.Field, place: m.Position | None) -> Iterator[Named]:
+    scope = f"{'the enumeration' if isinstance(t, m.Enum) else 'the type'} {type_name(t)}"
+    match t:
+        case m.Enum():
+            for v in t.values:
+                yield scope, value(v.name), v.name, v.position or place
+        case m.Bitfield():
+            for s in expressions.segments(t):
+                yield scope, s.name, s.bits.name if s.bits else "unused bits", place
+            for b in t.bits:
+                if b.alias:
+                    yield scope, member(b.name), b.name, b.position or place
+        case m.Vector():
+            for e in t.elements:
+                yield scope, member(e), e, place
+        case _:
+            for p in t.parameters:
+                yield scope, member(p.name), p.name, p.position or place
+                for c in p.cases:
+                    if c.parameter is not None:
+                        within = f"the type {names.cases(member(p.name))} of {type_name(t)}"
+                        yield within, member(c.parameter.name), c.parameter.name, c.parameter.position
+            for peek in expressions.peeks(t):
+                yield scope, peek.name, f"{peek.op.member}, read ahead", place
+            for rest in expressions.rests(t):
+                yield scope, rest.name, f"the number of {rest.array}", place

@@ -1,0 +1,260 @@
+"""Expressions that say when a parameter is there, how much a count may be, and which layout data have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from ... import codec
+from ... import model as m
+from ... import operations as sizes
+from .names import member, type_name, value
+
+Record = m.Field | m.Struct
+
+
+@dataclass(frozen=True, slots=True)
+class Extent:
+    """A number of bytes: some, and those of arrays that earlier parameters count."""
+
+    fixed: int = 0
+    counted: tuple[str, ...] = ()
+
+    def __add__(self, other: Extent) -> Extent:
+        return Extent(self.fixed + other.fixed, self.counted + other.counted)
+
+    def __str__(self) -> str:
+        return " + ".join([*([str(self.fixed)] if self.fixed or not self.counted else []), *self.counted])
+
+    def __bool__(self) -> bool:
+        return bool(self.fixed or self.counted)
+
+
+def extent(op: m.Operation, within: str = "") -> Extent:
+    """The bytes of an operation, once its counters are known; of what has no end to come, those that must be there."""
+    match op:
+        case m.GroupOp():
+            return _sum(op.body, within)
+        case m.StructOp():
+            return _sum(op.struct.operations, f"{within}{member(op.member)}.")
+        case m.ArrayOp() | m.TextOp() if op.counter is not None:
+            each = codec.size_of(op.item) if isinstance(op, m.ArrayOp) else 1
+            count = within + member(op.counter)
+            return Extent(0, (count if each == 1 else f"{count} * {each}",))
+        case _:
+            return Extent(sizes.size(op)[0])
+
+
+def _sum(operations: Iterable[m.Operation], within: str) -> Extent:
+    return sum((extent(op, within) for op in operations), Extent())
+
+
+def single(operations: Iterable[m.Operation]) -> list[m.Operation]:
+    """The operations in order, those of groups too."""
+    return [inner for op in operations for inner in (op.body if isinstance(op, m.GroupOp) else (op,))]
+
+
+# --------------------------------------------------------------------------- counts
+
+
+def count(op: m.CounterOp, record: Record) -> str:
+    """What a count must obey: the elements fit into the rest of the data, and into a field."""
+    after = single(record.operations)
+    after = after[after.index(op) + 1 :]
+    at = next(i for i, x in enumerate(after) if getattr(x, "member", None) == op.array)
+    array, between = after[at], _sum(after[:at], "")
+    assert isinstance(array, (m.ArrayOp, m.TextOp))
+    each = codec.size_of(array.item) if isinstance(array, m.ArrayOp) else 1
+    needed = f"_ * {each}" if each > 1 else "_"
+    fits = f"_ <= {array.capacity} and {needed}{f' + {between}' if between else ''} <= _io.size - _io.pos"
+    # Data that end before the array are another mistake, which reading on finds.
+    return f"_io.size - _io.pos < {between} or ({fits})" if between else fits
+
+
+@dataclass(frozen=True, slots=True)
+class Rest:
+    """The number of elements of an array to the end of the data: an instance, which is computed once, as some
+    languages evaluate the expression of a repetition again for every element."""
+
+    name: str
+    array: str
+    each: int
+
+
+def rests(record: Record) -> list[Rest]:
+    return [
+        Rest(f"{member(op.member)}_count", op.member, codec.size_of(op.item))
+        for op in single(record.operations)
+        if isinstance(op, m.ArrayOp) and op.count is None and op.counter is None
+    ]
+
+
+# --------------------------------------------------------------------------- presence
+
+
+@dataclass(frozen=True, slots=True)
+class Peek:
+    """The tag of a union inside a structure, read before the structure is: whether that is whole depends on it."""
+
+    name: str
+    at: Extent
+    op: m.ScalarOp
+
+    @property
+    def end(self) -> Extent:
+        return self.at + extent(self.op)
+
+
+def presence(op: m.GroupOp, f: m.Field) -> str:
+    """When the parameters of a group are there; empty if always."""
+    required = [c.function for c in f.calls if len(c.required) >= op.last]
+    if required == [None]:
+        return ""
+    functions = [f"{member('function')} == function_selector::{value(x.name)}" for x in required if x is not None]
+    room = " and ".join(_room(op, f, []))
+    return " or ".join([*functions, f"({room})" if functions and " and " in room else room])
+
+
+def peeks(record: Record) -> list[Peek]:
+    """The tags that `presence` reads ahead."""
+    found: list[Peek] = []
+    for op in record.operations:
+        if isinstance(record, m.Field) and isinstance(op, m.GroupOp) and presence(op, record):
+            list(_room(op, record, found))
+    return found
+
+
+def _room(group: m.GroupOp, f: m.Field, peeks: list[Peek]) -> Iterator[str]:
+    """Conditions for a group to be there though no function requires it: it is whole, and it is not empty.
+
+    A count that is too large is another mistake, so the elements of an array do not matter.
+    """
+    before = f.operations[: f.operations.index(group)]
+    begin = _sum(before, "")
+    if begin.counted:  # the counters, without which that is not known
+        yield f"_io.size >= {sum(extent(op).fixed for op in single(before))}"
+    at = begin
+    for op in group.body:
+        if isinstance(op, m.SwitchOp):
+            yield f"_io.size > {at}"
+            whole = [f"({tag} and {' and '.join(inside)})" for tag, inside in _cases(op, member(op.tag), at, peeks)]
+            yield f"({' or '.join(whole)})" if whole else "false"
+            return
+        if isinstance(op, m.StructOp):
+            yield from _whole(op, at, peeks)
+        at += _head(op)
+    yield f"_io.size {'>' if at == begin else '>='} {at}"
+
+
+def _head(op: m.Operation) -> Extent:
+    return Extent() if _counted(op) else extent(op)
+
+
+def _counted(op: m.Operation) -> bool:
+    return isinstance(op, (m.ArrayOp, m.TextOp)) and op.count is None
+
+
+def _cases(op: m.SwitchOp, tag: str, at: Extent, peeks: list[Peek]) -> Iterator[tuple[str, list[str]]]:
+    """For each case with data, when it is selected and when its data are whole."""
+    for c in op.cases:
+        if c.operation is not None:
+            yield f"{tag} == {type_name(op.tag_type)}::{value(c.tag.name)}", list(_whole(c.operation, at, peeks))
+
+
+def _whole(op: m.Operation, at: Extent, peeks: list[Peek]) -> Iterator[str]:
+    """Conditions for what is at a place to fit into the data."""
+    if not isinstance(op, m.StructOp):
+        yield f"_io.size >= {at + _head(op)}"
+        return
+    places: dict[str, tuple[Extent, m.Operation]] = {}
+    for inner in op.struct.operations:
+        if isinstance(inner, m.SwitchOp):
+            yield f"_io.size >= {at}"
+            place, found = places[inner.tag]
+            assert isinstance(found, m.ScalarOp)
+            peek = Peek(f"{member(op.member)}_{member(inner.tag)}", place, found)
+            peeks.append(peek)
+            for tag, inside in _cases(inner, peek.name, at, peeks):
+                yield f"(not ({tag}) or ({' and '.join(inside)}))"
+            return
+        if not isinstance(inner, m.GroupOp):
+            places[inner.member] = at, inner
+        at += _head(inner)
+    yield f"_io.size >= {at}"
+
+
+# --------------------------------------------------------------------------- layouts
+
+
+@dataclass(frozen=True, slots=True)
+class Layouts:
+    """How the layouts of one descriptor are told apart."""
+
+    bytes: tuple[int, ...]  # places of constants, byte by byte: data may end inside of one
+    fits: tuple[str, ...]  # for each layout: the constants do not contradict it
+    number: str  # of the layout that the data have, -1 if none
+
+
+def layouts(fields: Sequence[m.Field]) -> Layouts:
+    constants = [
+        {at + i: byte for at, op in f.constants for i, byte in enumerate(op.value.to_bytes(op.size, "big"))}
+        for f in fields
+    ]
+    fits = [
+        " and ".join(f"(_io.size <= {at} or byte_{at} == {byte:#04x})" for at, byte in sorted(c.items())) or "true"
+        for c in constants
+    ]
+    order = sorted(range(len(fields)), key=lambda i: fields[i].min_size)
+    longest = sorted(range(len(fields)), key=lambda i: -fields[i].min_size)
+    held = [f"fits_{i} and _io.size >= {fields[i].min_size} ? {i}" for i in longest]
+    part = [f"fits_{i} ? {i}" for i in order]
+    return Layouts(tuple(sorted({at for c in constants for at in c})), tuple(fits), " : ".join([*held, *part, "-1"]))
+
+
+# --------------------------------------------------------------------------- bitfields
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """Bits that are read together: named ones, or unused ones between them."""
+
+    name: str
+    first: int
+    width: int
+    bits: m.Bits | None
+
+
+def segments(t: m.Bitfield) -> list[Segment]:
+    """All bits of a bitfield in the order in which they are read: the most significant first in a number, the least
+    significant first in bytes."""
+    found, at = [], 0
+    for b in sorted((b for b in t.bits if not b.alias), key=lambda b: b.first):
+        found += [*_unused(at, b.first), Segment(member(b.name), b.first, b.width, b)]
+        at = b.last + 1
+    found += _unused(at, 8 * t.size)
+    return found if t.scalar is None else found[::-1]
+
+
+def _unused(first: int, end: int) -> Iterator[Segment]:
+    while first < end:
+        width = min(end - first, 32)  # JavaScript reads no more at once
+        yield Segment(f"unused_{first}", first, width, None)
+        first += width
+
+
+def alias(b: m.Bits, t: m.Bitfield) -> str:
+    """A number made of bits that have other names too."""
+    terms = []
+    for s in sorted(segments(t), key=lambda s: s.first):
+        low, high = max(s.first, b.first), min(s.first + s.width, b.last + 1)
+        if low >= high:
+            continue
+        if s.width == 1 and not (s.bits and s.bits.enum):
+            term = f"({s.name} ? {1 << (low - b.first)} : 0)" if b.width > 1 else s.name
+        else:
+            number = f"{s.name}.to_i" if s.bits and s.bits.enum else s.name
+            term = f"({number} >> {low - s.first})" if low > s.first else number
+            term = f"({term} & {(1 << (high - low)) - 1})" if high < s.first + s.width else term
+            term = f"({term} << {low - b.first})" if low > b.first else term
+        terms.append(term)
+    return " + ".join(terms)

@@ -1,0 +1,46 @@
+"""Identifiers: the words of the specification, with those escaped that Kaitai or a language it compiles to reserves."""
+
+from __future__ import annotations
+
+from ... import model as m
+from ...naming import Escape
+from ...render import language
+
+_LANGUAGE = language("kaitai")
+_RESERVED = frozenset(str(word) for word in _LANGUAGE["reserved"])
+
+#: Scalar -> its type.
+SCALARS: dict[str, str] = _LANGUAGE["scalars"]
+
+#: A parameter, a bit, or an element of a vector -> the attribute that holds it.
+member = Escape(_RESERVED | frozenset(_LANGUAGE["members"]), suffix="_value", digit_prefix="n")
+
+#: A value of an enumeration.
+value = Escape(_RESERVED | frozenset(_LANGUAGE["values"]), suffix="_value", digit_prefix="n")
+
+_type = Escape(_RESERVED | frozenset(_LANGUAGE["types"]), suffix="_type", digit_prefix="mip_")
+
+
+def type_name(thing: m.Type | m.Field) -> str:
+    """A type or an enumeration; all are in one scope.
+
+    >>> type_name(m.Vector("vector3f", m.SCALARS["float"], ("x", "y", "z"), ""))
+    'vector3f'
+    """
+    owner = thing.set_name if isinstance(thing, m.Field) and thing.set else getattr(thing, "owner", None)
+    return _type(f"{owner}_{thing.name}" if owner else thing.name)
+
+
+def joined(name: str) -> str:
+    """A name as languages write it that join words by case; there, names differ in this.
+
+    >>> joined("pos_1"), joined("pos1")
+    ('pos1', 'pos1')
+    """
+    first, *others = name.split("_")
+    return first + "".join(word[:1].upper() + word[1:] for word in others)
+
+
+def cases(union: str) -> str:
+    """The type of a union, inside that of its record."""
+    return f"{union}_cases"

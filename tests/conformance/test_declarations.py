@@ -1,0 +1,122 @@
+"""What targets declare about their drivers: nothing is left out of the suite but by a declaration."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from mipgen.discovery import OPERATIONS
+from support import OFFERS, ROOT, SOURCES, build_script
+
+#: A target whose driver finds packets, and nothing else.
+TARGET = """
+from mipgen.render import File
+
+TITLE = "nothing"
+CONFORMANCE = ("parse",)
+{needs}
+
+def files(model):
+    yield File("set.txt", "set.txt.j2")
+
+
+def identifiers(model):
+    return ()
+
+
+def filters(model):
+    return {{}}
+"""
+BUILD_DRIVER = """#!/bin/sh
+test -f "$1/set.txt" && echo "env PYTHONPATH={paths} ${{PYTHON:-python3}} {driver}"
+"""
+DRIVER = """
+import json, sys
+from support import expected_parse
+
+for line in sys.stdin:
+    r = json.loads(line)
+    try:
+        right = r["op"] == "parse" and r["chunk"] > 0
+        print(json.dumps(expected_parse(bytes.fromhex(r["stream"])) if right else {"error": "request"}))
+    except (KeyError, TypeError, ValueError):
+        print(json.dumps({"error": "request"}))
+"""
+
+
+def test_a_driver_and_its_declaration_come_together() -> None:
+    scripts = {p.parent.name for p in (ROOT / "tests").glob("*/build_driver.sh")}
+    assert scripts == {name for name in OFFERS if SOURCES[name].module is None}
+    for name in OFFERS:
+        assert os.access(build_script(name), os.X_OK), f"{build_script(name)} is missing or cannot be run"
+
+
+@pytest.mark.parametrize("operation", OPERATIONS)
+def test_the_bindings_offer_everything(operation: str) -> None:
+    assert {name for name, offered in OFFERS.items() if operation in offered} >= {"c", "python", "rust"}
+
+
+def mine(folder: Path, driver: str = DRIVER, needs: str = "") -> Path:
+    """A folder of targets with one that has a driver."""
+    paths = os.pathsep.join((str(ROOT / "generator"), str(ROOT / "tests")))
+    (folder / "mine").mkdir()
+    for name, text in (
+        ("target.py", TARGET.format(needs=needs)),
+        ("set.txt.j2", "{{ model.sets | length }}\n"),
+        ("build_driver.sh", BUILD_DRIVER.format(paths=paths, driver=folder / "mine/driver.py")),
+        ("driver.py", driver),
+    ):
+        (folder / "mine" / name).write_text(text)
+    (folder / "mine/build_driver.sh").chmod(0o755)
+    return folder
+
+
+def suite(targets: Path) -> str:
+    """What the suite says of the targets of a folder, ours aside."""
+    done = subprocess.run(
+        [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-m", "not heavy", "-k", "mine",
+         "tests/conformance/test_conformance.py", "tests/conformance/test_client.py"],
+        cwd=ROOT, capture_output=True, text=True, env={**os.environ, "MIPGEN_TARGETS": str(targets)},
+    )  # fmt: skip
+    return done.stdout + done.stderr
+
+
+def test_the_suite_asks_a_target_of_others_what_it_declares(tmp_path: Path) -> None:
+    said = suite(mine(tmp_path))
+    # Streams and intact packets of two specifications, descriptor set 0, and requests that are none.
+    assert "tests run: conformance 6; " in said, said
+    assert " failed" not in said
+
+
+def test_a_wrong_driver_fails(tmp_path: Path) -> None:
+    said = suite(mine(tmp_path, DRIVER.replace("expected_parse(bytes.fromhex", "expected_parse(b'u' + bytes.fromhex")))
+    assert "5 failed, 1 passed" in said, said
+
+
+def test_other_tools_are_named(tmp_path: Path) -> None:
+    said = suite(mine(tmp_path, needs='NEEDS = "punched cards"'))
+    assert re.search("left out, for `make test-all`: .*punched cards", said), said
+
+
+@pytest.mark.parametrize(
+    ("line", "error"),
+    [
+        ('CONFORMANCE = ("decode", "guess")', "CONFORMANCE must be a tuple of 'parse', 'decode', 'encode', 'client'"),
+        ('CONFORMANCE = "decode"', "CONFORMANCE must be a tuple of"),
+        ("NEEDS = ['tshark']", "NEEDS must be text"),
+    ],
+)
+def test_a_wrong_declaration_is_named(line: str, error: str, tmp_path: Path) -> None:
+    folder = mine(tmp_path, needs=line)
+    done = subprocess.run(
+        [sys.executable, "-m", "mipgen", "generate", "--target", "mine", "--target-path", str(folder), "--out",
+         str(tmp_path / "out")],
+        cwd=ROOT, capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(ROOT / "generator")},
+    )  # fmt: skip
+    assert done.returncode == 1 and not (tmp_path / "out").exists()
+    assert done.stderr.startswith(f"{folder / 'mine/target.py'}: error: {error}"), done.stderr
+    assert len(done.stderr.splitlines()) == 1

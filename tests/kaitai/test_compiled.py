@@ -1,0 +1,216 @@
+"""What the compiler makes of mip.ksy, in two languages, against the reference."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+from awkward import COMMANDS
+from conformance.test_conformance import mutated, random_packets, samples
+from kaitaistruct import BytesIO, KaitaiStream
+from ksy_driver import COMPILED, built, compiled, file, ksy
+from mipgen import cli, codec
+from mipgen import model as m
+from mipgen.resolve import load_model
+from mipgen.targets import kaitai
+from mipgen.targets.kaitai.names import joined, member, type_name
+from support import ROOT, SPECS, all_fields, decode_request, differences, expected, expected_parse, heavy, model, set_of
+from terse import filled
+
+pytestmark = heavy(kaitai.NEEDS)
+
+specs = pytest.mark.parametrize("spec", sorted(SPECS))
+languages = pytest.mark.parametrize("language", COMPILED)
+
+
+def compare(language: str, spec: str, packets: list[bytes]) -> list[dict[str, Any]]:
+    requests = [decode_request(p) for p in packets]
+    answers = built(file(spec).parent, spec, language).ask(requests)
+    wrong = differences(requests, [expected(model(spec), r) for r in requests], answers)
+    assert not wrong, wrong
+    return answers
+
+
+@languages
+@specs
+def test_examples(language: str, spec: str) -> None:
+    answers = compare(language, spec, [e.packet for e in model(spec).examples])
+    for example, answer in zip(model(spec).examples, answers, strict=True):
+        for field, got in zip(example.fields, answer["fields"], strict=True):
+            assert got.get("values") == field.values, example.id
+
+
+@languages
+@specs
+def test_every_field(language: str, spec: str) -> None:
+    answers = compare(language, spec, [bytes.fromhex(p) for p in random_packets(spec)])
+    assert {f["name"] for a in answers for f in a["fields"]} == {f.full_name for f in all_fields(model(spec))}
+
+
+@languages
+@specs
+def test_mutated_packets(language: str, spec: str) -> None:
+    """Data of any length and content, lengths that cannot be right, and packets that are none."""
+    of, chance = model(spec), random.Random(5)
+    packets = []
+    for f in all_fields(of):
+        for _ in range(6):
+            data = mutated(chance, samples(f, chance)[0], f)
+            packets.append(codec.build(of, set_of(f, of), [(f.descriptor, data)]))
+    whole = tuple(packets)
+    for _ in range(3000):
+        packet = bytearray(chance.choice(whole))
+        payload = packet[4:-2]
+        if payload and chance.randrange(3):
+            payload[chance.randrange(len(payload))] = chance.choice([0, 1, 2, 3, 0xFF, chance.randrange(256)])
+            packet[4:-2] = payload
+            packet[-2:] = codec.checksum(bytes(packet[:-2]))
+        else:
+            packet[chance.randrange(len(packet))] ^= 1 << chance.randrange(8)
+        packets.append(bytes(packet[: len(packet) - chance.choice([0, 0, 0, 1, 4])]))
+    answers = compare(language, spec, packets)
+    seen = {a.get("error") for a in answers} | {f.get("error") for a in answers for f in a.get("fields", ())}
+    assert seen >= {None, "sync", "length", "checksum", "field_length", "truncated"}
+    assert seen >= {"count"}
+
+
+@languages
+def test_awkward_names_and_layouts(language: str, tmp_path: Path) -> None:
+    """Keywords of many languages as names, counters around each other, unions in structures in unions."""
+    spec, out = tmp_path / "spec", tmp_path / "out"
+    shutil.copytree(SPECS["invented"][0], spec)
+    (spec / "sets/awkward.yaml").write_text(filled(COMMANDS), "utf-8")
+    assert cli.main(["generate", "--spec", str(spec), "--out", str(out), "--target", "kaitai"]) == 0
+    of, chance = load_model(spec), random.Random(6)
+    fields = [f for f in of.fields if f.set_name == "macros_and_more"]
+    assert fields
+    requests = []
+    for f in fields:
+        for data in (d for _ in range(40) for d in samples(f, chance)):
+            cuts = [data[:n] for n in range(min(len(data), 12))] + [mutated(chance, data, f) for _ in range(6)]
+            requests += [decode_request(codec.build(of, f.set, [(f.descriptor, d)])) for d in (data, *cuts)]
+    answers = built(out / "kaitai", "awkward", language).ask(requests)
+    wrong = differences(requests, [expected(of, r) for r in requests], answers)
+    assert not wrong, wrong
+
+
+@specs
+def test_every_language_of_the_compiler(spec: str, tmp_path: Path) -> None:
+    """All but one accept the file; the README names it."""
+    modules = compiled(file(spec).parent, spec, "python").parent / "modules"
+    refused = []
+    for language in ("cpp_stl", "csharp", "go", "java", "lua", "nim", "perl", "php", "ruby", "rust"):
+        done = subprocess.run(
+            ["node", str(ROOT / "tests/kaitai/compile.cjs"), str(file(spec)), language, str(tmp_path / language)],
+            capture_output=True, text=True, env={**os.environ, "KAITAI_MODULES": str(modules)},
+        )  # fmt: skip
+        if done.returncode:
+            refused.append(language)
+    assert refused == ["nim"]
+    assert "checks of counts in Nim" in (file(spec).parent / "README.md").read_text("utf-8")
+
+
+@specs
+def test_all_readers_of_yaml_agree(spec: str) -> None:
+    """YAML 1.2, as the compiler in Node reads it, and 1.1, as PyYAML and the compiler in Java do."""
+    text = (compiled(file(spec).parent, spec, "python") / "mip.json").read_text("utf-8")
+    assert json.loads(text) == json.loads(json.dumps(ksy(file(spec))))
+
+
+# --------------------------------------------------------------------------- streams and bits, in Python
+
+
+@cache
+def compiled_python(spec: str) -> Any:
+    path = compiled(file(spec).parent, spec, "python") / "mip.py"
+    found = importlib.util.spec_from_file_location(f"mip_{spec}", path)
+    assert found is not None and found.loader is not None
+    module = importlib.util.module_from_spec(found)
+    found.loader.exec_module(module)
+    return module.Mip
+
+
+NOISE = [b"", b"$GPGGA,123519*47\r\n", b"\x75", b"ue\x00\x01", b"noise", b"\xff" * 9]
+
+
+@specs
+def test_streams(spec: str) -> None:
+    """Every intact packet comes out, whatever stands between them and whatever the end is cut off."""
+    packets = sorted({e.packet for e in model(spec).examples})
+    between = [NOISE[i % len(NOISE)] for i in range(len(packets))]
+    stream = b"".join(n + p for n, p in zip(between, packets, strict=True)) + packets[0][:-1]
+    wanted = expected_parse(stream)["packets"]
+    assert wanted == [p.hex() for p in packets]
+    parts = compiled_python(spec).from_bytes(stream).parts
+    assert [p.packet.length + 6 for p in parts if p.is_packet] == [len(p) for p in packets]
+    assert [p.packet.checksum for p in parts if p.is_packet] == [int.from_bytes(p[-2:], "big") for p in packets]
+    skipped = b"".join(bytes([p.skipped.first]) + p.skipped.rest for p in parts if not p.is_packet)
+    assert skipped == b"".join(between) + packets[0][:-1]
+    for end in range(len(packets[0])):
+        assert not any(p.is_packet for p in compiled_python(spec).from_bytes(packets[0][:end]).parts)
+
+
+@specs
+def test_what_looks_like_a_packet_hides_what_follows(spec: str) -> None:
+    """Checksums are not verified: what the README says of this is so."""
+    packet = model(spec).examples[0].packet
+    parts = compiled_python(spec).from_bytes(b"ue\x80" + bytes([len(packet) - 1]) + packet + b"..").parts
+    assert parts[0].is_packet and not any(p.is_packet for p in parts[1:])
+
+
+@specs
+def test_every_bit_is_in_its_place(spec: str) -> None:
+    mip = compiled_python(spec)
+    asked = 0
+    for t in (t for t in model(spec).all_types if isinstance(t, m.Bitfield)):
+        kind = joined(type_name(t))
+        cls = getattr(mip, kind[0].upper() + kind[1:])
+        for b in t.bits:
+            for number in {1 << b.first, 1 << b.last, b.mask, ((1 << 8 * t.size) - 1) ^ b.mask}:
+                data = number.to_bytes(t.size, "big" if t.scalar else "little")
+                got = getattr(cls(KaitaiStream(BytesIO(data))), member(b.name))
+                assert int(got) == (number & b.mask) >> b.first, (t.name, b.name, number)
+                asked += 1
+    assert asked
+
+
+# --------------------------------------------------------------------------- the programs of the README
+
+
+def program(spec: str, language: str) -> str:
+    text = (file(spec).parent / "README.md").read_text("utf-8")
+    found = re.search(rf"```{language}\n(.*?)```", text, re.S)
+    assert found is not None
+    return found[1]
+
+
+@languages
+@specs
+def test_the_programs_of_the_readme(language: str, spec: str, tmp_path: Path) -> None:
+    of = model(spec)
+    folder = compiled(file(spec).parent, spec, language)
+    (tmp_path / "log.bin").write_bytes(b"noise" + b"".join(e.packet for e in of.examples))
+    fields = [f for e in of.examples for f in e.fields]
+    for path in folder.iterdir():
+        (tmp_path / path.name).write_bytes(path.read_bytes())
+    script = tmp_path / ("program.py" if language == "python" else "program.cjs")
+    script.write_text(program(spec, language), "utf-8")
+    if language == "javascript":
+        (tmp_path / "node_modules").symlink_to(folder.parent / "modules/node_modules")
+    done = subprocess.run(
+        [sys.executable if language == "python" else "node", str(script)], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    names = {f.field for f in fields if f.field}
+    shown = re.sub(r"[^a-z0-9]", "", done.stdout.lower())
+    assert names and all(re.sub(r"[^a-z0-9]", "", n.removeprefix("protocol.")) in shown for n in names)

@@ -1,0 +1,148 @@
+"""The text of mip.ksy, without a compiler: names, references, and that nothing of the specification is missing."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from ksy_driver import Tree, file, ksy
+from mipgen import cli, describe
+from mipgen import model as m
+from mipgen.targets import kaitai
+from mipgen.targets.kaitai.names import member, type_name, value
+from support import SPECS, all_fields, model
+from terse import filled
+
+specs = pytest.mark.parametrize("spec", sorted(SPECS))
+BUILT_IN = re.compile(r"[us][1248]|f[48]|b\d+|str")
+
+
+def types(tree: Tree, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Tree]]:
+    for name, t in tree.get("types", {}).items():
+        yield (*path, name), t
+        yield from types(t, (*path, name))
+
+
+@specs
+def test_every_descriptor_is_a_kind_with_a_type(spec: str) -> None:
+    of, tree = model(spec), ksy(file(spec))
+    kinds = tree["enums"]["kind"]
+    assert set(kinds) == {f.set << 8 | f.descriptor for f in all_fields(of)}
+    homes = tree["types"]["field"]["instances"]["data"]["type"]["cases"]
+    assert set(homes) == {f"kind::{k['id']}" for k in kinds.values()}
+    for f in all_fields(of):
+        kind = kinds[f.set << 8 | f.descriptor]
+        layouts = of.layouts(f)
+        assert kind["-role"] == f.role and kind["-orig-id"] == layouts[0].full_name
+        home = tree["types"][homes[f"kind::{kind['id']}"]]
+        if len(layouts) > 1:
+            chosen = home["seq"][0]["type"]["cases"]
+            assert [tree["types"][t]["-orig-id"] for t in chosen.values()] == [g.full_name for g in layouts]
+        else:
+            assert home["-orig-id"] == of.original(f).full_name
+    own = sum(f.definition is None for f in all_fields(of))
+    assert sum("-orig-id" in t for _, t in types(tree)) == own
+
+
+@specs
+def test_what_is_referred_to_exists(spec: str) -> None:
+    tree = ksy(file(spec))
+    known = set(tree["types"])
+    for path, t in types(tree):
+        near = known | set(t.get("types", {}))
+        for a in [*t.get("seq", ()), *t.get("instances", {}).values()]:
+            kind = a.get("type", "str")
+            for name in kind["cases"].values() if isinstance(kind, dict) else [kind.partition("(")[0]]:
+                assert BUILT_IN.fullmatch(name) or name in near, (path, name)
+            assert a.get("enum") is None or a["enum"] in tree["enums"], (path, a)
+    for enum, name in re.findall(r"(\w+)::(\w+)", file(spec).read_text("utf-8")):
+        assert any(name == (v if isinstance(v, str) else v["id"]) for v in tree["enums"][enum].values()), (enum, name)
+
+
+@specs
+def test_identifiers_are_legal(spec: str) -> None:
+    tree = ksy(file(spec))
+    names = [n for path, _ in types(tree) for n in path] + list(tree["enums"])
+    for _, t in types(tree):
+        names += [a["id"] for a in t.get("seq", ())] + list(t.get("instances", {}))
+    for e in tree["enums"].values():
+        names += [v if isinstance(v, str) else v["id"] for v in e.values()]
+    wrong = [n for n in names if not re.fullmatch(r"[a-z][a-z0-9_]*", n)]
+    assert not wrong and len(names) > len(tree["types"])
+
+
+@specs
+def test_what_readers_are_told(spec: str) -> None:
+    """Titles, descriptions and units of everything that has a type, and the descriptions of values and bits."""
+    of, tree = model(spec), ksy(file(spec))
+
+    def told(text: str) -> str:
+        return kaitai.say(describe.prose(text, of))
+
+    told_of = 0
+    holders = [t for t in of.all_types if isinstance(t, m.Struct)]
+    for record in (*holders, *(f for f in all_fields(of) if f.definition is None)):
+        t = tree["types"][type_name(record)]
+        assert told(record.description) in t["doc"]
+        assert not isinstance(record, m.Field) or t["doc"].startswith(record.title)
+        seq = {a["id"]: a for a in t.get("seq", ())}
+        assert set(seq) == {member(p.name) for p in record.parameters}
+        for p in record.parameters:
+            doc = seq[member(p.name)].get("doc", "")
+            assert told(p.description) in doc
+            assert not p.units or f"Unit{'s' if len(p.units) > 1 else ''}: {', '.join(p.units)}." in doc
+            told_of += len(p.units)
+    for e in (t for t in of.all_types if isinstance(t, m.Enum)):
+        values = tree["enums"][type_name(e)]
+        assert set(values) == {v.value for v in e.values}
+        for v in e.values:
+            entry = values[v.value] if isinstance(values[v.value], dict) else {"id": values[v.value], "doc": ""}
+            assert entry["id"] == value(v.name) and told(v.description) == entry.get("doc", "")
+    assert told_of
+
+
+def generated(tmp_path: Path, text: str) -> tuple[int, Path]:
+    """A specification with one more set."""
+    spec = tmp_path / "spec"
+    shutil.copytree(SPECS["invented"][0], spec)
+    (spec / "sets/extra.yaml").write_text(filled(text), "utf-8")
+    out = tmp_path / "out"
+    return cli.main(["generate", "--spec", str(spec), "--out", str(out), "--target", "kaitai"]), out / "kaitai/mip.ksy"
+
+
+def test_names_that_only_case_would_join_collide(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    code, _ = generated(
+        tmp_path,
+        """
+set: 0x61
+name: extra
+title: Extra
+description: "Names that Java, C# and JavaScript write alike."
+fields:
+  - command: 0x01
+    name: field
+    title: Field
+    description: D.
+    sources: [{manual: leaflet, section: S}]
+    parameters: [{name: pos_1, type: u8}, {name: pos1, type: u8}]
+""",
+    )
+    assert code == 1
+    assert "'pos1' and 'pos_1' both become pos1 in the type extra_field of the target kaitai" in capsys.readouterr().err
+
+
+def test_descriptors_of_a_set_go_before_shared_ones() -> None:
+    of = model("invented")
+    expression = kaitai.kind(of)
+    assert "set == " not in expression
+    shared = of.set(m.SHARED_SET)
+    assert shared is not None
+    other = next(f for f in of.fields if 0x80 <= f.set < m.SHARED_SET)
+    moved = dataclasses.replace(other, descriptor=shared.fields[0].descriptor)
+    sets = tuple(dataclasses.replace(s, fields=(*s.fields, moved)) if s.number == other.set else s for s in of.sets)
+    expression = kaitai.kind(dataclasses.replace(of, sets=sets))
+    assert f"not (set == {other.set:#04x} and descriptor == {moved.descriptor:#04x})" in expression

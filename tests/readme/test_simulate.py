@@ -1,0 +1,191 @@
+"""docs/simulate.md: its programs are the files, its commands run as they stand, its table of faults is whole."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import socket
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from support import ROOT, need
+
+PAGE = (ROOT / "docs/simulate.md").read_text("utf-8")
+PACKAGE = str(ROOT / "generated/python")
+PATIENCE = 60
+
+
+def section(title: str) -> str:
+    found = PAGE.partition(f"\n## {title}\n")[2].partition("\n## ")[0]
+    assert found, title
+    return found
+
+
+def block(language: str, title: str) -> str:
+    (found,) = re.findall(rf"```{language}\n(.*?)```", section(title), re.S)
+    return str(found)
+
+
+def commands(title: str) -> list[str]:
+    """The commands of a section, without the programs in it."""
+    text = re.sub(r"```.*?```", "", section(title), flags=re.S)
+    return re.findall(r"^    (\S.*)$", text, re.M)
+
+
+@pytest.fixture
+def shell(tmp_path: Path) -> Iterator[dict[str, str]]:
+    """An environment with `mip`, `python` and `cc`; a folder that has what the page names."""
+    tools = tmp_path / "bin"
+    tools.mkdir()
+    for name, words in (("mip", [sys.executable, "-m", "mip_protocol"]), ("python", [sys.executable])):
+        (tools / name).write_text(f'#!/bin/sh\nexec {shlex.join(words)} "$@"\n')
+        (tools / name).chmod(0o755)
+    (tools / "cc").symlink_to(need("cc"))
+    for name in ("docs", "generated"):
+        (tmp_path / name).symlink_to(ROOT / name)
+    yield {
+        **os.environ, "PATH": f"{tools}:{os.environ['PATH']}", "PYTHONPATH": PACKAGE, "PYTHONDONTWRITEBYTECODE": "1",
+    }  # fmt: skip
+
+
+def run(command: str, folder: Path, environment: dict[str, str]) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        ["sh", "-c", command], cwd=folder, env=environment, capture_output=True, text=True, timeout=PATIENCE
+    )
+
+
+@contextmanager
+def device(
+    command: str, folder: Path, environment: dict[str, str], ends: bool = False
+) -> Iterator[subprocess.Popen[str]]:
+    """A command that runs until it is interrupted, or ends by itself, once it has said where the device is."""
+    process = subprocess.Popen(
+        ["sh", "-c", f"exec {command}"], cwd=folder, env=environment, stdout=subprocess.PIPE, text=True
+    )
+    try:
+        assert process.stdout is not None and process.stdout.readline().strip(), command
+        yield process
+    finally:
+        if not ends:
+            process.terminate()
+        process.communicate(timeout=PATIENCE)
+    assert process.returncode == 0
+
+
+def test_programs_are_the_files() -> None:
+    for language, name, title in (
+        ("c", "stream.c", "Develop a C firmware client without a device"),
+        ("python", "check_parser.py", "Test your own parser against faults"),
+    ):
+        assert f"]({'simulate/' + name})" in section(title)
+        assert block(language, title) == (ROOT / "docs/simulate" / name).read_text("utf-8")
+
+
+def test_the_c_program_is_exemplary() -> None:
+    """Without a warning, as strict as the binding itself, and formatted as it."""
+    source = ROOT / "docs/simulate/stream.c"
+    strict = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror", "-fsyntax-only"]
+    subprocess.run([need("cc"), *strict, f"-I{ROOT}/generated/c/include", str(source)], check=True)
+    style = f"--style=file:{ROOT}/generated/c/.clang-format"
+    subprocess.run([need("clang-format"), style, "--dry-run", "-Werror", str(source)], check=True)
+
+
+def test_a_c_client_without_a_device(tmp_path: Path, shell: dict[str, str]) -> None:
+    start, build, client = commands("Develop a C firmware client without a device")
+    put = f"{tmp_path}/terminal"
+    start, client = start.replace("/tmp/mip", put), client.replace("/tmp/mip", put)
+    built = run(build, tmp_path, shell)
+    assert built.returncode == 0 and not built.stderr, built.stderr
+    lost = run(client, tmp_path, shell)
+    assert lost.returncode == 1 and lost.stderr.startswith(put)  # no device yet
+    with device(f"{start} --speed 5", tmp_path, shell):  # the page does not wait for a test
+        done = run(client, tmp_path, shell)
+        assert (done.returncode, done.stderr) == (0, "")
+    first, *lines = done.stdout.splitlines()
+    assert re.fullmatch(r"3DM-CV7-GNSS/INS *, 1000 Hz", first), first
+    seconds = [float(line.partition(" s: ")[0]) for line in lines]
+    assert len(lines) == 50 and all(abs(b - a - 0.1) < 0.0015 for a, b in pairwise(seconds))
+    for line in lines:
+        along, across, down = map(float, line.partition(": ")[2].removesuffix(" g").split())
+        assert abs(along) < 0.02 and abs(across - 5**2 / 20 / 9.80665) < 0.02 and abs(down + 1) < 0.02
+    with device(f"{start} --fault lose_answer@2", tmp_path, shell):
+        done = run(client, tmp_path, shell)
+        assert (done.returncode, done.stderr) == (1, "device information: no answer\n")
+
+
+def free_port() -> str:
+    with socket.create_server(("127.0.0.1", 0)) as found:
+        return str(found.getsockname()[1])
+
+
+def test_a_parser_against_faults(tmp_path: Path, shell: dict[str, str]) -> None:
+    start, check = commands("Test your own parser against faults")
+    number = free_port()
+    start, check = start.replace("5000", number), check.replace("5000", number)
+    with device(start, tmp_path, shell, ends=True):
+        done = run(check, tmp_path, shell)
+    assert (done.returncode, done.stderr) == (0, "")
+    sent, damaged, lost, invented = map(int, re.findall(r"\b\d+\b", done.stdout))
+    assert sent > 5000 and 100 < damaged < sent // 10 and (lost, invented) == (0, 0)
+
+    bad = "class Parser(Parser):\n    def feed(self, data):\n        return super().feed(data)[1:]\n"
+    program = (ROOT / "docs/simulate/check_parser.py").read_text("utf-8")
+    (tmp_path / "bad.py").write_text(program.replace("\nconnection = ", f"\n{bad}\nconnection = "))
+    with device(start, tmp_path, shell, ends=True):
+        done = run(check.replace("docs/simulate/check_parser.py", "bad.py"), tmp_path, shell)
+    assert done.returncode == 1 and ", 0 packets found that were never sent" in done.stdout
+
+
+def test_the_first_command(tmp_path: Path, shell: dict[str, str]) -> None:
+    (command,) = re.findall(r"^    (mip simulate .*--pty .*)$", PAGE.partition("\n## ")[0], re.M)
+    with device(command.replace("/tmp/mip", f"{tmp_path}/terminal"), tmp_path, shell):
+        assert (tmp_path / "terminal").is_symlink()
+    assert not (tmp_path / "terminal").is_symlink()
+    listed = re.findall(r"^    (mip simulate --\w+)", PAGE, re.M)
+    assert len(listed) == 2 and all(run(c, tmp_path, shell).returncode == 0 for c in listed)
+
+
+def python(code: str) -> str:
+    environment = {"PYTHONPATH": PACKAGE, "PYTHONDONTWRITEBYTECODE": "1"}
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_in_python() -> None:
+    python(block("python", "In Python"))
+
+
+def test_every_fault_and_option_is_named() -> None:
+    code = (
+        "from mip_protocol.simulator.fault_kinds import CHANCES, KINDS\n"
+        "for chance, text in CHANCES.items():\n"
+        "    print(f'| | **for each {text}** | |')\n"
+        "    for name, k in KINDS.items():\n"
+        "        amount = f'{k.amount:g} {k.unit}' if k.unit else ''\n"
+        "        if k.of == chance: print(f'| `{name}` | {k.description} | {amount} |')"
+    )
+    rows = section("Faults").partition("|---|---|---|\n")[2].partition("\n\n")[0]
+    assert rows == python(code).rstrip()
+    text = python("from mip_protocol import __main__ as m; m.main(['simulate', '--help'])")
+    known = set(re.findall(r"^  (--[a-z-]+)", text, re.M))
+    named = set(re.findall(r"(--[a-z-]+)", re.sub(r"```.*?```", "", PAGE, flags=re.S)))
+    assert "--pty" in known and named - {"--help", "---"} == known
+
+
+def test_every_motion_is_named() -> None:
+    code = (
+        "from mip_protocol.simulator.motion import MOTIONS\n"
+        "for name, (_, options) in MOTIONS.items():\n"
+        "    print(f'| `{name}` |', ', '.join(f'`{o}`' for o in options), '|')"
+    )
+    rows = re.findall(r"^\| `.*?\|.*?\|(?= )", section("Motion"), re.M)
+    motions = [(row.split("|")[1], set(re.findall(r"`(\w+)`", row.split("|")[2]))) for row in rows]
+    wanted = [(row.split("|")[1], set(re.findall(r"`(\w+)`", row.split("|")[2]))) for row in python(code).splitlines()]
+    assert motions == wanted
