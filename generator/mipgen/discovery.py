@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 MODULE = "target.py"
 CONTENTS = ("TITLE", "files", "identifiers", "filters")  # what a module of a target must have
-OPERATIONS = ("parse", "decode", "encode", "client")  # what a target may declare in CONFORMANCE
+OPERATIONS = ("parse", "decode", "encode", "client", "live")  # what a target may declare in CONFORMANCE
 
 
 @dataclass(frozen=True, slots=True)

@@ -105,7 +105,10 @@ def test_other_tools_are_named(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("line", "error"),
     [
-        ('CONFORMANCE = ("decode", "guess")', "CONFORMANCE must be a tuple of 'parse', 'decode', 'encode', 'client'"),
+        (
+            'CONFORMANCE = ("decode", "guess")',
+            "CONFORMANCE must be a tuple of 'parse', 'decode', 'encode', 'client', 'live'",
+        ),
         ('CONFORMANCE = "decode"', "CONFORMANCE must be a tuple of"),
         ("NEEDS = ['tshark']", "NEEDS must be text"),
     ],

@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 from mipgen import model as m
-from support import LANGUAGES, differences, driver, heavy, model
-from virtual.commands import commands, data_fields
+from support import OFFERS, differences, driver, heavy, model
+from virtual.commands import Trial, commands, data_fields
 from virtual.ledger import OUTCOMES, check
 from virtual.scenario import everything, faulty, formats, prepare, silenced
 from virtual.session import KINDS, Session, Witness
@@ -33,7 +33,7 @@ def repeat(sessions: Iterable[Session]) -> None:
     for session in sessions:
         requests.append({"op": "client", "steps": session.steps})
         wanted.append(session.client.events)
-    for language in LANGUAGES:
+    for language in [name for name, offered in OFFERS.items() if "client" in offered]:
         answers = [a.get("events") for a in driver(language, "real").ask(requests)]
         for expected, found in zip(wanted, answers, strict=True):
             if found != expected:
@@ -197,6 +197,18 @@ def test_the_ledger_sees_a_loss_that_no_fault_explains() -> None:
     first = next(packet for packet, carried in session.witness.packets if packet == carried)
     with pytest.raises(AssertionError, match="not logged"):
         check(changed(session, session.client.events, stream=bytearray(session.stream).replace(first, b"")))
+
+
+def test_answers_in_several_packets() -> None:
+    """The answers to one packet do not fit into one."""
+    session = Session(device("3dm-cv7-gnss-ins"), Witness())
+    asking = next(s for s in commands(session.device) if s.field.name == "get_device_descriptors")
+    session.ask(*[Trial(asking.field, {}, True)] * 3)
+    session.end()
+    check(session)
+    assert ends(session) == {"acknowledged": 3}
+    assert len(session.witness.packets) > 1
+    repeat([session])
 
 
 def test_all_data_take_several_packets() -> None:

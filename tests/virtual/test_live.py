@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 from mipgen import codec
 from mipgen import model as m
-from support import LANGUAGES, ROOT, driver, expected_decode, model
+from support import ROOT, driver, expected_decode, model, offering
 from virtual.commands import Trial, commands
 from virtual.ledger import OUTCOMES
 from virtual.scenario import few, formats, write
@@ -26,19 +26,19 @@ FAULTS = "change=0.01,lose=0.01,noise=0.05,nmea=0.05,false_header=0.02,double_pa
 
 
 @contextmanager
-def simulated(*arguments: str) -> Iterator[str]:
-    """Runs the device, and says where it is."""
-    command = [sys.executable, "-m", "mip_protocol", "simulate", DEVICE, *arguments]
+def simulated(*arguments: str, device: str = DEVICE) -> Iterator[str]:
+    """Runs a device, and says where it is."""
+    command = [sys.executable, "-m", "mip_protocol", "simulate", device, *arguments]
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated/python"), "PYTHONDONTWRITEBYTECODE": "1"}
-    device = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
-        assert device.stdout is not None
-        place = device.stdout.readline().strip()
-        assert place, device.communicate()
+        assert process.stdout is not None
+        place = process.stdout.readline().strip()
+        assert place, process.communicate()
         yield place
     finally:
-        device.terminate()
-        _, complaints = device.communicate(timeout=20)
+        process.terminate()
+        _, complaints = process.communicate(timeout=20)
     assert "Traceback" not in complaints, complaints
 
 
@@ -75,7 +75,7 @@ def intact(log: Path) -> list[bytes]:
 
 
 @pytest.mark.parametrize("port", ["tcp", "pty"])
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", offering("live"))
 def test_real_ports(language: str, port: str, tmp_path: Path) -> None:
     log = tmp_path / "faults.jsonl"
     place = ["--tcp", "localhost:0"] if port == "tcp" else ["--pty", str(tmp_path / "port")]
@@ -95,7 +95,7 @@ def test_real_ports(language: str, port: str, tmp_path: Path) -> None:
     assert [e for e in events if e["event"] == "received" and e["set"] >= 0x80] == wanted
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", offering("live"))
 def test_a_device_that_goes_away(language: str) -> None:
     """The client says that the port is closed, and that the command was not answered."""
     ping = next(s for s in commands(device()) if s.field.name == "ping")

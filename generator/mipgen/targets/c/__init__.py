@@ -15,7 +15,7 @@ from .identifiers import identifiers
 __all__ = ["CONFORMANCE", "FORMATTER", "TITLE", "files", "filters", "identifiers"]
 
 TITLE = "C99, library mip"
-CONFORMANCE = ("parse", "decode", "encode", "client")
+CONFORMANCE = ("parse", "decode", "encode", "client", "live")
 FORMATTER = formatting.CLANG_FORMAT
 
 

@@ -13,7 +13,7 @@ from ...render import File
 from . import docs, members, names, simulator, steps, tables
 
 TITLE = "Python >= 3.10, package mip_protocol"
-CONFORMANCE = ("parse", "decode", "encode", "client")
+CONFORMANCE = ("parse", "decode", "encode", "client", "live")
 FORMATTER = formatting.RUFF
 PACKAGE = "mip_protocol"
 

@@ -13,7 +13,7 @@ from .names import LANGUAGE, Record, constant, home, member, method, module, typ
 from .records import Records
 
 TITLE = "Rust, no_std"
-CONFORMANCE = ("parse", "decode", "encode", "client")
+CONFORMANCE = ("parse", "decode", "encode", "client", "live")
 
 
 def files(model: m.Model) -> Iterable[File]:

@@ -120,8 +120,9 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
 /**
  * Updates the time. Call it until it returns false; then the overdue requests have timed out.
  * Before that, it looks behind the bytes that the parser holds back, because noise that looks like
- * the start of a packet may hide an answer: it returns true if that finds a packet, which the caller
- * handles like any other. A packet of which a part has come is kept. `parser` is the parser of the packets, or NULL.
+ * the start of a packet may hide an answer: it returns true if that finds a packet, which the
+ * caller handles like any other. A packet of which a part has come is kept. `parser` is the parser
+ * of the packets, or NULL.
  */
 bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint32_t now,
                      struct mip_packet *packet);

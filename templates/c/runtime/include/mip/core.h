@@ -157,8 +157,8 @@ bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *si
 bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet);
 
 /**
- * Gives up the incomplete packet, for instance at the end of a file, and finds packets hidden behind
- * its first bytes. Call it until it returns false.
+ * Gives up the incomplete packet, for instance at the end of a file, and finds packets hidden
+ * behind its first bytes. Call it until it returns false.
  */
 bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *packet);
 
