@@ -29,7 +29,7 @@ from mip_protocol import (
     types,
 )
 from mip_protocol.errors import Failure
-from mip_protocol.simulator import VirtualDevice, effects, knowledge
+from mip_protocol.simulator import VirtualDevice, effects, formats, knowledge
 from mip_protocol.simulator._facts import COMMANDS, EFFECTS, QUANTITIES
 from mip_protocol.simulator.settings import command_type, keys
 from simulator_host import Host
@@ -217,7 +217,7 @@ def test_all_settings_of_every_device_fit_into_its_file(tmp_path: Path) -> None:
     host.ok(mip_3dm.DeviceSettings.save())
     kept = json.loads(path.read_text())
     assert kept["device"] == GX5 and [x["command"] for x in kept["settings"]] == ["3dm.imu_message_format"]
-    assert VirtualDevice(GX5, storage=path).format(0x80) == [(0x04, 5)]
+    assert formats.of_set(VirtualDevice(GX5, storage=path), 0x80) == [(0x04, 5)]
 
 
 # --------------------------------------------------------------------------- refusals
@@ -339,7 +339,7 @@ def test_a_stream_has_the_base_rate_over_the_decimation(host: Host) -> None:
 def test_the_old_commands_set_the_same_formats(old: Host) -> None:
     old.ok(mip_3dm.ImuMessageFormat.write(rates((0x04, 100))))
     old.ok(mip_3dm.FilterMessageFormat.write(rates((0x05, 100))))
-    assert old.device.format(0x80) == [(0x04, 100)] and old.device.format(0x82) == [(0x05, 100)]
+    assert formats.of_set(old.device, 0x80) == [(0x04, 100)] and formats.of_set(old.device, 0x82) == [(0x05, 100)]
     assert {(p.set, len(list(p))) for p in received(old, 1.0)} == {(0x80, 1), (0x82, 1)}
     old.ok(mip_3dm.DataStreamControl.write(1, False))
     assert {p.set for p in received(old, 1.0)} == {0x82}
@@ -393,9 +393,9 @@ def test_a_poll_answers_the_host_that_asks_and_a_stream_all(host: Host) -> None:
 def test_factory_streaming(host: Host) -> None:
     host.ok(mip_3dm.MessageFormat.write(0x80, rates((0x17, 500))))
     host.ok(mip_3dm.FactoryStreaming(action(2), 0))
-    assert host.device.format(0x80)[0] == (0x17, 500) and len(host.device.format(0x80)) == 5
+    assert formats.of_set(host.device, 0x80)[0] == (0x17, 500) and len(formats.of_set(host.device, 0x80)) == 5
     host.ok(mip_3dm.FactoryStreaming(action(0), 0))
-    assert len(host.device.format(0x80)) == 4
+    assert len(formats.of_set(host.device, 0x80)) == 4
     assert {p.set for p in received(host, 2.0)} == {s for s, _ in host.device.profile.fields if 0x80 <= s < 0xFF}
 
 

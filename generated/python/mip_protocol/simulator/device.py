@@ -18,38 +18,29 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from .. import devices, reflection, registry
+from .. import devices, registry
 from ..errors import Failure
 from ..field import Command
 from ..packet import Packet, RawField
-from ..profile import Device, Port
-from . import nmea, ports, values
+from ..profile import Device
+from . import formats, nmea, ports, values
 from ._facts import COMMANDS
-from .checks import NOTHING, data_sets
-from .codes import DEFAULT, LOAD, READ, SAVE, WRITE
+from .checks import NOTHING
+from .codes import DEFAULT, LOAD, SAVE
 from .commands import carry_out
 from .effects import act
 from .faults import Faults
-from .knowledge import rate
 from .link import Link
 from .motion import Motion, Standing
-from .settings import Place, Settings, arguments, command_type, home, keys
+from .settings import Place, Settings, arguments, asking, command_type, home
 from .streams import SECOND, Stream, answers, packets
 from .world import World
 
 #: How long a device takes to start; it answers nothing meanwhile.
 BOOT_TIME = SECOND // 2
 
-#: The rate in Hz of sets whose data come as they arise, and of those whose rate is not known.
-RATE_AS_THEY_ARISE = 1.0
-UNKNOWN_RATE = 100.0
-
 #: How often disturbances may happen.
 DISTURBANCE_TIME = SECOND // 10
-
-#: What factory streaming asks for of each set, at this rate in Hz.
-FACTORY_FIELDS, FACTORY_RATE = 4, 10
-
 
 Encoder = Callable[[], list[RawField]]
 
@@ -106,7 +97,6 @@ class VirtualDevice:
             raise Failure(f"{self.profile.title} has no port '{port}'; known: {known}")
         link = Link(name, self._receive, capacity)
         self.links.append(link)
-        self.set_baud_rates()
         ports.arrange(self)
         return link
 
@@ -230,7 +220,7 @@ class VirtualDevice:
     def apply(self, at: Place, kept: Command | None) -> None:
         """A setting has changed by itself: its effect follows."""
         command = (
-            kept if kept is not None else self.settings.factory(command_type(at[0]), _asked(*at))
+            kept if kept is not None else self.settings.factory(command_type(at[0]), asking(*at))
         )
         outcome = act(self, command, None, None)
         if outcome.after is not None:
@@ -255,21 +245,21 @@ class VirtualDevice:
         """All effects of the settings that the device starts with."""
         self.world.restart()
         for name, behavior in COMMANDS.items():
-            if behavior.effect.startswith("orientation") and self._has(name):
+            if behavior.effect.startswith("orientation") and self.knows(name):
                 self.apply((home(command_type(name)).NAME, ()), None)
         for at, kept in list(self.settings.items()):
             self.apply(at, kept)
-        self.set_baud_rates()
         ports.arrange(self)
         self.arrange()
 
     def has_effect(self, effect: str) -> bool:
         """Does the device know a command with this effect?"""
         return any(
-            behavior.effect == effect and self._has(name) for name, behavior in COMMANDS.items()
+            behavior.effect == effect and self.knows(name) for name, behavior in COMMANDS.items()
         )
 
-    def _has(self, name: str) -> bool:
+    def knows(self, name: str) -> bool:
+        """Does the device have this command?"""
         kind = command_type(name)
         return (kind.SET, kind.DESCRIPTOR) in self.known
 
@@ -279,73 +269,19 @@ class VirtualDevice:
             if behavior.effect == "trigger_mode":
                 self.settings.reset((name, (instance,)))
 
-    def port(self, number: int | None) -> Port | None:
-        """A port by its number; without one, the first that has baud rates."""
-        ports = [p for p in self.profile.ports if p.baud_rates or number]
-        return next((p for p in ports if number in (None, p.id)), None)
-
-    def set_baud_rates(self) -> None:
-        """The links follow the settings of their ports."""
-        rates: dict[str, int] = {}
-        for name, behavior in COMMANDS.items():
-            if behavior.effect == "baud_rate" and self._has(name):
-                for port in (
-                    self.profile.ports if "port" in behavior.arguments else (self.port(None),)
-                ):
-                    if port is not None and port.baud_rates:
-                        asked = _asked(name, () if port.id is None else (port.id,))
-                        rates[port.name] = arguments(self.settings.current(asked))["baud"]
-        for link in self.links:
-            link.baud = rates.get(link.port)
-
     # ----------------------------------------------------------------------- streams
 
     def sends(self, set: int, descriptor: int) -> bool:
         """Is it a field of this data set, or a shared one?"""
         return (set, descriptor) in self.known or (0xFF, descriptor) in self.known
 
-    def format(self, set: int) -> list[tuple[int, int]]:
-        """The message format of a set: descriptors and decimations."""
-        for given in self.settings_of("format"):
-            if given["set"] == set:
-                return [(entry.descriptor, entry.decimation) for entry in given["fields"]]
-        return []
-
-    def sentence_format(self) -> list[Any]:
-        return [entry for given in self.settings_of("sentences") for entry in given["entries"]]
-
-    def enabled(self, set: int) -> bool:
-        """Is the stream of a set switched on?"""
-        for given in self.settings_of("switch"):
-            if given["set"] == set:
-                return bool(given["enable"])
-        return True
-
-    def streams_set(self, set: int) -> bool:
-        return bool(self.enabled(set) and self.format(set))
-
     def arrange(self) -> None:
         """Starts the streams that the settings ask for, and no others."""
-        self._streams = []
-        if self.idle or self.direct:
-            return
-        for set in sorted(data_sets(self.profile)):
-            items = [(d, self._encoder(set, x)) for x, d in self.format(set) if self.sends(set, x)]
-            if items and self.enabled(set):
-                self._start(set, items, partial(self._send_fields, set))
-        for set in sorted({entry.source_descriptor_set for entry in self.sentence_format()}):
-            entries = [
-                (e.decimation, e) for e in self.sentence_format() if e.source_descriptor_set == set
-            ]
-            self._start(set, entries, self.send_sentences)
+        quiet = self.idle or self.direct
+        self._streams = [] if quiet else formats.streams(self, max(self.now, self._ready_at))
 
-    def _start(
-        self, set: int, items: list[tuple[int, Any]], fire: Callable[[list[Any]], None]
-    ) -> None:
-        base = self.profile.base_rates.get(set, UNKNOWN_RATE) or RATE_AS_THEY_ARISE
-        self._streams.append(Stream(base, items, fire, self.booted, max(self.now, self._ready_at)))
-
-    def _encoder(self, set: int, descriptor: int) -> Encoder:
+    def encoder(self, set: int, descriptor: int) -> Encoder:
+        """Makes the data of a field for this moment."""
         found = self._encoders.get((set, descriptor))
         if found is None:
             kind = registry.types(set, descriptor)[0]
@@ -355,9 +291,10 @@ class VirtualDevice:
 
     def send_data(self, set: int, wanted: Iterable[int], link: Link | None = None) -> None:
         """One set of data: fields by their descriptors; those that the device does not know are left out."""
-        self._send_fields(set, [self._encoder(set, x) for x in wanted if self.sends(set, x)], link)
+        self.send_fields(set, [self.encoder(set, x) for x in wanted if self.sends(set, x)], link)
 
-    def _send_fields(self, set: int, encoders: Iterable[Encoder], link: Link | None = None) -> None:
+    def send_fields(self, set: int, encoders: Iterable[Encoder], link: Link | None = None) -> None:
+        """Fields in as few packets as they fit into, to one host or to all."""
         fields = [field for encode in encoders for field in encode()]
         if self.faults is not None:
             fields = self.faults.data(self.now, set, fields)
@@ -369,19 +306,6 @@ class VirtualDevice:
         text = nmea.sentences(entries, self.world)
         if text:
             self._send(text, link, ports.NMEA)
-
-    def factory_formats(self, keep: bool) -> None:
-        """Message formats with the first fields of each set, in place of the present ones or behind them."""
-        names = (name for name, b in COMMANDS.items() if b.effect == "format" and self._has(name))
-        kind: Any = home(command_type(next(names)))
-        at = {name: str(given) for name, given in COMMANDS[kind.NAME].arguments.items()}
-        entry = next(p.type for p in reflection.PARAMETERS[kind] if p.attribute == at["fields"])
-        for set in sorted(data_sets(self.profile)):
-            decimation = max(1, round(rate(self, set) / FACTORY_RATE))
-            own = sorted(x for s, x in self.known if s == set)[:FACTORY_FIELDS]
-            wanted = [*(self.format(set) if keep else ()), *((x, decimation) for x in own)]
-            given = {at["set"]: set, at["fields"]: tuple(entry(*pair) for pair in wanted)}
-            self.settings.write(kind(function=WRITE, **given))
 
     # ----------------------------------------------------------------------- bytes
 
@@ -419,13 +343,6 @@ def _profile(device: Device | str) -> Device:
 
 def _fields(set: int, descriptor: int, encode: Callable[[], list[bytes]]) -> list[RawField]:
     return [RawField(set, descriptor, data) for data in encode()]
-
-
-def _asked(name: str, key: Sequence[int]) -> Command:
-    """A command that asks for an instance of a setting."""
-    kind: Any = command_type(name)
-    asked: Command = kind(function=READ, **dict(zip(keys(kind), key)))
-    return asked
 
 
 __all__ = ["VirtualDevice"]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any, cast
@@ -78,6 +78,13 @@ def place(command: Command) -> Place:
         value = behavior.key.get(name, getattr(command, name, None))
         found.append(behavior.translate.get(name, {}).get(value, value) if value is not None else 0)
     return owner.NAME, tuple(int(v) for v in found)
+
+
+def asking(name: str, key: Sequence[int]) -> Command:
+    """A command that asks for an instance of a setting."""
+    kind: Any = command_type(name)
+    asked: Command = kind(function=READ, **dict(zip(keys(kind), key)))
+    return asked
 
 
 class Settings:

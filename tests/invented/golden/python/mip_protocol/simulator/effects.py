@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from ..field import Command
-from . import knowledge, ports, views
+from . import formats, knowledge, ports, views
 from ._facts import COMMANDS
 from .checks import NOTHING, data_sets
 from .codes import COMMAND_FAILED, INVALID_PARAMETER, READ, SETS, Refused
@@ -115,14 +115,14 @@ def _poll(device: VirtualDevice, call: Call) -> Outcome:
     if set not in data_sets(device.profile):
         raise Refused(INVALID_PARAMETER)
     if not wanted:
-        descriptors = [descriptor for descriptor, _ in device.format(set)]
+        descriptors = [descriptor for descriptor, _ in formats.of_set(device, set)]
         if not descriptors:
             raise Refused(COMMAND_FAILED)
     return Outcome(after=lambda: device.send_data(set, descriptors, call.link))
 
 
 def _poll_sentences(device: VirtualDevice, call: Call) -> Outcome:
-    entries = call.values["entries"] or device.sentence_format()
+    entries = call.values["entries"] or formats.of_sentences(device)
     if not entries:
         raise Refused(COMMAND_FAILED)
     return Outcome(after=lambda: device.send_sentences(entries, call.link))
@@ -130,7 +130,7 @@ def _poll_sentences(device: VirtualDevice, call: Call) -> Outcome:
 
 def _factory_streaming(device: VirtualDevice, call: Call) -> Outcome:
     """A format with a few fields of each set, in place of the present formats or behind them."""
-    device.factory_formats(keep=call.values["action"] != 0)
+    formats.factory(device, keep=call.values["action"] != 0)
     return Outcome(after=device.arrange)
 
 
@@ -145,11 +145,11 @@ def _all_settings(device: VirtualDevice, call: Call) -> Outcome:
 
 def _baud_rate(device: VirtualDevice, call: Call) -> Outcome:
     """Takes effect after the answer, which is sent at the old rate."""
-    port = device.port(call.values.get("port"))
+    port = ports.with_baud_rates(device, call.values.get("port"))
     baud = call.values["baud"]
     if call.writes and (port is None or (port.baud_rates and baud not in port.baud_rates)):
         raise Refused(INVALID_PARAMETER)
-    return Outcome(after=device.set_baud_rates)
+    return Outcome(after=lambda: ports.arrange(device))
 
 
 def _mounting(device: VirtualDevice, call: Call) -> Outcome:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from . import nmea, ports
+from . import formats, nmea, ports
 from .checks import data_sets
 
 if TYPE_CHECKING:
@@ -33,11 +33,6 @@ def _number(device: VirtualDevice, last: str) -> str:
 def descriptors(device: VirtualDevice) -> list[int]:
     """Set and descriptor of all commands and data, in order; shared data as such."""
     return sorted(set << 8 | descriptor for set, descriptor in device.known)
-
-
-def rate(device: VirtualDevice, set: int) -> int:
-    """The base rate as commands report it; 0 if the set has none."""
-    return round(device.profile.base_rates.get(set) or 0)
 
 
 # --------------------------------------------------------------------------- events
@@ -129,7 +124,9 @@ def _port_protocols(way: int) -> Quantity:
 
 
 def _stream(set: int) -> Quantity:
-    return lambda device, context: device.streams_set(set)
+    return lambda device, context: bool(
+        formats.enabled(device, set) and formats.of_set(device, set)
+    )
 
 
 QUANTITIES: dict[str, Quantity] = {
@@ -148,8 +145,8 @@ QUANTITIES: dict[str, Quantity] = {
     "device.bytes_sent": lambda device, context: device.bytes_sent & 0xFFFFFFFF,
     "device.bytes_received": lambda device, context: device.bytes_received & 0xFFFFFFFF,
     "device.packets_dropped": lambda device, context: device.dropped & 0xFFFFFFFF,
-    "stream.base_rate": lambda device, context: rate(device, context["set"]),
-    "stream.enabled": lambda device, context: device.enabled(context["set"]),
+    "stream.base_rate": lambda device, context: formats.rate(device, context["set"]),
+    "stream.enabled": lambda device, context: formats.enabled(device, context["set"]),
     "stream.sensor": _stream(0x80),
     "stream.gnss": _stream(0x81),
     "stream.filter": _stream(0x82),
@@ -166,4 +163,4 @@ QUANTITIES: dict[str, Quantity] = {
     "receiver.list": _receivers,
 }
 
-__all__ = ["QUANTITIES", "descriptors", "rate", "sentence", "trigger_type"]
+__all__ = ["QUANTITIES", "descriptors", "sentence", "trigger_type"]

@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from ..profile import Port
+from ._facts import COMMANDS
 from .codes import COMMAND_FAILED, INVALID_PARAMETER, Refused
+from .settings import arguments, asking
 
 if TYPE_CHECKING:
     from .device import VirtualDevice
@@ -68,11 +70,34 @@ def check(device: VirtualDevice, values: dict[str, Any], link: Link | None) -> N
             raise Refused(COMMAND_FAILED)
 
 
+def with_baud_rates(device: VirtualDevice, number: int | None) -> Port | None:
+    """A port by its number; without one, the first that has baud rates."""
+    if number is not None:
+        return by_number(device, number)
+    return next((port for port in device.profile.ports if port.baud_rates), None)
+
+
+def baud_rates(device: VirtualDevice) -> dict[str, int]:
+    """The baud rates of the ports that have one, by their names."""
+    found: dict[str, int] = {}
+    for name, behavior in COMMANDS.items():
+        if behavior.effect != "baud_rate" or not device.knows(name):
+            continue
+        one = with_baud_rates(device, None)
+        for port in device.profile.ports if "port" in behavior.arguments else (one,):
+            if port is not None and port.baud_rates:
+                asked = asking(name, () if port.id is None else (port.id,))
+                found[port.name] = arguments(device.settings.current(asked))["baud"]
+    return found
+
+
 def arrange(device: VirtualDevice) -> None:
     """The links follow the settings of their ports."""
     given = {port.name: protocols(device, port) for port in device.profile.ports}
+    bauds = baud_rates(device)
     for link in device.links:
         link.takes, link.gives = given.get(link.port, (MIP, MIP | NMEA))
+        link.baud = bauds.get(link.port)
 
 
-__all__ = ["MIP", "NMEA", "arrange", "by_number", "check", "main", "protocols"]
+__all__ = ["MIP", "NMEA", "arrange", "by_number", "check", "main", "protocols", "with_baud_rates"]
