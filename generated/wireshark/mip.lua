@@ -4997,19 +4997,28 @@ local function bit_items(made, item, range)
   end
 end
 
+-- The bytes of a node. They are taken from the packet: an empty part of a part is an error in Wireshark.
+local function span(made, context)
+  return context.data:range(context.base + made.at, made.size)
+end
+
 local add = {}
 
 local function add_one(made, context)
   return add[made.row.kind](made, context)
 end
 
--- `context`: the data, the tree, the numbers of the record, and what an outer record says of its members.
+-- `context`: the packet, where the data of the field are in it, the tree, the numbers of the record, and what an outer
+-- record says of its members.
 local function within(context, tree, record, readings)
-  return { data = context.data, tree = tree, record = record, readings = readings, outer = context.record }
+  return {
+    data = context.data, base = context.base,
+    tree = tree, record = record, readings = readings, outer = context.record,
+  }
 end
 
 function add.scalar(made, context)
-  local row, range = made.row, context.data:range(made.at, made.size)
+  local row, range = made.row, span(made, context)
   local item = context.tree:add(made.bound.filter, range)
   item:append_text(unit(row))
   local read_as = reading(row.readings, context.record) or reading(context.readings, context.outer, row.name)
@@ -5026,35 +5035,35 @@ function add.scalar(made, context)
 end
 
 function add.constant(made, context)
-  local range = context.data:range(made.at, made.size)
-  local item = context.tree:add(made.bound.filter, range)
+  local item = context.tree:add(made.bound.filter, span(made, context))
+  item:append_text(" (constant)")
   if made.wrong then
     item:add_proto_expert_info(experts.constant)
   end
 end
 
-add.counter = function(made, context)
-  context.tree:add(made.bound.filter, context.data:range(made.at, made.size))
+function add.counter(made, context)
+  context.tree:add(made.bound.filter, span(made, context))
 end
 
 function add.bits(made, context)
-  local range = context.data:range(made.at, made.size)
+  local range = span(made, context)
   bit_items(made, context.tree:add(made.bound.filter, range), range)
   return tostring(range:bytes())
 end
 
 function add.text(made, context)
-  local range = context.data:range(made.at, made.size)
+  local range = span(made, context)
   if made.size == 0 then
     context.tree:add(made.bound.filter, range, "")
     return '""'
   end
   context.tree:add_packet_field(made.bound.filter, range, ENC_ISO_8859_1)
-  return '"' .. range:string(ENC_ISO_8859_1):gsub("%s+$", "") .. '"'
+  return '"' .. range:raw():match("^[%g ]*"):gsub(" +$", "") .. '"'
 end
 
 function add.struct(made, context)
-  local item = context.tree:add(made.bound.filter, context.data:range(made.at, made.size))
+  local item = context.tree:add(made.bound.filter, span(made, context))
   item:set_text(made.row.name)
   local inside = within(context, item, made.record, made.row.readings)
   for _, part in ipairs(made.parts) do
@@ -5063,12 +5072,12 @@ function add.struct(made, context)
 end
 
 function add.array(made, context)
-  local row, range = made.row, context.data:range(made.at, made.size)
+  local row, range = made.row, span(made, context)
   if row.elements then
     local item, texts = context.tree:add(made.bound.filter, range), {}
     for i, part in ipairs(made.parts) do
       add.scalar(part, within(context, item, {}))
-      texts[i] = written(part, context.data:range(part.at, part.size))
+      texts[i] = written(part, span(part, context))
     end
     local common = not (row.units and row.units[2]) and unit(row) or ""
     local text = table.concat(texts, ", ") .. common
@@ -5085,7 +5094,7 @@ function add.array(made, context)
 end
 
 function add.switch(made, context)
-  local item = context.tree:add(made.bound.filter, context.data:range(made.at, made.size))
+  local item = context.tree:add(made.bound.filter, span(made, context))
   local case = made.case
   item:set_text(string.format("%s: %s", made.row.name, case and "case " .. case.label or "no case"))
   local inside = within(context, item, {})
@@ -5095,9 +5104,9 @@ function add.switch(made, context)
 end
 
 -- Adds all nodes; the first values as a text for the line of the field.
-local function add_nodes(nodes, data, tree, record)
+local function add_nodes(nodes, data, base, tree, record)
   local texts, size = {}, 0
-  local context = { data = data, tree = tree, record = record }
+  local context = { data = data, base = base, tree = tree, record = record }
   for _, made in ipairs(nodes) do
     local text = add_one(made, context)
     if text and made.row.name ~= "function" and size < 80 then
@@ -5306,11 +5315,7 @@ end
 
 -- Shows what is wrong with a field whose data cannot be decoded.
 local function show_raw(item, range)
-  if range:len() > 0 then
-    item:add(own.field_data, range)
-  else
-    item:add(own.field_data, range, ByteArray.new()):set_text("Data: none")
-  end
+  item:add(own.field_data, range)
 end
 
 local function command_title(number, descriptor)
@@ -5374,21 +5379,23 @@ local function show_field(packet, at, size, index, tree)
   if not f then
     show_raw(item, data)
     item:add_proto_expert_info(experts.unknown_descriptor)
+    packet.exchange = nil
     return SETS[packet.set] and SETS[packet.set].named[descriptor] or title
   end
   add_generated(item, own.field_name, f.name)
   add_generated(item, own.field_role, f.role)
   local nodes, record, left, problem = decode(f, raw)
-  local text = add_nodes(nodes, data, item, record)
+  local text = add_nodes(nodes, packet.data, at + 2, item, record)
   if problem then
-    if problem.kind ~= "constant" or not (#nodes > 0) then
+    if problem.kind ~= "constant" then -- which is shown at its value
       item:add_proto_expert_info(experts[problem.kind], problem.text)
     end
     show_raw(item, data)
+    packet.exchange = nil
     return f.title .. " (" .. PROBLEMS[problem.kind] .. ")", f
   end
   if left > 0 then
-    item:add(own.trailing, data:range(data:len() - left, left)):add_proto_expert_info(experts.trailing)
+    item:add(own.trailing, packet.data:range(at + size - left, left)):add_proto_expert_info(experts.trailing)
   end
   if f == ACKNOWLEDGE_FIELD then
     return show_acknowledge(packet, item, record, key), f

@@ -107,11 +107,7 @@ end
 
 -- Shows what is wrong with a field whose data cannot be decoded.
 local function show_raw(item, range)
-  if range:len() > 0 then
-    item:add(own.field_data, range)
-  else
-    item:add(own.field_data, range, ByteArray.new()):set_text("Data: none")
-  end
+  item:add(own.field_data, range)
 end
 
 local function command_title(number, descriptor)
@@ -175,21 +171,23 @@ local function show_field(packet, at, size, index, tree)
   if not f then
     show_raw(item, data)
     item:add_proto_expert_info(experts.unknown_descriptor)
+    packet.exchange = nil
     return SETS[packet.set] and SETS[packet.set].named[descriptor] or title
   end
   add_generated(item, own.field_name, f.name)
   add_generated(item, own.field_role, f.role)
   local nodes, record, left, problem = decode(f, raw)
-  local text = add_nodes(nodes, data, item, record)
+  local text = add_nodes(nodes, packet.data, at + 2, item, record)
   if problem then
-    if problem.kind ~= "constant" or not (#nodes > 0) then
+    if problem.kind ~= "constant" then -- which is shown at its value
       item:add_proto_expert_info(experts[problem.kind], problem.text)
     end
     show_raw(item, data)
+    packet.exchange = nil
     return f.title .. " (" .. PROBLEMS[problem.kind] .. ")", f
   end
   if left > 0 then
-    item:add(own.trailing, data:range(data:len() - left, left)):add_proto_expert_info(experts.trailing)
+    item:add(own.trailing, packet.data:range(at + size - left, left)):add_proto_expert_info(experts.trailing)
   end
   if f == ACKNOWLEDGE_FIELD then
     return show_acknowledge(packet, item, record, key), f
