@@ -4598,7 +4598,7 @@ local SIZED = { "uint8", "uint16", "uint24", "uint32" }
 
 local function number_filter(path, name, type, enum, doc, hexadecimal)
   if type == "float" or type == "double" then
-    return filter(ProtoField[type](path, name, nil, doc))
+    return filter(ProtoField.new(name, path, ftypes[type:upper()], nil, base.NONE, nil, doc))
   elseif type == "bool" then
     return filter(ProtoField.bool(path, name, base.NONE, nil, nil, doc))
   elseif type == "char" then
@@ -5122,9 +5122,9 @@ end
 -- Wireshark shows a packet anew.
 
 local WAIT = 2.0 -- seconds: a command that waits longer is not the one that is answered if a later one can be
-local WAITING_AT_MOST = 256 -- commands in a conversation
+local WAITING_AT_MOST = 16 -- commands of a descriptor in a conversation
 
-local exchanges -- conversation -> commands that wait for an answer, in the order in which they were sent
+local exchanges -- conversation and descriptor -> commands that wait for an answer, in the order in which they were sent
 local known -- field of a packet -> the exchange of which it is a part
 
 local function forget_exchanges()
@@ -5144,20 +5144,18 @@ local function answered(f, record)
   return not (f.silent_when and #f.silent_when > 0)
 end
 
-local function waiting(conversation)
-  exchanges[conversation] = exchanges[conversation] or {}
-  return exchanges[conversation]
+local function waiting(conversation, number, descriptor)
+  local place = string.format("%s %d %d", conversation, number, descriptor)
+  exchanges[place] = exchanges[place] or {}
+  return exchanges[place]
 end
 
 -- A command was sent: key names the field, and is the same whenever the packet is shown.
 local function command_sent(key, conversation, number, descriptor, f, record, frame, time)
   if not known[key] and answered(f, record) then
-    local exchange = {
-      set = number, descriptor = descriptor, name = f.title, request = frame, sent = time,
-      patience = math.max(WAIT, f.timeout or 0),
-    }
+    local exchange = { request = frame, sent = time, patience = math.max(WAIT, f.timeout or 0) }
     known[key] = exchange
-    local queue = waiting(conversation)
+    local queue = waiting(conversation, number, descriptor)
     queue[#queue + 1] = exchange
     if #queue > WAITING_AT_MOST then
       table.remove(queue, 1)
@@ -5169,13 +5167,11 @@ end
 -- An acknowledge came: the oldest command of this descriptor that may still wait, else the newest.
 local function answer_came(key, conversation, number, descriptor, frame, time)
   if not known[key] then
-    local queue, found = waiting(conversation), nil
+    local queue, found = waiting(conversation, number, descriptor), nil
     for i, exchange in ipairs(queue) do
-      if exchange.set == number and exchange.descriptor == descriptor then
-        found = i
-        if time - exchange.sent <= exchange.patience then
-          break
-        end
+      found = i
+      if time - exchange.sent <= exchange.patience then
+        break
       end
     end
     if found then
@@ -5212,12 +5208,12 @@ end
 local HEADER, AROUND = 4, 6 -- bytes of the header; of the header and the checksum
 
 local function checksum(raw, at, size)
-  local a, b = 0, 0
-  for i = at + 1, at + size do
-    a = (a + raw:byte(i)) % 256
-    b = (b + a) % 256
+  local bytes, a, b = { raw:byte(at + 1, at + size) }, 0, 0
+  for i = 1, size do
+    a = a + bytes[i]
+    b = b + a
   end
-  return a * 256 + b
+  return a % 256 * 256 + b % 256
 end
 
 -- The bytes of the packet whose sync is at `at`, with its checksum; nil if the header is not all there.
@@ -5231,10 +5227,10 @@ end
 
 -- Every place is tried in order, and a packet is taken whole: its begin and size for each. After a header without a
 -- packet the search goes on one byte behind its sync. `rest` is where a packet begins that may go on in later bytes,
--- `missing` how many of its bytes are known to be; with `final`, no bytes follow.
-local function scan(raw, final)
+-- `missing` how many of its bytes are known to be; with `final`, no bytes follow. At most `limit` packets.
+local function scan(raw, final, limit)
   local found, at = {}, 0
-  while at < #raw do
+  while at < #raw and #found ~= limit do
     local sync = raw:find(SYNC, at + 1, true)
     if not sync then
       local half = not final and raw:sub(-1) == SYNC:sub(1, 1) and #raw - 1 >= at
@@ -5568,13 +5564,13 @@ end
 -- A chunk of a serial line. Frames come in order once; what was held back before each of them is kept, so that it is
 -- shown in the same way whenever Wireshark comes back to it.
 local held -- line -> bytes held back
-local before -- line and frame -> bytes held back before it
+local before -- line -> frame -> bytes held back before it
 
 function stream.dissector(tvb, pinfo, tree)
   local line = string.format("%s %s", conversation_of(pinfo), tostring(pinfo.p2p_dir))
-  local place = line .. " " .. pinfo.number
-  before[place] = before[place] or held[line] or ""
-  local head = before[place]
+  before[line] = before[line] or {}
+  local head = before[line][pinfo.number] or held[line] or ""
+  before[line][pinfo.number] = head
   local raw, data = head .. tvb:raw(), tvb
   if head ~= "" then
     data = ByteArray.new(raw, true):tvb("MIP, with the bytes of earlier frames")
@@ -5723,10 +5719,10 @@ local function next_bytes(file)
   if not raw or #raw == 0 then
     return nil
   end
-  local first = scan(raw, #raw < LONGEST)[1]
+  local first = scan(raw, #raw < LONGEST, 1)[1]
   if not first or first.at > 0 then
     raw = raw .. (file:read(PROBE - LONGEST) or "")
-    local packets, rest = scan(raw, #raw < PROBE)
+    local packets, rest = scan(raw, #raw < PROBE, 1)
     first = packets[1] and { at = 0, size = packets[1].at } or { at = 0, size = rest or #raw }
   end
   file:seek("set", from + first.size)
@@ -5738,7 +5734,7 @@ log.extensions = "mip;bin;log;dat;raw"
 
 function log.read_open(file, capture)
   local raw = file:read(PROBE) or ""
-  local first = scan(raw, true)[1]
+  local first = scan(raw, true, 1)[1]
   if not first or not plausible(raw, first.at, first.size) then
     return false
   end

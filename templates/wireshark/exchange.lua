@@ -3,9 +3,9 @@
 -- Wireshark shows a packet anew.
 
 local WAIT = 2.0 -- seconds: a command that waits longer is not the one that is answered if a later one can be
-local WAITING_AT_MOST = 256 -- commands in a conversation
+local WAITING_AT_MOST = 16 -- commands of a descriptor in a conversation
 
-local exchanges -- conversation -> commands that wait for an answer, in the order in which they were sent
+local exchanges -- conversation and descriptor -> commands that wait for an answer, in the order in which they were sent
 local known -- field of a packet -> the exchange of which it is a part
 
 local function forget_exchanges()
@@ -25,20 +25,18 @@ local function answered(f, record)
   return not (f.silent_when and #f.silent_when > 0)
 end
 
-local function waiting(conversation)
-  exchanges[conversation] = exchanges[conversation] or {}
-  return exchanges[conversation]
+local function waiting(conversation, number, descriptor)
+  local place = string.format("%s %d %d", conversation, number, descriptor)
+  exchanges[place] = exchanges[place] or {}
+  return exchanges[place]
 end
 
 -- A command was sent: key names the field, and is the same whenever the packet is shown.
 local function command_sent(key, conversation, number, descriptor, f, record, frame, time)
   if not known[key] and answered(f, record) then
-    local exchange = {
-      set = number, descriptor = descriptor, name = f.title, request = frame, sent = time,
-      patience = math.max(WAIT, f.timeout or 0),
-    }
+    local exchange = { request = frame, sent = time, patience = math.max(WAIT, f.timeout or 0) }
     known[key] = exchange
-    local queue = waiting(conversation)
+    local queue = waiting(conversation, number, descriptor)
     queue[#queue + 1] = exchange
     if #queue > WAITING_AT_MOST then
       table.remove(queue, 1)
@@ -50,13 +48,11 @@ end
 -- An acknowledge came: the oldest command of this descriptor that may still wait, else the newest.
 local function answer_came(key, conversation, number, descriptor, frame, time)
   if not known[key] then
-    local queue, found = waiting(conversation), nil
+    local queue, found = waiting(conversation, number, descriptor), nil
     for i, exchange in ipairs(queue) do
-      if exchange.set == number and exchange.descriptor == descriptor then
-        found = i
-        if time - exchange.sent <= exchange.patience then
-          break
-        end
+      found = i
+      if time - exchange.sent <= exchange.patience then
+        break
       end
     end
     if found then

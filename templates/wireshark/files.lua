@@ -14,10 +14,10 @@ local function next_bytes(file)
   if not raw or #raw == 0 then
     return nil
   end
-  local first = scan(raw, #raw < LONGEST)[1]
+  local first = scan(raw, #raw < LONGEST, 1)[1]
   if not first or first.at > 0 then
     raw = raw .. (file:read(PROBE - LONGEST) or "")
-    local packets, rest = scan(raw, #raw < PROBE)
+    local packets, rest = scan(raw, #raw < PROBE, 1)
     first = packets[1] and { at = 0, size = packets[1].at } or { at = 0, size = rest or #raw }
   end
   file:seek("set", from + first.size)
@@ -29,7 +29,7 @@ log.extensions = "mip;bin;log;dat;raw"
 
 function log.read_open(file, capture)
   local raw = file:read(PROBE) or ""
-  local first = scan(raw, true)[1]
+  local first = scan(raw, true, 1)[1]
   if not first or not plausible(raw, first.at, first.size) then
     return false
   end

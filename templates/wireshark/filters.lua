@@ -79,7 +79,7 @@ local SIZED = { "uint8", "uint16", "uint24", "uint32" }
 
 local function number_filter(path, name, type, enum, doc, hexadecimal)
   if type == "float" or type == "double" then
-    return filter(ProtoField[type](path, name, nil, doc))
+    return filter(ProtoField.new(name, path, ftypes[type:upper()], nil, base.NONE, nil, doc))
   elseif type == "bool" then
     return filter(ProtoField.bool(path, name, base.NONE, nil, nil, doc))
   elseif type == "char" then

@@ -4,12 +4,12 @@
 local HEADER, AROUND = 4, 6 -- bytes of the header; of the header and the checksum
 
 local function checksum(raw, at, size)
-  local a, b = 0, 0
-  for i = at + 1, at + size do
-    a = (a + raw:byte(i)) % 256
-    b = (b + a) % 256
+  local bytes, a, b = { raw:byte(at + 1, at + size) }, 0, 0
+  for i = 1, size do
+    a = a + bytes[i]
+    b = b + a
   end
-  return a * 256 + b
+  return a % 256 * 256 + b % 256
 end
 
 -- The bytes of the packet whose sync is at `at`, with its checksum; nil if the header is not all there.
@@ -23,10 +23,10 @@ end
 
 -- Every place is tried in order, and a packet is taken whole: its begin and size for each. After a header without a
 -- packet the search goes on one byte behind its sync. `rest` is where a packet begins that may go on in later bytes,
--- `missing` how many of its bytes are known to be; with `final`, no bytes follow.
-local function scan(raw, final)
+-- `missing` how many of its bytes are known to be; with `final`, no bytes follow. At most `limit` packets.
+local function scan(raw, final, limit)
   local found, at = {}, 0
-  while at < #raw do
+  while at < #raw and #found ~= limit do
     local sync = raw:find(SYNC, at + 1, true)
     if not sync then
       local half = not final and raw:sub(-1) == SYNC:sub(1, 1) and #raw - 1 >= at

@@ -94,13 +94,13 @@ end
 -- A chunk of a serial line. Frames come in order once; what was held back before each of them is kept, so that it is
 -- shown in the same way whenever Wireshark comes back to it.
 local held -- line -> bytes held back
-local before -- line and frame -> bytes held back before it
+local before -- line -> frame -> bytes held back before it
 
 function stream.dissector(tvb, pinfo, tree)
   local line = string.format("%s %s", conversation_of(pinfo), tostring(pinfo.p2p_dir))
-  local place = line .. " " .. pinfo.number
-  before[place] = before[place] or held[line] or ""
-  local head = before[place]
+  before[line] = before[line] or {}
+  local head = before[line][pinfo.number] or held[line] or ""
+  before[line][pinfo.number] = head
   local raw, data = head .. tvb:raw(), tvb
   if head ~= "" then
     data = ByteArray.new(raw, true):tvb("MIP, with the bytes of earlier frames")
