@@ -22,8 +22,8 @@ local function intact(raw, at, size)
 end
 
 -- Every place is tried in order, and a packet is taken whole: its begin and size for each. After a header without a
--- packet the search goes on one byte behind its sync. `rest` is where a packet begins that may go on in later bytes,
--- `missing` how many of its bytes are known to be; with `final`, no bytes follow. At most `limit` packets.
+-- packet the search goes on one byte behind its sync. `rest` is where a packet begins that may go on in later bytes;
+-- with `final`, no bytes follow. At most `limit` packets.
 local function scan(raw, final, limit)
   local found, at = {}, 0
   while at < #raw and #found ~= limit do
@@ -38,7 +38,7 @@ local function scan(raw, final, limit)
       at = at + 1
     elseif not size or at + size > #raw then
       if not final then
-        return found, at, size and at + size - #raw
+        return found, at
       end
       at = at + 1
     elseif intact(raw, at, size) then

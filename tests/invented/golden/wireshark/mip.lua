@@ -1208,8 +1208,8 @@ local function intact(raw, at, size)
 end
 
 -- Every place is tried in order, and a packet is taken whole: its begin and size for each. After a header without a
--- packet the search goes on one byte behind its sync. `rest` is where a packet begins that may go on in later bytes,
--- `missing` how many of its bytes are known to be; with `final`, no bytes follow. At most `limit` packets.
+-- packet the search goes on one byte behind its sync. `rest` is where a packet begins that may go on in later bytes;
+-- with `final`, no bytes follow. At most `limit` packets.
 local function scan(raw, final, limit)
   local found, at = {}, 0
   while at < #raw and #found ~= limit do
@@ -1224,7 +1224,7 @@ local function scan(raw, final, limit)
       at = at + 1
     elseif not size or at + size > #raw then
       if not final then
-        return found, at, size and at + size - #raw
+        return found, at
       end
       at = at + 1
     elseif intact(raw, at, size) then
@@ -1521,38 +1521,22 @@ local function dissect_whole(tvb, pinfo, tree)
   return tvb:len()
 end
 
--- A part of a TCP stream: Wireshark itself keeps what is held back until more has come.
-local function dissect_segment(tvb, pinfo, tree)
-  local raw = tvb:raw()
-  local packets, rest, missing = scan(raw, false)
-  local texts = show_bytes(tvb, raw, packets, 0, rest or #raw, pinfo, tree)
-  if #texts > 0 or not rest then
-    show_columns(pinfo, texts)
-  end
-  if rest then
-    pinfo.desegment_offset = rest
-    pinfo.desegment_len = missing or DESEGMENT_ONE_MORE_SEGMENT
-  end
-  return tvb:len()
-end
-
-function mip.dissector(tvb, pinfo, tree)
-  if tvb:len() == 0 then
-    return 0
-  end
-  return (pinfo.can_desegment > 0 and dissect_segment or dissect_whole)(tvb, pinfo, tree)
-end
-
--- A chunk of a serial line. Frames come in order once; what was held back before each of them is kept, so that it is
--- shown in the same way whenever Wireshark comes back to it.
+-- A chunk of a TCP stream or a serial line. Chunks come in order once; what was held back before each of them is kept,
+-- so that it is shown in the same way whenever Wireshark comes back to it. Wireshark's own reassembly is for packets
+-- whose length is known: it shows packets twice if a header turns out to be none when more bytes have come.
 local held -- line -> bytes held back
-local before -- line -> frame -> bytes held back before it
+local before -- line -> chunk -> bytes held back before it
 
-function stream.dissector(tvb, pinfo, tree)
-  local line = string.format("%s %s", conversation_of(pinfo), tostring(pinfo.p2p_dir))
+local function held_before(line, chunk)
   before[line] = before[line] or {}
-  local head = before[line][pinfo.number] or held[line] or ""
-  before[line][pinfo.number] = head
+  before[line][chunk] = before[line][chunk] or held[line] or ""
+  return before[line][chunk]
+end
+
+local function dissect_chunk(tvb, pinfo, tree)
+  local sender = string.format("%s:%d %s", tostring(pinfo.src), pinfo.src_port, tostring(pinfo.p2p_dir))
+  local line = conversation_of(pinfo) .. " " .. sender
+  local head = held_before(line, string.format("%d:%d:%d", pinfo.number, tvb:offset(), tvb:len()))
   local raw, data = head .. tvb:raw(), tvb
   if head ~= "" then
     data = ByteArray.new(raw, true):tvb("MIP, with the bytes of earlier frames")
@@ -1563,11 +1547,23 @@ function stream.dissector(tvb, pinfo, tree)
   if rest then
     local from = math.max(rest, #head)
     local item = tree:add(stream, data:range(from, #raw - from))
-    item:set_text(string.format("MIP, %d bytes of a packet that goes on in a later frame", #raw - from))
+    local size = #raw - from
+    item:set_text(string.format("MIP, %d %s of a packet that goes on in a later frame", size, size == 1 and "byte" or "bytes"))
   end
   show_columns(pinfo, #texts > 0 and texts or { rest and "part of a packet" or "no packet" })
   show_sides(pinfo, direction)
   return tvb:len()
+end
+
+stream.dissector = dissect_chunk
+
+local TCP = 2 -- pinfo.port_type
+
+function mip.dissector(tvb, pinfo, tree)
+  if tvb:len() == 0 then
+    return 0
+  end
+  return (pinfo.port_type == TCP and dissect_chunk or dissect_whole)(tvb, pinfo, tree)
 end
 
 function mip.init()
