@@ -47,7 +47,11 @@ def ip(protocol: int, payload: bytes, from_device: bool) -> bytes:
 
 
 def tcp(segments: Sequence[tuple[bool, bytes]], port: int, interval: float = 0.001) -> bytes:
-    """A connection: its handshake, then segments, each from the device (True) or from the host."""
+    return capture(RAW_IP, connection(segments, port), interval)
+
+
+def connection(segments: Sequence[tuple[bool, bytes]], port: int) -> list[bytes]:
+    """Its handshake, then segments, each from the device (True) or from the host."""
     numbers = {True: 5000, False: 1000}
     frames = []
 
@@ -63,4 +67,4 @@ def tcp(segments: Sequence[tuple[bool, bytes]], port: int, interval: float = 0.0
     frame(False, 0x10, b"")
     for from_device, payload in segments:
         frame(from_device, 0x18, payload)
-    return capture(RAW_IP, frames, interval)
+    return frames

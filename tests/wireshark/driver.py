@@ -62,7 +62,11 @@ def decoded(shark: Shark, packets: list[bytes]) -> Iterator[dict[str, Any]]:
 
 
 def answer(packet: bytes, tree: Element, types: dict[str, str]) -> dict[str, Any]:
-    shown = [part for part in tree if part.get("name") == "mip_protocol" or part.find("field[@name='mip.skipped']") is not None]
+    shown = [
+        part
+        for part in tree
+        if part.get("name") == "mip_protocol" or part.find("field[@name='mip.skipped']") is not None
+    ]
     if not shown:
         return {"error": "sync"}  # an empty datagram
     first = shown[0]
@@ -114,7 +118,9 @@ def field(of: Element, types: dict[str, str]) -> dict[str, Any]:
 
 
 def record(of: Element, types: dict[str, str]) -> dict[str, Any]:
-    return {label(part): value(part, types) for part in values(of) if not part.get("showname", "").endswith(" (constant)")}
+    return {
+        label(part): value(part, types) for part in values(of) if not part.get("showname", "").endswith(" (constant)")
+    }
 
 
 def values(of: Element) -> list[Element]:

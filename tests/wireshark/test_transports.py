@@ -21,8 +21,28 @@ FALSE_SYNC = b"ue\x80\x20"  # a header, whose bytes are those of the packets beh
 def stream() -> bytes:
     """Packets of several sets with everything between them that may be there."""
     ping = codec.build(model("real"), 0x01, [(0x01, b"")])
-    between = [b"\xff\x00garbage", NMEA, b"", FALSE_SYNC, broken(accel(3.0)), b"u", b"ue", b"ue\x00\x00", accel(4.0)[:9]]
-    packets = [ping, accel(0.5), acknowledge(0x01, 0x01, 0), accel(float("nan")), ping, accel(1.0), accel(2.0), ping, ping]
+    between = [
+        b"\xff\x00garbage",
+        NMEA,
+        b"",
+        FALSE_SYNC,
+        broken(accel(3.0)),
+        b"u",
+        b"ue",
+        b"ue\x00\x00",
+        accel(4.0)[:9],
+    ]
+    packets = [
+        ping,
+        accel(0.5),
+        acknowledge(0x01, 0x01, 0),
+        accel(float("nan")),
+        ping,
+        accel(1.0),
+        accel(2.0),
+        ping,
+        ping,
+    ]
     # packets behind a false header: as many bytes as it asks for
     return b"".join(gap + p for gap, p in zip(between, packets, strict=True)) + accel(5.0) * 3
 
@@ -43,7 +63,12 @@ def found(frames: list[Element]) -> list[str]:
 
 
 def skipped(frames: list[Element]) -> int:
-    return sum(int(part.get("size", 0)) for frame in frames for part in frame.iter("field") if part.get("name") == "mip.skipped")
+    return sum(
+        int(part.get("size", 0))
+        for frame in frames
+        for part in frame.iter("field")
+        if part.get("name") == "mip.skipped"
+    )
 
 
 def shown_broken(frames: list[Element]) -> int:
@@ -55,7 +80,7 @@ def shown_broken(frames: list[Element]) -> int:
 # --------------------------------------------------------------------------- TCP
 
 
-@pytest.mark.parametrize("size", [1, 2, 3, 5, 7, 9, 11, 13, 17, 19, 23, 29, 31, 37, 61, 101, 251, 1001])
+@pytest.mark.parametrize("size", [1, 3, 5, 7, 11, 17, 23, 37, 101, 1001])
 def test_tcp_segments_of_any_size(size: int, tmp_path: Path) -> None:
     data = stream()
     segments = [(True, part) for part in captures.chunks(data, size)]
@@ -67,11 +92,17 @@ def test_tcp_segments_of_any_size(size: int, tmp_path: Path) -> None:
 def test_tcp_cut_once_at_every_place(tmp_path: Path) -> None:
     """One connection for each place, all in one capture."""
     data = accel(0.5) + NMEA + accel(1.5) + FALSE_SYNC + accel(2.5) * 2
-    for at in range(1, len(data), 2):
-        frames = trees(
-            tmp_path, captures.tcp([(True, data[:at]), (True, data[at:])], PORT), "-o", f"mip_protocol.tcp_ports:{PORT}"
-        )
-        assert found(frames) == checksums(data), at
+    places = range(1, len(data))
+    halves = [[(True, data[:at]), (True, data[at:])] for at in places]
+    frames = [f for at, parts in zip(places, halves, strict=True) for f in captures.connection(parts, PORT + at)]
+    ports = f"mip_protocol.tcp_ports:{PORT}-{PORT + len(data)}"
+    streams: dict[str, list[Element]] = {}
+    for frame in trees(tmp_path, captures.capture(captures.RAW_IP, frames), "-o", ports):
+        streams.setdefault(shown(frame, "tcp.stream")[0], []).append(frame)
+    assert len(streams) == len(places)
+    for number, parts in streams.items():
+        assert found(parts) == checksums(data), number
+        assert skipped(parts) + shown_broken(parts) == expected_parse(data)["skipped"], number
 
 
 def test_tcp_is_recognized_by_a_packet(tmp_path: Path) -> None:
@@ -88,11 +119,18 @@ def test_tcp_is_recognized_by_the_begin_of_a_packet(size: int, tmp_path: Path) -
 
 
 def test_other_streams_are_left_alone(tmp_path: Path) -> None:
-    others = [b"ue\x00\x00\x00\x00\x00\x00", b"GET / HTTP/1.1\r\n\r\n", b"ue\x80\x0e\xff\x04" + bytes(30), bytes(100), b"u"]
-    for data in [*others, broken(accel(1.0))[:5]]:
-        assert not found(trees(tmp_path, captures.tcp([(True, data)], 45678)))
-        assert not trees(tmp_path, captures.tcp([(True, data)], 45678), "-Y", "mip_protocol")
-        assert not trees(tmp_path, captures.datagrams([data], 45678), "-Y", "mip_protocol || mip.skipped")
+    others = [
+        b"ue\x00\x00\x00\x00\x00\x00",
+        b"GET / HTTP/1.1\r\n\r\n",
+        b"ue\x80\x0e\xff\x04" + bytes(30),
+        bytes(100),
+        b"u",
+    ]
+    others += [broken(accel(1.0))[:5], whole(bytes((0x50, 4, 4, 1, 0, 0)))]
+    frames = [f for i, data in enumerate(others) for f in captures.connection([(True, data)], 45678 + i)]
+    frames += [captures.udp(data, 45678 + i) for i, data in enumerate(others)]
+    capture = captures.capture(captures.RAW_IP, frames)
+    assert not trees(tmp_path, capture, "-Y", "mip_protocol || mip_stream || mip.skipped")
 
 
 def test_decode_as(tmp_path: Path) -> None:
@@ -120,12 +158,12 @@ def test_datagrams_are_whole(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("size", [1, 2, 3, 7, 20, 64, 1000])
-@pytest.mark.parametrize("passes", [(), ("-2",)])
-def test_serial_chunks_of_any_size(size: int, passes: tuple[str, ...], tmp_path: Path) -> None:
+def test_serial_chunks_of_any_size(size: int, tmp_path: Path) -> None:
     data = stream()
-    frames = trees(tmp_path, captures.serial(captures.chunks(data, size)), *passes)
-    assert found(frames) == checksums(data)
-    assert skipped(frames) + shown_broken(frames) == expected_parse(data)["skipped"]
+    for passes in ((), ("-2",)):
+        frames = trees(tmp_path, captures.serial(captures.chunks(data, size)), *passes)
+        assert found(frames) == checksums(data)
+        assert skipped(frames) + shown_broken(frames) == expected_parse(data)["skipped"]
 
 
 def test_a_chunk_says_that_its_packet_goes_on(tmp_path: Path) -> None:
@@ -148,19 +186,11 @@ def test_user_dlts(dlt: int, tmp_path: Path) -> None:
 def test_a_log_is_a_capture(tmp_path: Path) -> None:
     """Each packet is a frame, and so are the bytes between two packets."""
     for data in (stream(), NMEA + stream() + FALSE_SYNC, stream() * 40, accel(0.5) + b"x" * 9000 + accel(1.0) + b"u"):
-        path = tmp_path / "log.bin"
-        path.write_bytes(data)
         for passes in ((), ("-2",)):
-            frames = list(map(copied, shark().trees(path, *passes)))
+            frames = trees(tmp_path, data, *passes)
             assert found(frames) == checksums(data)
             assert skipped(frames) + shown_broken(frames) == expected_parse(data)["skipped"]
             assert all(len(found([frame])) <= 1 for frame in frames)
-
-
-def copied(tree: Element) -> Element:
-    from xml.etree import ElementTree
-
-    return ElementTree.fromstring(ElementTree.tostring(tree))
 
 
 # --------------------------------------------------------------------------- requests and answers
@@ -234,10 +264,10 @@ def test_columns_say_what_a_packet_is(tmp_path: Path) -> None:
     names = ("_ws.col.Protocol", "_ws.col.Source", "_ws.col.Info")
     rows = shark().run("-r", str(path), "-T", "fields", *(word for name in names for word in ("-e", name))).splitlines()
     assert [row.split("\t") for row in rows] == [
-        ["MIP", "Host", "Base: Ping, Comm Port Speed (read)"],
+        ["MIP", "Host", "Base: Ping, Comm port speed (read)"],
         ["MIP", "Device", "Sensor data: Scaled accel"],
         ["MIP", "Device", "Base: Ping acknowledged"],
-        ["MIP", "Device", "Base: Comm Port Speed acknowledged, Comm Port Speed response"],
+        ["MIP", "Device", "Base: Comm port speed acknowledged, Comm port speed response"],
         ["MIP", "Host", "Base: Ping"],
         ["MIP", "Device", "Base: Ping refused: invalid_parameter"],
         *[["MIP", "Host", "Base: Ping"]] * 2,
@@ -269,7 +299,9 @@ def test_no_bytes_are_an_error_of_the_dissector(spec: str, tmp_path: Path) -> No
     parts += [whole(bytes((chance.choice((1, 12, 128, 130, 255, 77)), n)) + chance.randbytes(n)) for n in range(256)]
     assert trees(tmp_path, captures.serial(parts), "-2", spec=spec)
     assert trees(tmp_path, captures.datagrams(parts, PORT), "-o", f"mip_protocol.udp_ports:{PORT}", spec=spec)
-    assert trees(tmp_path, captures.tcp([(True, p) for p in parts if p], PORT), "-o", f"mip_protocol.tcp_ports:{PORT}", spec=spec)
+    assert trees(
+        tmp_path, captures.tcp([(True, p) for p in parts if p], PORT), "-o", f"mip_protocol.tcp_ports:{PORT}", spec=spec
+    )
 
 
 def whole(head_and_payload: bytes) -> bytes:

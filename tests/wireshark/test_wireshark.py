@@ -74,7 +74,13 @@ def test_damaged_packets_are_refused_with_the_reason(spec: str) -> None:
 
 @each_spec
 def test_wrong_requests_are_refused(spec: str) -> None:
-    requests: list[Any] = [1, {}, {"op": "parse", "stream": "", "chunk": 1}, {"op": "decode"}, {"op": "decode", "packet": "x"}]
+    requests: list[Any] = [
+        1,
+        {},
+        {"op": "parse", "stream": "", "chunk": 1},
+        {"op": "decode"},
+        {"op": "decode", "packet": "x"},
+    ]
     assert driver("wireshark", spec).ask(requests) == [{"error": "request"}] * len(requests)
 
 

@@ -19,7 +19,7 @@ CONFORMANCE = ("decode",)
 
 def files(model: m.Model) -> Iterator[File]:
     yield File("mip.lua", "mip.lua.j2", {"parts": names.LANGUAGE["parts"], "prefix": names.PREFIX})
-    yield File("README.md", "README.md.j2", {"prefix": names.PREFIX})
+    yield File("README.md", "README.md.j2", {"prefix": names.PREFIX, "examples": names.examples(model)})
 
 
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
