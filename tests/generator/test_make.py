@@ -77,7 +77,17 @@ def test_heavy_tests_need_more(machine: Path) -> None:
     done = run(machine, TOOLS, "all")
     assert done.returncode == 1
     named = re.findall(r"^make: (.*) is missing; ", done.stderr, re.M)
-    assert named == ["g++", "clang", "clang++", "Python 3.10", "Python 3.11", "Python 3.12", "Python 3.13"]
+    assert named == [
+        "tshark",
+        "text2pcap",
+        "g++",
+        "clang",
+        "clang++",
+        "Python 3.10",
+        "Python 3.11",
+        "Python 3.12",
+        "Python 3.13",
+    ]
     assert "installing thumbv7m-none-eabi\n" in done.stdout
 
 

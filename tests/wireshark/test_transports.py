@@ -283,7 +283,7 @@ def test_columns_say_what_a_packet_is(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("spec", ["real", "invented"])
 def test_no_bytes_are_an_error_of_the_dissector(spec: str, tmp_path: Path) -> None:
-    """Changed packets, wrong lengths and random bytes, as chunks, as datagrams and in segments; `trees` finds errors."""
+    """Changed packets, wrong lengths and random bytes in every transport; `trees` finds errors."""
     of, chance = model(spec), random.Random(7)
     parts = []
     for f in all_fields(of):

@@ -55,7 +55,9 @@ def _rows(operations: tuple[m.Operation, ...], record: Record) -> Iterator[Row]:
 def _row(op: m.Operation, p: m.Parameter | None, record: Record | None) -> Row:
     assert not isinstance(op, m.GroupOp)
     named: Named | None = None
-    item, size, cases = None, 0, ()
+    item: Row | None = None
+    size = 0
+    cases: tuple[tuple[m.Case, Row | None], ...] = ()
     match op:
         case m.ScalarOp() | m.BitsOp():
             named = op.type
