@@ -153,7 +153,13 @@ function bind.array(row, path)
     end
     return { row = row, filter = filter(ProtoField.none(at, row.name, row.doc)), elements = elements }
   end
-  local about = { name = row.name, doc = row.doc, units = row.units, readings = row.readings }
+  local readings = {}
+  for _, r in ipairs(row.readings or {}) do
+    if not r.flags or r.member then -- bits are those of the whole array
+      readings[#readings + 1] = r
+    end
+  end
+  local about = { name = row.name, doc = row.doc, units = row.units, readings = readings }
   local named = setmetatable(about, { __index = item })
   return { row = row, item = bound(named, path) }
 end

@@ -35,14 +35,20 @@ local function reading(readings, record, member)
   end
 end
 
+local function bits_number(bits, part)
+  local number = bits.little and part:le_uint64() or part:uint64()
+  return number:rshift(bits.shift):band(UInt64(2 ^ bits.width - 1))
+end
+
 -- Bits of a reading, which have no filters of their own.
 local function bit_lines(flags, item, range)
   for _, bits in ipairs(flags) do
-    local part = range:range(bits.at, bits.size)
-    local number = bits.little and part:le_uint64() or part:uint64()
-    local value = (number:rshift(bits.shift)):band(UInt64(2 ^ bits.width - 1)):tonumber()
-    local name = bits.enum and bits.enum[value]
-    item:add(part, string.format("%s: %s", bits.name, name or (bits.width == 1 and (value == 1 and "true" or "false") or whole(value))))
+    if bits.at + bits.size <= range:len() then
+      local part = range:range(bits.at, bits.size)
+      local value = bits_number(bits, part):tonumber()
+      local plain = bits.width == 1 and tostring(value == 1) or whole(value)
+      item:add(part, string.format("%s: %s", bits.name, bits.enum and bits.enum[value] or plain))
+    end
   end
 end
 
@@ -51,8 +57,7 @@ local function bit_items(made, item, range)
   for i, bits in ipairs(made.row.flags) do
     local part, field = range:range(bits.at, bits.size), made.bound.bits[i]
     if bits.little or bits.size > 4 then
-      local number = bits.little and part:le_uint64() or part:uint64()
-      item:add(field, part, number:rshift(bits.shift):band(UInt64(2 ^ bits.width - 1)))
+      item:add(field, part, bits_number(bits, part))
     else
       item:add(field, part)
     end
@@ -148,6 +153,10 @@ function add.array(made, context)
   end
   local count = #made.parts
   local item = context.tree:add(range, string.format("%s: %d %s", row.name, count, count == 1 and "element" or "elements"))
+  local read_as = reading(row.readings, context.record)
+  if read_as and read_as.flags then
+    bit_lines(read_as.flags, item, range)
+  end
   local inside = within(context, item, context.record)
   for _, part in ipairs(made.parts) do
     add_one(part, inside)

@@ -136,6 +136,56 @@ def check_names(p: m.Parameter, value: Any, name: str, parts: list[Element], fra
         assert all(text.endswith(f" {unit}") for text, unit in zip(texts, units, strict=True) if unit != "1"), texts
 
 
+def readings(spec: str) -> list[tuple[m.Device, m.Field, m.Parameter, m.Variant]]:
+    """What devices with a manual read in their own way."""
+    devices = [d for d in model(spec).devices if d.manual]
+    return [(d, v.field, v.parameter, v.variant) for d in devices for v in d.variants if v.variant.type]
+
+
+@each_spec
+def test_a_device_names_values_and_bits_in_its_way(spec: str, tmp_path: Path) -> None:
+    of, cases = model(spec), readings(spec)
+    assert cases
+    for device in {d.id: d for d, *_ in cases}.values():
+        mine = [(f, p, v.type) for d, f, p, v in cases if d is device and not v.member]
+        packets = []
+        for f, p, t in mine:
+            values = next(values for g, values in random_values(spec) if g is f and p.name in values)
+            ones = [255] * len(values[p.name]) if p.length else (1 << 8 * p.operation.size) - 1  # type: ignore[union-attr]
+            data = codec.encode(f, {**values, p.name: t.values[0].value if isinstance(t, m.Enum) else ones})
+            packets.append(codec.build(of, set_of(f, of), [(f.descriptor, data)]))
+        frames = trees(tmp_path, captures.serial(packets), "-o", f"mip_protocol.device:{device.title}", spec=spec)
+        for (_, p, t), frame in zip(mine, frames, strict=True):
+            texts = [part.get("showname", "") for part in frame.iter("field")]
+            if isinstance(t, m.Enum):
+                assert any(text.startswith(f"{p.name}: ") and f"({t.values[0].name})" in text for text in texts), texts
+            else:
+                assert isinstance(t, m.Bitfield)
+                assert {f"{b.name}: true" for b in t.bits if b.width == 1} <= set(texts)
+
+
+@each_spec
+def test_a_sibling_names_values(spec: str, tmp_path: Path) -> None:
+    of, seen = model(spec), 0
+    for f in of.fields:
+        for p in f.parameters:
+            by_sibling = [v for v in p.readings if not v.by_device and isinstance(v.type, m.Enum)]
+            if not by_sibling:
+                continue
+            values = next((x for g, x in random_values(spec) if g is f and p.name in x), {})
+            packets = []
+            for v in by_sibling:
+                assert isinstance(v.type, m.Enum)
+                given = {**values, v.by: v.value, p.name: v.type.values[-1].value}
+                packets.append(codec.build(of, set_of(f, of), [(f.descriptor, codec.encode(f, given))]))
+            for v, frame in zip(by_sibling, trees(tmp_path, captures.serial(packets), spec=spec), strict=True):
+                texts = [part.get("showname", "") for part in frame.iter("field")]
+                assert isinstance(v.type, m.Enum)
+                assert f"{p.name}: {v.type.values[-1].value} ({v.type.values[-1].name})" in texts
+                seen += 1
+    assert seen
+
+
 # --------------------------------------------------------------------------- filters
 
 
