@@ -37,6 +37,8 @@ else
 fi
 [ "$1" = test ] && exit $missing
 
+command_or tshark "install Wireshark 4.0 or later (Debian: apt-get install tshark)"
+command_or text2pcap "it comes with Wireshark (Debian: apt-get install wireshark-common)"
 command_or g++ "install it (Debian: apt-get install g++)"
 command_or clang "install it (Debian: apt-get install clang)"
 command_or clang++ "install it (Debian: apt-get install clang)"

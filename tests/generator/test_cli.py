@@ -239,9 +239,9 @@ def test_a_change_of_the_specification_is_seen(work: Path) -> None:
 def test_the_last_line_says_what_was_made_and_what_was_left_out(work: Path) -> None:
     for _ in range(2):  # the second time nothing is to be done
         done = mipgen("generate", "--target", "c", "--target", "rust", cwd=work)
+        others = ", ".join(name for name in render.names() if name not in ("c", "rust"))
         count = len(tree(GOLDEN / "c")) + len(tree(GOLDEN / "rust"))
-        rest = ", ".join(n for n in render.names() if n not in ("c", "rust"))
-        assert done.stdout.splitlines()[-1] == f"generated: {count} files, 0 changed; left out: {rest}"
+        assert done.stdout.splitlines()[-1] == f"generated: {count} files, 0 changed; left out: {others}"
     assert mipgen("generate", cwd=work).stdout.endswith("nothing was left out\n")
 
 

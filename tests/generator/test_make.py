@@ -78,6 +78,8 @@ def test_heavy_tests_need_more(machine: Path) -> None:
     assert done.returncode == 1
     named = re.findall(r"^make: (.*) is missing; ", done.stderr, re.M)
     assert named == [
+        "tshark",
+        "text2pcap",
         "g++",
         "clang",
         "clang++",

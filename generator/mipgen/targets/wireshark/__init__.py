@@ -1,0 +1,39 @@
+"""Wireshark: a dissector in Lua, one file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
+from typing import Any
+
+from ... import model as m
+from ...render import File
+from . import names, rows, texts
+from .names import identifiers
+
+__all__ = ["CONFORMANCE", "TITLE", "files", "filters", "identifiers"]
+
+TITLE = "Wireshark dissector, Lua"
+CONFORMANCE = ("decode",)
+
+
+def files(model: m.Model) -> Iterator[File]:
+    yield File("mip.lua", "mip.lua.j2", {"parts": names.LANGUAGE["parts"], "prefix": names.PREFIX})
+    yield File("README.md", "README.md.j2", {"prefix": names.PREFIX, "examples": names.examples(model)})
+
+
+def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
+    return {
+        "string": texts.string,
+        "octets": texts.octets,
+        "hex": "0x{:02X}".format,
+        "qualified": texts.qualified,
+        "plain": names.plain,
+        "rows": rows.rows,
+        "place": rows.place,
+        "types": rows.types,
+        "structs": rows.structs,
+        "field_doc": partial(texts.field_doc, model=model),
+        "parameter_doc": partial(texts.parameter_doc, model=model),
+        "bits_doc": partial(texts.bits_doc, model=model),
+    }

@@ -1,0 +1,88 @@
+"""Display filter names, and what must not collide: `mip.<set>.<field>.<parameter>.<element or bit>`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ... import model as m
+from ...naming import Identifier
+from ...render import language
+
+LANGUAGE = language("wireshark")
+PREFIX: str = LANGUAGE["prefix"]
+
+
+def field_filter(f: m.Field) -> str:
+    return f"{PREFIX}.{f.set_name}.{f.name}"
+
+
+def plain(f: m.Field) -> bool:
+    """Does a value have the name of the field, so that the line of the field itself has none?"""
+    return any(p.name == f.name and _leaf(p) for p in f.parameters)
+
+
+def filter_name(within: str, name: str) -> str:
+    """The name of a part. A parameter that has the name of its field does not repeat it.
+
+    >>> filter_name("mip.sensor.scaled_accel", "scaled_accel"), filter_name("mip.sensor.scaled_accel", "x")
+    ('mip.sensor.scaled_accel', 'mip.sensor.scaled_accel.x')
+    """
+    depth = PREFIX.count(".") + 3  # prefix, set and field
+    return within if within.count(".") + 1 == depth and within.endswith(f".{name}") else f"{within}.{name}"
+
+
+def examples(model: m.Model) -> list[str]:
+    """Filters that show how they are made: of an element of a vector, a bit, a function, and a refusal."""
+    found: dict[str, str] = {}
+    for f in model.fields:
+        for p in f.parameters:
+            path = filter_name(field_filter(f), p.name)
+            if isinstance(p.element, m.Vector) and f.role == m.DATA and p.length is None:
+                found.setdefault("vector", f"{path}.{p.element.elements[0]} > 0.5")
+            elif isinstance(p.element, m.Bitfield) and f.role == m.DATA and p.element.bits[0].width == 1:
+                found.setdefault("bit", f"{path}.{p.element.bits[0].name} == 1")
+            elif p.selector:
+                found.setdefault("function", f'{path} == "{f.functions[0].name}"')
+    code = model.protocol.acknowledge.parameters[-1]
+    return [*found.values(), f"{field_filter(model.protocol.acknowledge)}.{code.name} != 0"]
+
+
+def identifiers(model: m.Model) -> Iterator[Identifier]:
+    for name in LANGUAGE["fields"]:
+        yield _filter(f"{PREFIX}.{name}", f"{name} of the dissector", None)
+    for f in (model.protocol.acknowledge, *model.fields):
+        path = field_filter(f)
+        if not plain(f):
+            yield _filter(path, f.full_name, f.position)
+        yield from _parts(f.parameters, path, f.position)
+
+
+def _parts(parameters: tuple[m.Parameter, ...], path: str, place: m.Position | None) -> Iterator[Identifier]:
+    for p in parameters:
+        inner = filter_name(path, p.name)
+        if inner != path or _leaf(p):
+            yield _filter(inner, f"{path}.{p.name}", p.position or place)
+        match p.element:
+            case m.Vector():
+                for name in p.element.elements:
+                    yield _filter(f"{inner}.{name}", f"{p.name}.{name}", p.position or place)
+            case m.Bitfield():
+                for b in p.element.bits:
+                    yield _filter(f"{inner}.{b.name}", f"{p.name}.{b.name}", p.position or place)
+            case m.Struct():
+                yield from _parts(p.element.parameters, inner, p.position or place)
+        yield from _parts(members(p), inner, p.position or place)
+
+
+def members(union: m.Parameter) -> tuple[m.Parameter, ...]:
+    """The alternatives of a union that have data; several cases may share one."""
+    return tuple({(p.name, p.element, p.length): p for p in (c.parameter for c in union.cases) if p}.values())
+
+
+def _leaf(p: m.Parameter) -> bool:
+    """Do its values have the name? That of a vector, a structure or a union stands for all of its parts."""
+    return not isinstance(p.element, (m.Vector, m.Struct)) and not p.cases
+
+
+def _filter(name: str, what: str, position: m.Position | None) -> Identifier:
+    return Identifier("display filters", name, what, position)

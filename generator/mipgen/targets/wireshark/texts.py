@@ -1,0 +1,50 @@
+"""Literals of Lua, and what Wireshark says of a field, in plain words."""
+
+from __future__ import annotations
+
+from ... import describe
+from ... import model as m
+
+Record = m.Field | m.Struct
+
+#: What the tree shows itself, or does not help to read a packet.
+_LEFT_OUT = ("elements", "tag", "counts", "constant", "required", "optional", "note", "uncertain")
+
+
+def string(text: str) -> str:
+    r"""
+    >>> string('a "b" \\ c')
+    '"a \\"b\\" \\\\ c"'
+    """
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"'
+
+
+def octets(value: int, size: int) -> str:
+    """A number as a Lua string of its bytes.
+
+    >>> octets(6254, 2)
+    '"\\\\24\\\\110"'
+    """
+    return '"' + "".join(f"\\{byte}" for byte in value.to_bytes(size, "big")) + '"'
+
+
+def qualified(t: m.Type) -> str:
+    owner = getattr(t, "owner", None)
+    return f"{owner}.{t.name}" if owner else t.name
+
+
+def field_doc(f: m.Field, model: m.Model) -> str:
+    return _plain(describe.prose(f.description, model))
+
+
+def parameter_doc(p: m.Parameter, record: Record, model: m.Model) -> str:
+    facts = [fact for fact in describe.parameter(p, record, model) if fact.topic not in _LEFT_OUT]
+    return " ".join(filter(None, (_plain(describe.prose(p.description, model)), *(_plain(f.sentence) for f in facts))))
+
+
+def bits_doc(b: m.Bits, model: m.Model) -> str:
+    return _plain(describe.prose(b.description, model))
+
+
+def _plain(text: describe.Text) -> str:
+    return describe.say(text, lambda ref: ref.words)

@@ -1,0 +1,68 @@
+-- ------------------------------------------------------------------------------------------------------------ files
+-- Opens a log of raw bytes as a capture: a frame for each packet, and one for the bytes between two packets.
+
+local LONGEST = 255 + AROUND -- bytes of a packet
+local PROBE = 4096 -- bytes at the begin of a log in which a packet must be; of a frame between packets at most
+
+-- What Wireshark puts in front of an exported PDU: the name of its dissector, and the end of such tags.
+local EXPORTED = "\0\12\0\12mip_protocol\0\0\0\0"
+
+-- The bytes of the next frame; nil at the end of the file. They depend on nothing but what follows in the file.
+local function next_bytes(file)
+  local from = file:seek("cur")
+  local raw = file:read(LONGEST)
+  if not raw or #raw == 0 then
+    return nil
+  end
+  local first = scan(raw, #raw < LONGEST, 1)[1]
+  if not first or first.at > 0 then
+    raw = raw .. (file:read(PROBE - LONGEST) or "")
+    local packets, rest = scan(raw, #raw < PROBE, 1)
+    first = packets[1] and { at = 0, size = packets[1].at } or { at = 0, size = rest or #raw }
+  end
+  file:seek("set", from + first.size)
+  return raw:sub(1, first.size)
+end
+
+local log = FileHandler.new("MIP log", "mip", "Raw bytes of MIP packets", "rs")
+log.extensions = "mip;bin;log;dat;raw"
+
+function log.read_open(file, capture)
+  local raw = file:read(PROBE) or ""
+  local first = scan(raw, true, 1)[1]
+  if not first or not plausible(raw, first.at, first.size) then
+    return false
+  end
+  file:seek("set", 0)
+  capture.encap = wtap_encaps.WIRESHARK_UPPER_PDU
+  capture.snapshot_length = 0
+  return true
+end
+
+local function put(frame, bytes)
+  local data = EXPORTED .. bytes
+  frame.data, frame.captured_length, frame.original_length = data, #data, #data
+  frame.encap, frame.flags = wtap_encaps.WIRESHARK_UPPER_PDU, wtap_presence_flags.CAP_LEN
+end
+
+function log.read(file, _, frame)
+  local at = file:seek("cur")
+  local bytes = next_bytes(file)
+  if not bytes then
+    return false
+  end
+  put(frame, bytes)
+  return at
+end
+
+function log.seek_read(file, _, frame, at)
+  file:seek("set", at)
+  local bytes = next_bytes(file)
+  if not bytes then
+    return false
+  end
+  put(frame, bytes)
+  return true
+end
+
+register_filehandler(log)

@@ -1,0 +1,189 @@
+-- ------------------------------------------------------------------------------------------------------------- tree
+-- Adds the nodes of a field to the tree of Wireshark.
+
+local preferences = mip.prefs
+
+local function unit(row)
+  local found = row.units and row.units[1] or ""
+  return found ~= "" and " " .. found or ""
+end
+
+-- How the value of a number is written in the line of its vector or field.
+local function written(made, range)
+  local row = made.row
+  if row.type == "float" then
+    return string.format("%.6g", range:float())
+  elseif row.type == "double" then
+    return string.format("%.15g", range:float())
+  elseif row.enum then
+    return row.enum[made.value] or whole(made.value)
+  elseif row.type:sub(1, 1) == "s" then
+    return tostring(range:int64())
+  end
+  return tostring(range:uint64())
+end
+
+-- The reading of a plain number: by a sibling, or by the device of the preferences.
+local function reading(readings, record, member)
+  for _, r in ipairs(readings or {}) do
+    if r.member == member then
+      local device = r.device and DEVICES[preferences.device]
+      if (r.by and record[r.by] == r.value) or (device and device.id == r.device) then
+        return r
+      end
+    end
+  end
+end
+
+local function bits_number(bits, part)
+  local number = bits.little and part:le_uint64() or part:uint64()
+  return number:rshift(bits.shift):band(UInt64(2 ^ bits.width - 1))
+end
+
+-- Bits of a reading, which have no filters of their own.
+local function bit_lines(flags, item, range)
+  for _, bits in ipairs(flags) do
+    if bits.at + bits.size <= range:len() then
+      local part = range:range(bits.at, bits.size)
+      local value = bits_number(bits, part):tonumber()
+      local plain = bits.width == 1 and tostring(value == 1) or whole(value)
+      item:add(part, string.format("%s: %s", bits.name, bits.enum and bits.enum[value] or plain))
+    end
+  end
+end
+
+-- Bits with filters.
+local function bit_items(made, item, range)
+  for i, bits in ipairs(made.row.flags) do
+    local part, field = range:range(bits.at, bits.size), made.bound.bits[i]
+    if bits.little or bits.size > 4 then
+      item:add(field, part, bits_number(bits, part))
+    else
+      item:add(field, part)
+    end
+  end
+end
+
+-- The bytes of a node. They are taken from the packet: an empty part of a part is an error in Wireshark.
+local function span(made, context)
+  return context.data:range(context.base + made.at, made.size)
+end
+
+local add = {}
+
+local function add_one(made, context)
+  return add[made.row.kind](made, context)
+end
+
+-- `context`: the packet, where the data of the field are in it, the tree, the numbers of the record, and what an outer
+-- record says of its members.
+local function within(context, tree, record, readings)
+  return {
+    data = context.data, base = context.base,
+    tree = tree, record = record, readings = readings, outer = context.record,
+  }
+end
+
+function add.scalar(made, context)
+  local row, range = made.row, span(made, context)
+  local item = context.tree:add(made.bound.filter, range)
+  item:append_text(unit(row))
+  local read_as = reading(row.readings, context.record) or reading(context.readings, context.outer, row.name)
+  if read_as and read_as.enum then
+    local name = read_as.enum[made.value]
+    item:append_text(name and " (" .. name .. ")" or "")
+  elseif read_as and read_as.flags then
+    bit_lines(read_as.flags, item, range)
+  end
+  if made.bound.bits and not (read_as and read_as.flags) then
+    bit_items(made, item, range)
+  end
+  return written(made, range) .. unit(row)
+end
+
+function add.constant(made, context)
+  local item = context.tree:add(made.bound.filter, span(made, context))
+  item:append_text(" (constant)")
+  if made.wrong then
+    item:add_proto_expert_info(experts.constant)
+  end
+end
+
+function add.counter(made, context)
+  context.tree:add(made.bound.filter, span(made, context))
+end
+
+function add.bits(made, context)
+  local range = span(made, context)
+  bit_items(made, context.tree:add(made.bound.filter, range), range)
+  return tostring(range:bytes())
+end
+
+function add.text(made, context)
+  local range = span(made, context)
+  if made.size == 0 then
+    context.tree:add(made.bound.filter, range, "")
+    return '""'
+  end
+  context.tree:add_packet_field(made.bound.filter, range, ENC_ISO_8859_1)
+  return '"' .. range:raw():match("^[%g ]*"):gsub(" +$", "") .. '"'
+end
+
+function add.struct(made, context)
+  local item = context.tree:add(made.bound.filter, span(made, context))
+  item:set_text(made.row.name)
+  local inside = within(context, item, made.record, made.row.readings)
+  for _, part in ipairs(made.parts) do
+    add_one(part, inside)
+  end
+end
+
+function add.array(made, context)
+  local row, range = made.row, span(made, context)
+  if row.elements then
+    local item, texts = context.tree:add(made.bound.filter, range), {}
+    for i, part in ipairs(made.parts) do
+      add.scalar(part, within(context, item, {}))
+      texts[i] = written(part, span(part, context))
+    end
+    local common = not (row.units and row.units[2]) and unit(row) or ""
+    local text = table.concat(texts, ", ") .. common
+    item:set_text(row.name .. ": " .. text)
+    return text
+  end
+  local count = #made.parts
+  local item = context.tree:add(range, string.format("%s: %d %s", row.name, count, count == 1 and "element" or "elements"))
+  local read_as = reading(row.readings, context.record)
+  if read_as and read_as.flags then
+    bit_lines(read_as.flags, item, range)
+  end
+  local inside = within(context, item, context.record)
+  for _, part in ipairs(made.parts) do
+    add_one(part, inside)
+  end
+  return count > 0 and string.format("%d %s", count, row.name) or nil
+end
+
+function add.switch(made, context)
+  local item = context.tree:add(made.bound.filter, span(made, context))
+  local case = made.case
+  item:set_text(string.format("%s: %s", made.row.name, case and "case " .. case.label or "no case"))
+  local inside = within(context, item, {})
+  for _, part in ipairs(made.parts) do
+    add_one(part, inside)
+  end
+end
+
+-- Adds all nodes; the first values as a text for the line of the field.
+local function add_nodes(nodes, data, base, tree, record)
+  local texts, size = {}, 0
+  local context = { data = data, base = base, tree = tree, record = record }
+  for _, made in ipairs(nodes) do
+    local text = add_one(made, context)
+    if text and made.row.name ~= "function" and size < 80 then
+      texts[#texts + 1] = text
+      size = size + #text
+    end
+  end
+  return table.concat(texts, "; ")
+end

@@ -1,0 +1,77 @@
+"""What can be tested of the dissector without tshark: names, and what must not become one name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from mipgen import naming, render
+from mipgen.problems import Problems
+from mipgen.resolve import load_model
+from mipgen.targets import wireshark
+from support import ROOT, SPECS, model
+
+PARTS = sorted((ROOT / "templates/wireshark").glob("*.lua"))
+
+SET = """
+set: 0x70
+name: collisions
+title: Collisions
+description: Names that become one filter.
+fields:
+  - command: 0x01
+    name: place
+    title: Place
+    description: A place.
+    parameters:
+      - {name: place, type: vector3f, unit: m, description: Where.}
+      - {name: OTHER, type: u8, description: Another.}
+"""
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_filters_are_names_of_the_specification(spec: str) -> None:
+    names = [i.name for i in wireshark.identifiers(model(spec))]
+    assert len(set(names)) == len(names)
+    for f in model(spec).fields:
+        assert any(name == f"mip.{f.full_name}" or name.startswith(f"mip.{f.full_name}.") for name in names)
+
+
+def test_a_parameter_does_not_repeat_its_field() -> None:
+    names = {i.name for i in wireshark.identifiers(model("real"))}
+    assert {"mip.sensor.scaled_accel", "mip.sensor.scaled_accel.x", "mip.aiding.pressure"} <= names
+    assert "mip.sensor.scaled_accel.scaled_accel.x" not in names
+
+
+@pytest.mark.parametrize(("name", "collides"), [("x", True), ("size", False)])
+def test_collisions_are_reported(name: str, collides: bool, tmp_path: Path) -> None:
+    mine = tmp_path / "mine"
+    (mine / "sets").mkdir(parents=True)
+    (mine / "sets/collisions.yaml").write_text(SET.replace("OTHER", name), "utf-8")
+    problems = Problems()
+    naming.collisions("wireshark", wireshark.identifiers(load_model(SPECS["real"][0], mine)), problems)
+    assert any("mip.collisions.place.x" in str(problem) for problem in problems.sorted()) == collides
+    assert bool(problems) == collides
+
+
+def test_the_parts_are_plain_lua() -> None:
+    """They are templates too, and must not hold what a template would read."""
+    assert {p.stem for p in PARTS} == set(wireshark.names.LANGUAGE["parts"])
+    for part in PARTS:
+        text = part.read_text("utf-8")
+        assert not any(mark in text for mark in ("{{", "{%", "{#")), part.name
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_the_output_has_the_parts_unchanged(spec: str) -> None:
+    made = render.render("wireshark", model(spec))
+    assert sorted(made) == [".manifest", "LICENSE", "README.md", "mip.lua"]
+    text = made["mip.lua"].decode()
+    assert all(part.read_text("utf-8") in text for part in PARTS)
+    assert made == {path: (SPECS[spec][1] / "wireshark" / path).read_bytes() for path in made}
+
+
+def test_nothing_of_one_message_is_in_the_parts() -> None:
+    names = {f.full_name for f in model("real").fields} | {s.name for s in model("real").sets if len(s.name) > 4}
+    for part in PARTS:
+        assert not [name for name in names if f'"{name}"' in part.read_text("utf-8")], part.name

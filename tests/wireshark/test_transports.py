@@ -1,0 +1,318 @@
+"""Streams of bytes in TCP segments, datagrams, serial chunks and logs: the packets that are in them, and no others."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import captures
+import pytest
+from conformance.test_conformance import samples
+from dissected import PORT, Element, accel, acknowledge, broken, field_bytes, packet, shark, shown, trees
+from mipgen import codec
+from support import all_fields, expected_parse, heavy, model, set_of
+
+pytestmark = heavy("tshark")
+
+NMEA = b"$GNRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,003.1,W*6A\r\n"
+FALSE_SYNC = b"ue\x80\x20"  # a header, whose bytes are those of the packets behind it
+
+
+def stream() -> bytes:
+    """Packets of several sets with everything between them that may be there."""
+    ping = codec.build(model("real"), 0x01, [(0x01, b"")])
+    between = [
+        b"\xff\x00garbage",
+        NMEA,
+        b"",
+        FALSE_SYNC,
+        broken(accel(3.0)),
+        b"u",
+        b"ue",
+        b"ue\x00\x00",
+        accel(4.0)[:9],
+    ]
+    packets = [
+        ping,
+        accel(0.5),
+        acknowledge(0x01, 0x01, 0),
+        accel(float("nan")),
+        ping,
+        accel(1.0),
+        accel(2.0),
+        ping,
+        ping,
+    ]
+    # packets behind a false header: as many bytes as it asks for
+    return b"".join(gap + p for gap, p in zip(between, packets, strict=True)) + accel(5.0) * 3
+
+
+def checksums(data: bytes) -> list[str]:
+    """The last bytes of the packets that the reference finds."""
+    return [p[-4:] for p in expected_parse(data)["packets"]]
+
+
+def found(frames: list[Element]) -> list[str]:
+    """The same of the packets that are shown with a right checksum."""
+    return [
+        sum_.get("value", "")
+        for frame in frames
+        for sum_ in frame.iter("field")
+        if sum_.get("name") == "mip.checksum" and shown(sum_, "mip.checksum.status") == ["1"]
+    ]
+
+
+def skipped(frames: list[Element]) -> int:
+    return sum(
+        int(part.get("size", 0))
+        for frame in frames
+        for part in frame.iter("field")
+        if part.get("name") == "mip.skipped"
+    )
+
+
+def shown_broken(frames: list[Element]) -> int:
+    """The bytes of the packets that are shown with a wrong checksum."""
+    wrong = [proto for frame in frames for proto in frame if shown(proto, "mip.checksum.status") == ["0"]]
+    return sum(int(proto.get("size", 0)) for proto in wrong if proto.get("name") == "mip_protocol")
+
+
+# --------------------------------------------------------------------------- TCP
+
+
+@pytest.mark.parametrize("size", [1, 3, 5, 7, 11, 17, 23, 37, 101, 1001])
+def test_tcp_segments_of_any_size(size: int, tmp_path: Path) -> None:
+    data = stream()
+    segments = [(True, part) for part in captures.chunks(data, size)]
+    frames = trees(tmp_path, captures.tcp(segments, PORT), "-o", f"mip_protocol.tcp_ports:{PORT}")
+    assert found(frames) == checksums(data)
+    assert skipped(frames) + shown_broken(frames) == expected_parse(data)["skipped"]
+
+
+def test_tcp_cut_once_at_every_place(tmp_path: Path) -> None:
+    """One connection for each place, all in one capture."""
+    data = accel(0.5) + NMEA + accel(1.5) + FALSE_SYNC + accel(2.5) * 2
+    places = range(1, len(data))
+    halves = [[(True, data[:at]), (True, data[at:])] for at in places]
+    frames = [f for at, parts in zip(places, halves, strict=True) for f in captures.connection(parts, PORT + at)]
+    ports = f"mip_protocol.tcp_ports:{PORT}-{PORT + len(data)}"
+    streams: dict[str, list[Element]] = {}
+    for frame in trees(tmp_path, captures.capture(captures.RAW_IP, frames), "-o", ports):
+        streams.setdefault(shown(frame, "tcp.stream")[0], []).append(frame)
+    assert len(streams) == len(places)
+    for number, parts in streams.items():
+        assert found(parts) == checksums(data), number
+        assert skipped(parts) + shown_broken(parts) == expected_parse(data)["skipped"], number
+
+
+def test_tcp_is_recognized_by_a_packet(tmp_path: Path) -> None:
+    data = b"\0" * 7 + accel(0.5) * 3
+    frames = trees(tmp_path, captures.tcp([(True, part) for part in captures.chunks(data, 50)], 45678))
+    assert found(frames) == checksums(data)
+
+
+@pytest.mark.parametrize("size", [6, 7, 19])
+def test_tcp_is_recognized_by_the_begin_of_a_packet(size: int, tmp_path: Path) -> None:
+    data = accel(0.5) * 3
+    frames = trees(tmp_path, captures.tcp([(True, part) for part in captures.chunks(data, size)], 45678))
+    assert found(frames) == checksums(data)
+
+
+def test_other_streams_are_left_alone(tmp_path: Path) -> None:
+    others = [
+        b"ue\x00\x00\x00\x00\x00\x00",
+        b"GET / HTTP/1.1\r\n\r\n",
+        b"ue\x80\x0e\xff\x04" + bytes(30),
+        bytes(100),
+        b"u",
+    ]
+    others += [broken(accel(1.0))[:5], whole(bytes((0x50, 4, 4, 1, 0, 0)))]
+    frames = [f for i, data in enumerate(others) for f in captures.connection([(True, data)], 45678 + i)]
+    frames += [captures.udp(data, 45678 + i) for i, data in enumerate(others)]
+    capture = captures.capture(captures.RAW_IP, frames)
+    assert not trees(tmp_path, capture, "-Y", "mip_protocol || mip_stream || mip.skipped")
+
+
+def test_decode_as(tmp_path: Path) -> None:
+    data = accel(0.5)[:4]
+    capture = captures.datagrams([data], 45678)
+    assert not trees(tmp_path, capture, "-Y", "mip.skipped")
+    assert trees(tmp_path, capture, "-Y", "mip.skipped", "-d", "udp.port==45678,mip_protocol")
+    segments = [(True, b"\xff" * 5), (True, accel(0.5))]
+    frames = trees(tmp_path, captures.tcp(segments, 45678), "-d", "tcp.port==45678,mip_protocol")
+    assert (found(frames), skipped(frames)) == (checksums(accel(0.5)), 5)
+
+
+# --------------------------------------------------------------------------- datagrams
+
+
+def test_datagrams_are_whole(tmp_path: Path) -> None:
+    """What is behind a header without a packet is found; nothing is carried over."""
+    data = stream() + FALSE_SYNC + accel(1.0) + accel(0.5)[:7]
+    frames = trees(tmp_path, captures.datagrams([data, accel(0.5)[7:], data], 45678))
+    assert found(frames) == checksums(data) * 2
+    assert skipped(frames[:1]) + shown_broken(frames[:1]) == expected_parse(data)["skipped"]
+
+
+# --------------------------------------------------------------------------- serial lines
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 7, 20, 64, 1000])
+def test_serial_chunks_of_any_size(size: int, tmp_path: Path) -> None:
+    data = stream()
+    for passes in ((), ("-2",)):
+        frames = trees(tmp_path, captures.serial(captures.chunks(data, size)), *passes)
+        assert found(frames) == checksums(data)
+        assert skipped(frames) + shown_broken(frames) == expected_parse(data)["skipped"]
+
+
+def test_a_chunk_says_that_its_packet_goes_on(tmp_path: Path) -> None:
+    first, second = trees(tmp_path, captures.serial([accel(0.5) + accel(1.0)[:9], accel(1.0)[9:]]))
+    texts = [proto.get("showname") for proto in first if proto.get("name") == "mip_stream"]
+    assert texts == ["MIP, 9 bytes of a packet that goes on in a later frame"]
+    assert found([first, second]) == checksums(accel(0.5) + accel(1.0))
+
+
+@pytest.mark.parametrize("dlt", [147, 150, 162])
+def test_user_dlts(dlt: int, tmp_path: Path) -> None:
+    capture = captures.capture(dlt, [accel(0.5)])
+    assert len(found(trees(tmp_path, capture))) == (dlt == 147)
+    assert len(found(trees(tmp_path, capture, "-o", "mip_protocol.user_dlts:150-151,162"))) == (dlt != 147)
+
+
+# --------------------------------------------------------------------------- logs
+
+
+def test_a_log_is_a_capture(tmp_path: Path) -> None:
+    """Each packet is a frame, and so are the bytes between two packets."""
+    for data in (stream(), NMEA + stream() + FALSE_SYNC, stream() * 40, accel(0.5) + b"x" * 9000 + accel(1.0) + b"u"):
+        for passes in ((), ("-2",)):
+            frames = trees(tmp_path, data, *passes)
+            assert found(frames) == checksums(data)
+            assert skipped(frames) + shown_broken(frames) == expected_parse(data)["skipped"]
+            assert all(len(found([frame])) <= 1 for frame in frames)
+
+
+# --------------------------------------------------------------------------- requests and answers
+
+
+def conversation() -> list[tuple[bool, bytes]]:
+    """Who sends (True: the device), and what."""
+    speed = field_bytes("base.comm_speed", function="read", port=1)
+    answer = field_bytes("base.comm_speed_response", port=1, baud=9600)
+    ping = (0x01, 0x01, b"")
+    return [
+        (False, packet(ping, speed)),                                                # 1: answered in 3 and 4
+        (True, accel(0.5)),                                                          # 2
+        (True, acknowledge(0x01, 0x01, 0)),                                          # 3
+        (True, acknowledge(0x01, 0x09, 0, answer[1:])),                              # 4
+        (False, packet(ping)),                                                       # 5: refused in 6
+        (True, acknowledge(0x01, 0x01, 3)),                                          # 6
+        (False, packet(ping)),                                                       # 7: answered in 9
+        (False, packet(ping)),                                                       # 8: answered in 10
+        (True, acknowledge(0x01, 0x01, 0)),                                          # 9
+        (True, acknowledge(0x01, 0x01, 0)),                                          # 10
+        (True, acknowledge(0x01, 0x01, 0)),                                          # 11: answers nothing
+    ]  # fmt: skip
+
+
+LINKS = {1: ["3", "4"], 5: ["6"], 7: ["9"], 8: ["10"]}
+BACK = {3: ["1"], 4: ["1", "1"], 6: ["5"], 9: ["7"], 10: ["8"]}  # 4: the acknowledge and the response
+
+
+@pytest.mark.parametrize("transport", ["serial", "tcp", "udp"])
+def test_answers_and_requests_are_linked(transport: str, tmp_path: Path) -> None:
+    sent = conversation()
+    first = 4 if transport == "tcp" else 1  # behind the handshake
+    if transport == "serial":
+        capture = captures.serial([data for _, data in sent])
+    elif transport == "tcp":
+        capture = captures.tcp(sent, PORT)
+    else:
+        capture = captures.capture(captures.RAW_IP, (captures.udp(data, PORT, way) for way, data in sent))
+    frames = trees(tmp_path, capture, "-2")[first - 1 :]
+    for number, frame in enumerate(frames, 1):
+        shift = first - 1
+        assert shown(frame, "mip.answer_in") == [str(int(n) + shift) for n in LINKS.get(number, [])], number
+        assert shown(frame, "mip.request_in") == [str(int(n) + shift) for n in BACK.get(number, [])], number
+    times = [float(time) for frame in frames for time in shown(frame, "mip.answer_time")]
+    assert times == pytest.approx([0.002, 0.003, 0.003, 0.001, 0.002, 0.002])
+    assert shown(frames[5], "mip.protocol.acknowledge.code") == ["3"]
+    refused = [part.get("showname") for part in frames[5].iter("field") if part.get("name") == "mip.expert.refused"]
+    assert refused == ["Ping refused: invalid_parameter"]
+
+
+def test_a_repeated_command_is_the_one_that_is_answered(tmp_path: Path) -> None:
+    """The first waits for longer than a device takes."""
+    ping = packet((0x01, 0x01, b""))
+    frames = trees(tmp_path, captures.serial([ping, ping, acknowledge(0x01, 0x01, 0)], interval=3.0), "-2")
+    assert [shown(frame, "mip.answer_in") for frame in frames] == [[], ["3"], []]
+    assert shown(frames[2], "mip.request_in") == ["2"]
+
+
+def test_silent_commands_are_not_answered(tmp_path: Path) -> None:
+    entry = {"trailing": "", "suppress_ack": True, "num_descriptors": 0, "descriptors": []}
+    silent, asking = (field_bytes("3dm.poll_imu_data", **{**entry, "suppress_ack": flag}) for flag in (True, False))
+    frames = trees(tmp_path, captures.serial([packet(silent), packet(asking), acknowledge(0x0C, 0x01, 0)]), "-2")
+    assert [shown(frame, "mip.answer_in") for frame in frames] == [[], ["3"], []]
+
+
+def test_columns_say_what_a_packet_is(tmp_path: Path) -> None:
+    path = tmp_path / "capture.pcap"
+    sent = [data for _, data in conversation()]
+    path.write_bytes(captures.serial([*sent, accel(0.5) + accel(1.0), broken(accel(1.0)), NMEA]))
+    names = ("_ws.col.Protocol", "_ws.col.Source", "_ws.col.Info")
+    rows = shark().run("-r", str(path), "-T", "fields", *(word for name in names for word in ("-e", name))).splitlines()
+    assert [row.split("\t") for row in rows] == [
+        ["MIP", "Host", "Base: Ping, Comm port speed (read)"],
+        ["MIP", "Device", "Sensor data: Scaled accel"],
+        ["MIP", "Device", "Base: Ping acknowledged"],
+        ["MIP", "Device", "Base: Comm port speed acknowledged, Comm port speed response"],
+        ["MIP", "Host", "Base: Ping"],
+        ["MIP", "Device", "Base: Ping refused: invalid_parameter"],
+        *[["MIP", "Host", "Base: Ping"]] * 2,
+        *[["MIP", "Device", "Base: Ping acknowledged"]] * 3,
+        ["MIP", "Device", "Sensor data: Scaled accel | Sensor data: Scaled accel"],
+        ["MIP", "Device", "Sensor data: Scaled accel [wrong checksum]"],
+        ["MIP", "", "no packet"],
+    ]
+
+
+# --------------------------------------------------------------------------- no error on any bytes
+
+
+@pytest.mark.parametrize("spec", ["real", "invented"])
+def test_no_bytes_are_an_error_of_the_dissector(spec: str, tmp_path: Path) -> None:
+    """Changed packets, wrong lengths and random bytes in every transport; `trees` finds errors."""
+    of, chance = model(spec), random.Random(7)
+    parts = []
+    for f in all_fields(of):
+        data = samples(f, chance)[0]
+        for _ in range(3):
+            changed = bytearray(codec.build(of, set_of(f, of), [(f.descriptor, data)]))
+            for _ in range(chance.randrange(1, 5)):
+                changed[chance.randrange(2, len(changed))] = chance.randrange(256)
+            changed[-2:] = codec.checksum(bytes(changed[:-2])) if chance.random() < 0.8 else changed[-2:]
+            parts.append(bytes(changed[: chance.choice((len(changed), len(changed), chance.randrange(len(changed))))]))
+    parts += [chance.randbytes(chance.randrange(1, 300)) for _ in range(200)]
+    parts += [b"ue" + chance.randbytes(chance.randrange(60)) for _ in range(400)]
+    parts += [whole(bytes((chance.choice((1, 12, 128, 130, 255, 77)), n)) + chance.randbytes(n)) for n in range(256)]
+    assert trees(tmp_path, captures.serial(parts), "-2", spec=spec)
+    assert trees(tmp_path, captures.datagrams(parts, PORT), "-o", f"mip_protocol.udp_ports:{PORT}", spec=spec)
+    assert trees(
+        tmp_path, captures.tcp([(True, p) for p in parts if p], PORT), "-o", f"mip_protocol.tcp_ports:{PORT}", spec=spec
+    )
+
+
+def whole(head_and_payload: bytes) -> bytes:
+    made = b"ue" + head_and_payload
+    return made + codec.checksum(made)
+
+
+def test_two_passes_show_the_same(tmp_path: Path) -> None:
+    """Apart from the frame of an answer, which is known in the second only."""
+    path = tmp_path / "capture.pcap"
+    path.write_bytes(captures.serial(captures.chunks(stream() + b"".join(data for _, data in conversation()), 11)))
+    once, twice = (shark().run("-r", str(path), "-V", *passes).splitlines() for passes in ((), ("-2",)))
+    assert once == [line for line in twice if "Answer in" not in line]
+    assert len(twice) > len(once)
