@@ -25,6 +25,7 @@ from mip_protocol import (
     protocol,
     registry,
     system,
+    system_data,
     types,
 )
 from mip_protocol.errors import Failure
@@ -521,6 +522,10 @@ def test_an_output_keeps_its_level(host: Host) -> None:
     host.ok(mip_3dm.GpioState.write(1, False))
     assert host.ok(mip_3dm.GpioState.read(1)).state is False
     assert host.refused(mip_3dm.GpioState.read(9)) == INVALID
+    host.ok(mip_3dm.GpioState.write(1, True))
+    host.ok(mip_3dm.PollData(0xA0, False, (system_data.GpioState.DESCRIPTOR,)))
+    shown = system_data.GpioState.find(host.data[-1])
+    assert shown is not None and shown.states == 1
 
 
 def test_in_a_direct_mode_the_device_answers_little(old: Host) -> None:

@@ -11,7 +11,7 @@ from random import Random
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from mip_protocol import DecodeError, Packet, PacketBuilder, Parser, RawField, base, mip_3dm, registry, sensor, types
 from mip_protocol.errors import Failure
@@ -68,7 +68,8 @@ class Run:
     def check(self) -> None:
         found = Counter(self.found)
         assert not self.intact - found, "an intact packet was lost"
-        assert not found - self.intact - self.added, "a packet came that nobody sent"
+        # Bytes that are lost and noise in their place may make a damaged packet whole again.
+        assert not found - Counter(self.sent) - self.added, "a packet came that nobody sent"
         order = [p for p in dict.fromkeys(self.found) if p in self.intact]
         assert order == [p for p in dict.fromkeys(self.sent) if p in self.intact], "the order has changed"
 
@@ -103,6 +104,7 @@ def test_each_fault_of_packets_happens_and_is_logged(kind: str) -> None:
 
 
 @given(st.integers(0, 2**32), st.lists(st.sampled_from(kinds("packet")), min_size=1, unique=True), st.floats(0.01, 0.5))
+@example(681, ["noise", "lose", "lose_packet"], 0.34375)
 @settings(max_examples=40, deadline=None)
 def test_all_intact_packets_are_found(seed: int, struck: list[str], rate: float) -> None:
     Run(stream(120, seed), seed, **dict.fromkeys(struck, rate)).check()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import atan2, cos, degrees, dist, hypot, isclose, radians, sin, sqrt
 from pathlib import Path
+from random import Random
 
 import pytest
 from mip_protocol.simulator.motion import (
@@ -244,3 +245,40 @@ def test_tracks_that_are_wrong(tmp_path: Path, rows: str, options: str, message:
 def test_a_track_that_cannot_be_read(tmp_path: Path) -> None:
     with pytest.raises(MotionError, match=r"track: cannot read .*none\.csv"):
         parse_motion(f"track:file={tmp_path}/none.csv")
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_any_track_is_smooth(seed: int) -> None:
+    """Random waypoints, short legs and sharp corners among them; those that are refused say why."""
+    source = Random(seed)
+    step = source.choice([1e-4, 1e-3, 1e-2])
+    points = [Waypoint(source.uniform(-80, 80), source.uniform(-180, 180), source.uniform(0, 2000))]
+    for _ in range(source.randint(1, 12)):
+        last = points[-1]
+        points.append(
+            Waypoint(
+                last.latitude + source.uniform(-step, step),
+                last.longitude + source.uniform(-step, step),
+                last.height + source.uniform(-300, 300) * step,
+                source.choice([None, source.uniform(0.5, 40)]),
+            )
+        )
+    limit = source.choice([0.3, 2.0, 8.0])
+    try:
+        track = Track(points, 15, acceleration=limit, corner=source.uniform(1, 50), loop=seed % 2 == 1)
+    except MotionError as error:
+        assert any(word in str(error) for word in ("turns back", "climbs", "needs at least")), error
+        return
+    end = track.duration or 300.0
+    at, a = 0.0, track.at(0)
+    assert a.velocity == (0, 0, 0)
+    while at < end:
+        at += STEP * 10
+        b = track.at(at)
+        assert dist(a.velocity, b.velocity) < 4 * limit * STEP * 10, at
+        assert hypot(*rotation_vector(a.quaternion, b.quaternion)) < 0.5, at
+        moved = dist((a.latitude, a.height / 6.4e6), (b.latitude, b.height / 6.4e6)) * 6.4e6
+        assert moved <= (hypot(*a.velocity) + 4 * limit * STEP * 10) * STEP * 10 * 1.01 + 1e-6, at
+        a = b
+        at += source.expovariate(1 / (end / 300))
+        a = track.at(at)

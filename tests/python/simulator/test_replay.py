@@ -175,6 +175,17 @@ def test_a_log_without_times_needs_a_rate(log: Path) -> None:
     assert TYPES["sensor.scaled_pressure"].decode(replay.recorded(0x80, 0x17, 2.05)[0]).scaled_pressure == 20  # type: ignore[attr-defined]
 
 
+def test_a_clock_that_is_not_valid_runs_nevertheless(log: Path) -> None:
+    """As on 5-series devices, which have no bits for it; only the week says when the log begins."""
+    stamp: Any = TYPES["sensor.gps_timestamp"]
+    for week, start in ((0, None), (2300, 2300 * WEEK + 7 * SECOND)):
+        log.write_bytes(
+            b"".join(bytes(PacketBuilder(0x80).add(0x12, stamp(7.0 + i, week, 0).encode()).build()) for i in range(4))
+        )
+        replay = Replay(log)
+        assert replay.duration == 3 and replay.start == start
+
+
 def test_invalid_values_say_nothing_of_the_motion(log: Path) -> None:
     kind: Any = TYPES["filter_data.llh_position"]
     stamp: Any = TYPES["filter_data.timestamp"]

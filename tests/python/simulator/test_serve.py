@@ -20,7 +20,7 @@ from typing import Any
 import pytest
 from mip_protocol import Parser, __main__, base, devices, mip_3dm, types
 from mip_protocol.simulator.channel import CAPACITY, Channel
-from mip_protocol.simulator.command import gps_nanoseconds
+from mip_protocol.simulator.command import _start
 from mip_protocol.simulator.device import VirtualDevice
 from mip_protocol.simulator.endpoints import Endpoint, pty_at, tcp_at
 from mip_protocol.simulator.faults import Faults
@@ -589,11 +589,11 @@ def test_errors_are_one_line_with_a_remedy(
 @pytest.mark.parametrize(
     ("arguments", "error"),
     [
-        (["--speed", "-1"], "-1 is no speed; use 1 for real time"),
-        (["--duration", "0"], "0 s is no duration; use a number above 0"),
+        (["--speed", "-1"], "'-1' is no speed; use 1 for real time"),
+        (["--duration", "0"], "'0' is no duration in seconds; use a number above 0"),
         (["--start", "yesterday"], "'yesterday' is no time; write 2024-05-01T12:00:00"),
         (["--start", "1970-01-01"], "is before GPS time, which began on 1980-01-06"),
-        (["--speed", "fast"], "invalid _speed value"),
+        (["--speed", "fast"], "'fast' is no speed; use 1 for real time"),
     ],
 )
 def test_values_are_checked(arguments: list[str], error: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -602,12 +602,12 @@ def test_values_are_checked(arguments: list[str], error: str, capsys: pytest.Cap
 
 
 def test_start_in_gps_time() -> None:
-    from datetime import datetime, timezone
+    from datetime import datetime
 
     moments = {(1980, 1, 6): 0, (2000, 1, 1): 1042 * 7 + 6, (2024, 5, 5): 2313 * 7}
     leaps = {(1980, 1, 6): 0, (2000, 1, 1): 13, (2024, 5, 5): 18}
     for day, days in moments.items():
-        found = gps_nanoseconds(datetime(*day, tzinfo=timezone.utc))
+        found = _start(datetime(*day).isoformat())
         assert found == (days * 86400 + leaps[day]) * 10**9
 
 

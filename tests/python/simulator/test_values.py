@@ -235,5 +235,5 @@ def test_memory_does_not_grow() -> None:
         for name in ("sensor.scaled_accel", "sensor.delta_theta", "gnss_1.dop", "shared.delta_time"):
             shown.raw(name)
         world = shown.world
-        kept.append((len(world._known), len(world._outputs), len(world.settings)))
+        kept.append((len(world._known), len(world._outputs)))
     assert set(kept[1:]) == {kept[0]}

@@ -76,10 +76,9 @@ class VirtualDevice:
         self.seed: int = seed
         self.faults = faults
         self.settings = Settings(self.profile, storage)
-        self.world = World(motion or Standing(), seed=seed, start=start)
+        self.world: World = World(motion or Standing(), seed=seed, start=start)
         self.known = self.profile.fields | self.profile.perhaps.keys()
         self.links: list[Link] = []
-        self.pins: dict[int, bool] = {}
         self.idle = False
         self.direct = False
         self.now: int = 0
@@ -156,7 +155,7 @@ class VirtualDevice:
             link.clear()
         self.settings.restart()
         self.idle = self.direct = False
-        self.pins.clear()
+        self.world.pins.clear()
         self.booted = self.now
         self._ready_at = self.now + BOOT_TIME
         self._settle()

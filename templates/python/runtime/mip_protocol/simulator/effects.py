@@ -228,18 +228,18 @@ def _pin(device: VirtualDevice, call: Call) -> Outcome:
     """A pin that becomes an output has the level of its behavior."""
     feature, behavior, pin = call.values["feature"], call.values["behavior"], call.values["pin"]
     if feature == 1 and behavior in (2, 3):
-        device.pins[pin] = behavior == 3
+        device.world.pins[pin] = behavior == 3
     else:
-        device.pins.pop(pin, None)
+        device.world.pins.pop(pin, None)
     return DONE
 
 
 def _pin_state(device: VirtualDevice, call: Call) -> Outcome:
     pin = call.values["pin"]
     if call.writes:
-        if pin not in device.pins:  # not an output
+        if pin not in device.world.pins:  # not an output
             raise Refused(COMMAND_FAILED)
-        device.pins[pin] = bool(call.values["state"])
+        device.world.pins[pin] = bool(call.values["state"])
     return DONE
 
 

@@ -161,7 +161,7 @@ QUANTITIES: dict[str, Quantity] = {
     "event.actions": _action_status,
     "port.incoming": _port_protocols(0),
     "port.outgoing": _port_protocols(1),
-    "pin.level": lambda device, context: device.pins.get(context["pin"], False),
+    "pin.level": lambda device, context: device.world.pins.get(context["pin"], False),
     "sensor.ranges": lambda device, context: RANGES.get(context["sensor"], ()),
     "receiver.list": _receivers,
 }

@@ -131,8 +131,8 @@ _SENSORS: dict[str, Function] = {
     "temperature.min": _temperature(-2.0),
     "temperature.max": _temperature(2.0),
     "temperature.mean": _temperature(0.0),
-    "gpio.states": lambda w, _: w.settings.get("gpio.states", 0),
-    "gpio.voltage": lambda w, _: w.settings.get("gpio.voltage", 0.0),
+    "gpio.states": lambda w, _: sum(1 << (pin - 1) for pin, level in w.pins.items() if level),
+    "gpio.voltage": lambda w, _: 0.0,
 }
 
 _MOTION: dict[str, Function] = {

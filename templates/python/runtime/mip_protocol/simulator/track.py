@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from bisect import bisect_right
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -11,18 +10,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from .state import MotionError, Plane, State
+from .waypoints import Waypoint, check, read_waypoints
 
 SHARPEST = radians(170)
 STEEPEST = 1.0
-
-
-class Waypoint(NamedTuple):
-    """A point of a track, and the speed from there on (of the track, if None)."""
-
-    latitude: float  # deg
-    longitude: float  # deg
-    height: float  # m
-    speed: float | None = None  # m/s
 
 
 @dataclass(frozen=True)
@@ -110,7 +101,7 @@ class Track:
             if not (isfinite(value) and value > 0):
                 raise MotionError(f"track: {name}={value:g} must be above 0")
         points = read_waypoints(points) if isinstance(points, (str, Path)) else list(points)
-        _check(points, loop)
+        check(points, loop)
         first = points[0]
         self._plane = Plane(radians(first.latitude), radians(first.longitude), first.height)
         self._limit, self._loop = acceleration, loop
@@ -145,31 +136,39 @@ class Track:
         )
         if self._loop:
             self._heights.append(0.0)
+        limits = [self._fastest(i, legs, arcs, points[i].speed or speed) for i in range(len(legs))]
         for i, (length, heading) in enumerate(legs):
-            cut, _, curvature = arcs[i]
-            end_cut, arc, bend = arcs[(i + 1) % len(arcs)]
+            (cut, *_), (end_cut, arc, bend) = arcs[i], arcs[(i + 1) % len(arcs)]
             n, e = places[i][0] + cut * cos(heading), places[i][1] + cut * sin(heading)
-            limit = points[i].speed or speed
-            climb = abs(self._heights[i + 1] - self._heights[i])
-            way = length - cut - end_cut + (arcs[i][1] + arc) / 2
-            if 1.875 * climb > STEEPEST * way:
-                raise MotionError(
-                    f"track: from waypoint {i + 1} the way climbs {climb:g} m in {way:.0f} m; "
-                    "put the waypoints farther apart"
-                )
-            if climb > 0:
-                limit = min(limit, sqrt(self._limit * way * way / (5.7736 * climb)))
-            line = max(0.0, length - cut - end_cut)
-            self._pieces.append(_Piece(s, line, n, e, heading, 0.0, limit))
-            s += line
+            line = length - cut - end_cut
+            if line > 1e-6:  # else its corners meet
+                self._pieces.append(_Piece(s, line, n, e, heading, 0.0, limits[i]))
+                s += line
+                n, e, _ = self._pieces[-1].place(line)
             self._marks.append(s + arc / 2)
             if arc > 0:
-                n, e, _ = self._pieces[-1].place(line)
-                following = points[(i + 1) % count].speed or speed
-                limit = min(limit, following, sqrt(self._limit / abs(bend)))
+                limit = min(limits[i], limits[(i + 1) % len(limits)], sqrt(self._limit / abs(bend)))
                 self._pieces.append(_Piece(s, arc, n, e, heading, bend, limit))
                 s += arc
         self._length = s
+
+    def _fastest(
+        self,
+        i: int,
+        legs: list[tuple[float, float]],
+        arcs: list[tuple[float, float, float]],
+        speed: float,
+    ) -> float:
+        """The speed at which the climb of a leg keeps within the acceleration, at most `speed`."""
+        (cut, arc, _), (end_cut, end_arc, _) = arcs[i], arcs[(i + 1) % len(arcs)]
+        climb = abs(self._heights[i + 1] - self._heights[i])
+        way = legs[i][0] - cut - end_cut + (arc + end_arc) / 2
+        if 1.875 * climb > STEEPEST * way:
+            raise MotionError(
+                f"track: from waypoint {i + 1} the way climbs {climb:g} m in {way:.0f} m; "
+                "put the waypoints farther apart"
+            )
+        return min(speed, sqrt(self._limit * way * way / (5.7736 * climb))) if climb else speed
 
     def _arc(
         self, legs: list[tuple[float, float]], i: int, corner: float
@@ -270,56 +269,4 @@ class Track:
         return heights[i] + up, grade, climb / (way * way) * 60 * u * (1 + u * (2 * u - 3))
 
 
-def _check(points: Sequence[Waypoint], loop: bool) -> None:
-    least = 3 if loop else 2
-    if len(points) < least:
-        raise MotionError(
-            f"track: {len(points)} waypoints; a track{' that loops' * loop} needs at least {least}"
-        )
-    for i, p in enumerate(points, 1):
-        if not all(isfinite(x) for x in p if x is not None):
-            raise MotionError(f"track: waypoint {i} has a value that is not a number")
-        if abs(p.latitude) > 89 or abs(p.longitude) > 360:
-            raise MotionError(
-                f"track: waypoint {i} is at {p.latitude:g}, {p.longitude:g}; use degrees, with a latitude of -89 to 89"
-            )
-        if p.speed is not None and p.speed <= 0:
-            raise MotionError(
-                f"track: the speed at waypoint {i} is {p.speed:g} m/s; it must be above 0"
-            )
-
-
-def read_waypoints(path: str | Path) -> list[Waypoint]:
-    """Waypoints of a CSV file: latitude, longitude (degrees), height (m), and perhaps speed (m/s).
-
-    A heading, empty lines and lines that begin with # are ignored.
-    """
-    try:
-        text = Path(path).read_text("utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise MotionError(f"track: cannot read {path}: {error}") from None
-    found: list[Waypoint] = []
-    first = True
-    for number, row in enumerate(csv.reader(text.splitlines()), 1):
-        cells = [cell.strip() for cell in row]
-        if not any(cells) or cells[0].startswith("#"):
-            continue
-        try:
-            values = [float(cell) for cell in cells if cell]
-        except ValueError:
-            if not first:
-                raise MotionError(
-                    f"{path}:{number}: '{','.join(cells)}' is not made of numbers"
-                ) from None
-            first = False
-            continue
-        first = False
-        if len(values) not in (3, 4):
-            raise MotionError(
-                f"{path}:{number}: {len(values)} numbers; a waypoint has latitude, longitude, height and perhaps speed"
-            )
-        found.append(Waypoint(*values))
-    return found
-
-
-__all__ = ["Track", "Waypoint", "read_waypoints"]
+__all__ = ["Track"]

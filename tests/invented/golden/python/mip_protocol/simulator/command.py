@@ -14,6 +14,7 @@ from typing import Any
 
 from ..devices import DEVICES, Device, find
 from ..errors import Failure
+from . import earth
 from .endpoints import Endpoint, pty_at, tcp_at
 from .fault_kinds import parse_faults, table
 from .faults import Faults, json_log
@@ -234,18 +235,20 @@ def _plain(name: str) -> str:
 
 
 def _seconds(text: str) -> float:
-    value = float(text)
-    if not 0 < value < 1e10:
-        raise argparse.ArgumentTypeError(f"{text} s is no duration; use a number above 0")
-    return value
+    return _number(text, 1e-9, 1e10, "duration in seconds; use a number above 0")
 
 
 def _speed(text: str) -> float:
-    value = float(text)
-    if not 0 <= value <= 1e6:
-        raise argparse.ArgumentTypeError(
-            f"{text} is no speed; use 1 for real time, 0 for as fast as possible"
-        )
+    return _number(text, 0, 1e6, "speed; use 1 for real time, 0 for as fast as possible")
+
+
+def _number(text: str, least: float, most: float, what: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = -1.0
+    if not least <= value <= most:
+        raise argparse.ArgumentTypeError(f"'{text}' is no {what}")
     return value
 
 
@@ -261,25 +264,8 @@ def _start(text: str) -> int:
         raise argparse.ArgumentTypeError(
             f"'{text}' is no time; write 2024-05-01T12:00:00"
         ) from None
-    if when.tzinfo is None:
-        when = when.replace(tzinfo=timezone.utc)
-    return gps_nanoseconds(when)
-
-
-#: When a leap second was inserted after the GPS epoch: the first day that counts it.
-_LEAPS = (
-    (1981, 7), (1982, 7), (1983, 7), (1985, 7), (1988, 1), (1990, 1), (1991, 1), (1992, 7), (1993, 7), (1994, 7),
-    (1996, 1), (1997, 7), (1999, 1), (2006, 1), (2009, 1), (2012, 7), (2015, 7), (2017, 1),
-)  # fmt: skip
-
-
-def gps_nanoseconds(when: datetime) -> int:
-    """GPS time of a UTC time, in nanoseconds since the GPS epoch."""
-    epoch = datetime(1980, 1, 6, tzinfo=timezone.utc)
-    passed = when - epoch
-    if passed.days < 0:
-        raise argparse.ArgumentTypeError(
-            f"{when.isoformat()} is before GPS time, which began on 1980-01-06"
-        )
-    leaps = sum(when >= datetime(year, month, 1, tzinfo=timezone.utc) for year, month in _LEAPS)
-    return ((passed.days * 86400 + passed.seconds + leaps) * 1_000_000 + passed.microseconds) * 1000
+    if when.tzinfo is not None:
+        when = when.astimezone(timezone.utc).replace(tzinfo=None)
+    if when < datetime(1980, 1, 6):
+        raise argparse.ArgumentTypeError(f"{text} is before GPS time, which began on 1980-01-06")
+    return earth.from_utc(when)

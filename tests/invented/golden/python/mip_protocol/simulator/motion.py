@@ -8,7 +8,8 @@ from typing import Any
 
 from .replay import Replay
 from .state import Motion, MotionError, Plane, State, rotation
-from .track import Track, Waypoint
+from .track import Track
+from .waypoints import Waypoint
 
 #: Where motions are that are given no place: degrees and metres.
 LATITUDE, LONGITUDE, HEIGHT = 47.0, 8.0, 500.0

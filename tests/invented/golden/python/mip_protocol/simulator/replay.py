@@ -210,13 +210,13 @@ def _even(packets: Sequence[Packet], rate: float) -> list[int]:
 
 
 def _clocks(packet: Packet) -> dict[str, int]:
-    """The clocks of a packet in ns, GPS time since its epoch."""
+    """The clocks of a packet in ns, GPS time since its epoch. One that is not valid runs nevertheless."""
     found: dict[str, int] = {}
     for raw in _fields(packet):
-        reference = _shown(raw.set, raw.descriptor, raw.data, (REFERENCE,))
+        reference = _shown(raw.set, raw.descriptor, raw.data, (REFERENCE,), valid=False)
         if reference is not None:
             found.setdefault(REFERENCE, int(reference[0]))
-        tow = _shown(raw.set, raw.descriptor, raw.data, (GPS, "gps.week"))
+        tow = _shown(raw.set, raw.descriptor, raw.data, (GPS, "gps.week"), valid=False)
         if tow is not None:
             found.setdefault(GPS, int(tow[1]) * WEEK + round(tow[0] * SECOND))
     return found
@@ -235,8 +235,10 @@ def _places(kind: Any, names: Sequence[str]) -> tuple[tuple[Any, float], ...]:
     return tuple((parameters[shown[name][0]], shown[name][1]) for name in names)
 
 
-def _shown(set: int, descriptor: int, data: bytes, names: Sequence[str]) -> list[Any] | None:
-    """The values of these quantities in a field, if it has them and they are valid."""
+def _shown(
+    set: int, descriptor: int, data: bytes, names: Sequence[str], valid: bool = True
+) -> list[Any] | None:
+    """The values of these quantities in a field, if it has them and, where asked, they are valid."""
     types = registry.types(set, descriptor)
     kind: Any = types[0] if len(types) == 1 else None
     places = _places(kind, tuple(names)) if kind else ()
@@ -248,7 +250,7 @@ def _shown(set: int, descriptor: int, data: bytes, names: Sequence[str]) -> list
         return None
     found = []
     for p, factor in places:
-        for said in p.valid:
+        for said in p.valid if valid else ():
             flags, _, bit = said.partition(".")
             value = getattr(field, flags, 0)
             if bit and not value & named(type(value), (bit,)):

@@ -98,9 +98,7 @@ class World:
             0.0,
         )  # settings: the sensors subtract them, m/s^2 and rad/s
         self.gyro_bias: Vector = (0.0, 0.0, 0.0)
-        self.settings: dict[
-            str, Any
-        ] = {}  # further values that quantities show, by the name of the quantity
+        self.pins: dict[int, bool] = {}  # levels of outputs, by pin from 1
         bias = Random(f"{seed}:bias")
         #: The whole biases of the sensors.
         self.accel_error = _random(bias, 0.02)
