@@ -41,8 +41,8 @@ PORT = "{name: port, type: u8, for: WRS"
         (DATA, ", valid: flags.ready", "", "compatible", "valid flag none, was flags.ready"),
         (TYPES, "slow: 1", "slow: 3", "wire", "mode.slow: is 3, was 1"),
         (TYPES, "slow: 1", "lazy: 1", "source", "mode.lazy: was called slow"),
-        (TYPES, "slow: 1", "slow: 1, turbo: 9", "compatible", "mode.turbo: added: 9"),
-        (TYPES, "level: 4-6", "level: 4-7", "wire", "flags.level: is bits 4-7, was bits 4-6"),
+        (TYPES, "slow: 1", "slow: 1, turbo: 7", "compatible", "mode.turbo: added: 7"),
+        (TYPES, "level: {bits: 4-6", "level: {bits: 4-7", "wire", "flags.level: is bits 4-7, was bits 4-6"),
         ("devices/model_a.yaml", "title: Model A", "title: Model 1", "compatible", "model-a: another profile"),
         (
             "devices/model_a.yaml",

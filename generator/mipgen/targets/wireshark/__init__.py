@@ -11,10 +11,11 @@ from ...render import File
 from . import names, rows, texts
 from .names import identifiers
 
-__all__ = ["CONFORMANCE", "TITLE", "files", "filters", "identifiers"]
+__all__ = ["CONFORMANCE", "NEEDS", "TITLE", "files", "filters", "identifiers"]
 
 TITLE = "Wireshark dissector, Lua"
 CONFORMANCE = ("decode",)
+NEEDS = "tshark"
 
 
 def files(model: m.Model) -> Iterator[File]:
