@@ -294,6 +294,15 @@ def test_answers_that_do_not_fit_come_in_several_packets(host: Host) -> None:
     assert all(next(iter(packet)).descriptor == 0xF1 for packet in packets)
 
 
+def test_a_false_start_hides_a_command_for_a_tenth_of_a_second_only(host: Host) -> None:
+    assert host.raw(bytes.fromhex("7565 01 FF") + command(0x01, 0x01)) == []
+    assert received(host, 0.099) == []
+    assert codes(received(host, 0.001)) == [(0x01, OK)]
+    half = command(0x01, 0x01)
+    assert host.raw(half[:5]) == received(host, 0.05) == []
+    assert codes(host.raw(half[5:])) == [(0x01, OK)]
+
+
 def test_a_malformed_field_ends_the_packet(host: Host) -> None:
     packet = bytearray(bytes(PacketBuilder(0x01).add(0x01).add(0x02).build()))
     packet[6] = 9

@@ -20,6 +20,7 @@ class Link:
         self.closed = False
         self.dropped = 0  # packets for which the host has left no room
         self.parser = Parser()
+        self.heard = 0  # when the host has last sent something
         self._late: list[tuple[int, int, bytes]] = []  # time, order, bytes on the way
         self._held: list[tuple[int, int, bytes]] = []  # the same, that the device has yet to send
         self._receive = receive

@@ -39,6 +39,9 @@ from .world import World
 #: How long a device takes to start; it answers nothing meanwhile.
 BOOT_TIME = SECOND // 2
 
+#: How long a host may pause inside a packet; then the device searches the bytes for another one.
+SILENCE = SECOND // 10
+
 #: How often disturbances may happen.
 DISTURBANCE_TIME = SECOND // 10
 
@@ -114,7 +117,9 @@ class VirtualDevice:
         """Time passes up to this moment; everything due by then happens."""
         while (due := self.next) is not None and due <= time:
             self._move(due)
-            for link in self.links:
+            for link in list(self.links):
+                if link.parser.pending and link.heard + SILENCE <= due:
+                    self._taken(link, link.parser.flush())
                 link.arrive(due)
                 for data in link.due(due):
                     self._transmit(link, data)
@@ -130,6 +135,7 @@ class VirtualDevice:
         """When something happens next without the host."""
         times = [stream.next for stream in self._streams]
         times += [link.next for link in self.links if link.next is not None]
+        times += [link.heard + SILENCE for link in self.links if link.parser.pending]
         if self.faults is not None:
             times.append(self._disturbed)
         return min(times, default=None)
@@ -177,7 +183,11 @@ class VirtualDevice:
             data = self.faults.receive(self.now, data)
         if self.now < self._ready_at or not link.takes & ports.MIP:
             return
-        for packet in link.parser.feed(data):
+        link.heard = self.now
+        self._taken(link, link.parser.feed(data))
+
+    def _taken(self, link: Link, found: Iterable[Packet]) -> None:
+        for packet in found:
             if packet.set < 0x80:
                 self._answer(link, packet)
 
