@@ -70,11 +70,15 @@ def _with_variants(model: m.Model, found: list[tuple[str, m.Variant]]) -> m.Mode
     for path, v in found:
         by_path.setdefault(path, []).append(v)
 
+    concerned = {path.rpartition(".")[0] for path in by_path}
+
     def varied(f: m.Field) -> m.Field:
-        parameters = tuple(
+        if f.full_name not in concerned:
+            return f
+        parameters = (
             replace(p, variants=(*p.variants, *by_path.get(f"{f.full_name}.{p.name}", ()))) for p in f.parameters
         )
-        return replace(f, parameters=parameters) if parameters != f.parameters else f
+        return replace(f, parameters=tuple(parameters))
 
     protocol = replace(model.protocol, acknowledge=varied(model.protocol.acknowledge))
     sets = tuple(replace(s, fields=tuple(varied(f) for f in s.fields)) for s in model.sets)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from ... import describe
 from ... import model as m
+from ...wrapping import wrapped
 from . import names
 from .literals import hexadecimal
 from .members import members
@@ -28,8 +28,8 @@ def comment(paragraphs: Sequence[str], indent: int = 0) -> str:
      * - a leaflet
      */
     """
-    wrapped = [_wrapped(p, WIDTH - indent - len(" * ")) for p in paragraphs]
-    lines = [line for i, found in enumerate(wrapped) for line in (["", *found] if i else found)]
+    blocks = [_wrapped(p, WIDTH - indent - len(" * ")) for p in paragraphs]
+    lines = [line for i, found in enumerate(blocks) for line in (["", *found] if i else found)]
     if not lines:
         return ""
     if len(lines) == 1 and indent + len(lines[0]) + len("/**  */") <= WIDTH:
@@ -40,9 +40,7 @@ def comment(paragraphs: Sequence[str], indent: int = 0) -> str:
 def _wrapped(paragraph: str, width: int) -> list[str]:
     found: list[str] = []
     for line in paragraph.replace("*/", "* /").replace("/*", "/ *").splitlines():
-        found += textwrap.wrap(
-            line, width, subsequent_indent="  " * line.startswith("- "), break_long_words=False, break_on_hyphens=False
-        )
+        found += wrapped(line, width, "  " * line.startswith("- "))
     return found
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import struct
 from collections.abc import Iterable, Sequence
+from functools import cache
 
 _SPECIAL = re.compile(r"[\\`*\[\]|<~$]|(?<![A-Za-z0-9])_|_(?![A-Za-z0-9])|&(?=#?\w+;)")
 _ENTITIES = {"<": "&lt;", "&": "&amp;", "~": "&#126;", "$": "&#36;"}
@@ -13,6 +14,7 @@ _CODE_ENTITIES = str.maketrans(
 )
 
 
+@cache
 def inline(text: object) -> str:
     r"""A part of a line: nothing in it is taken for Markdown or HTML, but backticks make code.
 
@@ -24,6 +26,7 @@ def inline(text: object) -> str:
     return "".join(a + b for a, b in zip(escaped, [*parts[1::2], ""], strict=True))
 
 
+@cache
 def opening(markdown: str) -> str:
     r"""Markdown that may begin a line: it does not begin a list, a heading or a quotation there.
 

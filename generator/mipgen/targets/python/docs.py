@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Iterable
 
 from ... import describe
 from ... import model as m
 from ...describe import Fact, Ref
+from ...wrapping import wrapped
 from .members import Record, annotation
 from .names import constant, home, member, module, reference
 
@@ -156,9 +156,7 @@ def comment(text: str, indent: int) -> str:
 
 def _wrapped(text: str, width: int) -> list[str]:
     """The lines of a paragraph or of an item of a list, which hangs below its dash."""
-    hang = "  " if text.lstrip('"').startswith("- ") else ""
-    lines = textwrap.wrap(text, width, subsequent_indent=hang, break_long_words=False, break_on_hyphens=False)
-    return lines or [""]
+    return wrapped(text, width, "  " if text.lstrip('"').startswith("- ") else "") or [""]
 
 
 def _indented(lines: Iterable[str], indent: int) -> str:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Iterable
 
 from ... import describe
 from ... import model as m
+from ...wrapping import wrapped
 from .names import Record, constant, home, member, method, module, path, type_name
 from .records import Conversion, Reading, Union
 
@@ -199,7 +199,3 @@ def comment(blocks: Iterable[Block], indent: int = 0, marker: str = "///") -> st
             for item in block:
                 lines += wrapped(f"- {item}", width, "  ") if isinstance(item, str) else [f"| {' | '.join(item)} |"]
     return "\n".join(f"{margin}{marker} {line}".rstrip() for line in lines)
-
-
-def wrapped(text: str, width: int, hanging: str = "") -> list[str]:
-    return textwrap.wrap(text, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False)

@@ -1,0 +1,16 @@
+"""Lines of texts: where a paragraph breaks."""
+
+from __future__ import annotations
+
+import textwrap
+
+
+def wrapped(text: str, width: int, hang: str = "") -> list[str]:
+    """The lines of a paragraph; those behind the first begin with `hang`. Words are never broken.
+
+    >>> wrapped("one two three", 9, "  "), wrapped("one two", 9), wrapped("", 9)
+    (['one two', '  three'], ['one two'], [])
+    """
+    if len(text) <= width and "\n" not in text and "\t" not in text:  # most are short, and wrapping takes long
+        return [text] if text and not text.isspace() else []
+    return textwrap.wrap(text, width, subsequent_indent=hang, break_long_words=False, break_on_hyphens=False)
