@@ -5,16 +5,6 @@
 
 /* --------------------------------------------------------------------------- packets and fields */
 
-uint16_t mip_checksum(const uint8_t *bytes, size_t size) {
-    uint32_t a = 0;
-    uint32_t b = 0;
-    for (size_t i = 0; i < size; i++) {
-        a += bytes[i];
-        b += a;
-    }
-    return (uint16_t)((a & 0xFFU) << 8 | (b & 0xFFU));
-}
-
 mip_error mip_packet_check(const uint8_t *bytes, size_t size, struct mip_packet *packet) {
     if (size < 2 || bytes[0] != MIP_SYNC_1 || bytes[1] != MIP_SYNC_2) {
         return MIP_ERROR_SYNC;

@@ -131,9 +131,10 @@ struct mip_packet mip_builder_finish(struct mip_builder *builder);
 struct mip_parser {
     /** Bytes so far that belong to no packet. */
     uint32_t skipped;
-    /** Bytes in the buffer, and how many of them are done with. */
+    /** Bytes in the buffer, how many of them are done with, and how many are missing at least. */
     uint16_t length;
     uint16_t done;
+    uint16_t missing;
     uint8_t buffer[MIP_MAX_PACKET];
 };
 
@@ -145,7 +146,8 @@ void mip_parser_init(struct mip_parser *parser);
  *
  *     while (mip_parser_next(&parser, &data, &size, &packet)) { ... }
  *
- * The packet stays valid until the parser is called again.
+ * The packet is in the caller's bytes, or in the parser if their end has cut it: it stays valid
+ * until the parser is called again, and as long as these bytes stay where they are.
  */
 bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                      struct mip_packet *packet);

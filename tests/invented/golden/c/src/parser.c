@@ -1,4 +1,5 @@
-/* The stream parser. */
+/* The stream parser. A packet that lies wholly inside the caller's bytes is checked and handed out
+ * there; only one that is cut by their end is put together in the buffer. */
 #include "mip/core.h"
 
 #include <string.h>
@@ -7,76 +8,146 @@ void mip_parser_init(struct mip_parser *parser) {
     parser->skipped = 0;
     parser->length = 0;
     parser->done = 0;
+    parser->missing = 0;
+}
+
+/** The size of the packet that may begin here; more than `size` if that many bytes do not tell
+ * yet, 0 if none begins here. */
+static size_t candidate(const uint8_t *bytes, size_t size) {
+    if (size >= MIP_HEADER_SIZE) {
+        return bytes[0] == MIP_SYNC_1 && bytes[1] == MIP_SYNC_2 && bytes[2] != 0
+                   ? (size_t)bytes[3] + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE
+                   : 0;
+    }
+    return bytes[0] != MIP_SYNC_1 || (size > 1 && bytes[1] != MIP_SYNC_2) ||
+                   (size > 2 && bytes[2] == 0)
+               ? 0
+               : size + 1;
+}
+
+/** Is this candidate, which is complete, a packet? Its header has been looked at. */
+static bool is_packet(const uint8_t *bytes, size_t size, struct mip_packet *packet) {
+    const uint8_t *end = bytes + (size - MIP_CHECKSUM_SIZE);
+    if (mip_checksum(bytes, size - MIP_CHECKSUM_SIZE) != (uint16_t)(end[0] << 8 | end[1])) {
+        return false;
+    }
+    packet->bytes = bytes;
+    packet->size = size;
+    packet->descriptor_set = bytes[2];
+    return true;
 }
 
 /** Removes bytes from the front of the buffer. */
 static void drop(struct mip_parser *parser, size_t size) {
-    if (size > 0) {
-        parser->length = (uint16_t)(parser->length - size);
-        memmove(parser->buffer, parser->buffer + size, parser->length);
+    parser->length = (uint16_t)(parser->length - size);
+    memmove(parser->buffer, parser->buffer + size, parser->length);
+}
+
+/** Removes the first byte of the buffer, and those up to the next that may start a packet. */
+static void skip(struct mip_parser *parser) {
+    size_t count = 1;
+    while (count < parser->length && parser->buffer[count] != MIP_SYNC_1) {
+        count++;
+    }
+    parser->skipped += (uint32_t)count;
+    drop(parser, count);
+}
+
+/** Moves bytes into the buffer. */
+static void take(struct mip_parser *parser, const uint8_t **data, size_t *size, size_t count) {
+    memcpy(parser->buffer + parser->length, *data, count);
+    parser->length = (uint16_t)(parser->length + count);
+    *data += count;
+    *size -= count;
+}
+
+/** Gives back bytes behind the first `kept` of the buffer, if all of them have just been taken. */
+static void give_back(struct mip_parser *parser, const uint8_t **data, size_t *size, size_t kept,
+                      const uint8_t *begin) {
+    const size_t count = parser->length - kept;
+    if (count <= (size_t)(*data - begin)) {
+        parser->length = (uint16_t)kept;
+        *data -= count;
+        *size += count;
     }
 }
 
-static void skip(struct mip_parser *parser, size_t size) {
-    parser->skipped += (uint32_t)size;
-    drop(parser, size);
-}
-
-/** The number of bytes before the first one that may start a packet. */
-static size_t garbage(const uint8_t *bytes, size_t size) {
-    const uint8_t *sync = (const uint8_t *)memchr(bytes, MIP_SYNC_1, size);
-    return sync == NULL ? size : (size_t)(sync - bytes);
-}
-
-/** Do the first bytes of the buffer rule out a packet? */
-static bool is_false_sync(const struct mip_parser *parser) {
-    return (parser->length > 1 && parser->buffer[1] != MIP_SYNC_2) ||
-           (parser->length > 2 && parser->buffer[2] == 0);
-}
-
-/** Bytes that the candidate in the buffer needs: first the header, which gives its length, then
- * all. */
-static size_t wanted(const struct mip_parser *parser) {
-    return parser->length < MIP_HEADER_SIZE
-               ? MIP_HEADER_SIZE
-               : (size_t)parser->buffer[3] + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE;
+/** Finds a packet in the caller's bytes; a candidate that they cut goes into the buffer. */
+static bool find(struct mip_parser *parser, const uint8_t **data, size_t *size,
+                 struct mip_packet *packet) {
+    const uint8_t *at = *data;
+    size_t left = *size;
+    while (left > 0) {
+        if (*at != MIP_SYNC_1) {
+            const uint8_t *sync = (const uint8_t *)memchr(at, MIP_SYNC_1, left);
+            if (sync == NULL) {
+                at += left;
+                left = 0;
+                break;
+            }
+            left -= (size_t)(sync - at);
+            at = sync;
+        }
+        const size_t goal = candidate(at, left);
+        if (goal > left) {
+            break;
+        }
+        if (goal > 0 && is_packet(at, goal, packet)) {
+            parser->skipped += (uint32_t)(at - *data);
+            *data = at + goal;
+            *size = left - goal;
+            return true;
+        }
+        at++;
+        left--;
+    }
+    parser->skipped += (uint32_t)(at - *data);
+    *data = at;
+    *size = left;
+    if (left > 0) {
+        parser->missing = (uint16_t)(candidate(at, left) - left);
+        take(parser, data, size, left);
+    }
+    return false;
 }
 
 bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                      struct mip_packet *packet) {
-    drop(parser, parser->done); /* the packet of the last call */
-    parser->done = 0;
-    for (;;) {
-        if (parser->length == 0 && *size > 0) { /* do not copy garbage */
-            const size_t count = garbage(*data, *size);
-            parser->skipped += (uint32_t)count;
-            *data += count;
-            *size -= count;
+    const uint8_t *begin = *data;
+    if (parser->done > 0) { /* the packet of the last call */
+        drop(parser, parser->done);
+        parser->done = 0;
+    } else if (*size < parser->missing) {
+        parser->missing = (uint16_t)(parser->missing - *size);
+        if (*size > 0) {
+            take(parser, data, size, *size);
         }
-        skip(parser, garbage(parser->buffer, parser->length));
-        if (is_false_sync(parser)) {
-            skip(parser, 1);
-            continue;
-        }
-        const size_t goal = wanted(parser);
-        if (parser->length >= goal) {
-            if (mip_packet_check(parser->buffer, goal, packet) == MIP_OK) {
-                parser->done = (uint16_t)goal;
-                return true;
-            }
-            skip(parser, 1);
-            continue;
-        }
-        const size_t missing = goal - parser->length;
-        const size_t count = *size < missing ? *size : missing;
-        if (count == 0) {
-            return false;
-        }
-        memcpy(parser->buffer + parser->length, *data, count);
-        parser->length = (uint16_t)(parser->length + count);
-        *data += count;
-        *size -= count;
+        return false;
     }
+    while (parser->length > 0) {
+        const size_t goal = candidate(parser->buffer, parser->length);
+        if (goal > parser->length) {
+            const size_t missing = goal - parser->length;
+            if (*size < missing) {
+                parser->missing = (uint16_t)(missing - *size);
+                if (*size > 0) {
+                    take(parser, data, size, *size);
+                }
+                return false;
+            }
+            take(parser, data, size, missing);
+        } else if (goal > 0 && is_packet(parser->buffer, goal, packet)) {
+            give_back(parser, data, size, goal, begin);
+            parser->done = (uint16_t)goal;
+            parser->missing = 0;
+            return true;
+        } else {
+            skip(parser);
+            give_back(parser, data, size, 0, begin);
+        }
+    }
+    parser->missing = 0;
+    return find(parser, data, size, packet);
 }
 
 bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet) {
@@ -86,11 +157,12 @@ bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet
         return true;
     }
     for (size_t at = 1; at + MIP_HEADER_SIZE < parser->length; at++) {
-        const uint8_t *candidate = parser->buffer + at;
-        size = (size_t)candidate[3] + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE;
-        if (at + size <= parser->length && mip_packet_check(candidate, size, packet) == MIP_OK) {
-            skip(parser, at);
-            size = 0;
+        const size_t left = parser->length - at;
+        const size_t goal = candidate(parser->buffer + at, left);
+        if (goal > 0 && goal <= left && is_packet(parser->buffer + at, goal, packet)) {
+            parser->skipped += (uint32_t)at;
+            drop(parser, at);
+            parser->missing = 0;
             return mip_parser_next(parser, &data, &size, packet);
         }
     }
@@ -104,7 +176,8 @@ bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *packet) {
         if (parser->length == 0) {
             return false;
         }
-        skip(parser, 1);
+        skip(parser);
+        parser->missing = 0;
     }
     return true;
 }
