@@ -198,14 +198,9 @@ local function show_field(packet, at, size, index, tree)
   return said, f
 end
 
--- 1: the host sent it, 2: the device did, 0: nothing tells it.
+-- 1: the host sent it, 2: the device did.
 local function direction_of(f)
-  if f.role == "command" then
-    return f.from_device and 2 or 1
-  elseif f == ACKNOWLEDGE_FIELD then
-    return 2
-  end
-  return 2
+  return f.role == "command" and not f.from_device and 1 or 2
 end
 
 -- Shows the fields of a packet; gives their texts, and the direction that they tell.

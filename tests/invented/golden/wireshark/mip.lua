@@ -1193,9 +1193,8 @@ end
 local function show_answer(exchange, tree)
   if exchange then
     add_generated(tree, own.request_in, exchange.request)
-    local past = math.max(0, exchange.answered - exchange.sent)
-    local seconds = math.floor(past)
-    add_generated(tree, own.answer_time, NSTime(seconds, math.floor((past - seconds) * 1e9 + 0.5)))
+    local past = math.floor(math.max(0, exchange.answered - exchange.sent) * 1e9 + 0.5)
+    add_generated(tree, own.answer_time, NSTime(math.floor(past / 1000000000), past % 1000000000))
   end
 end
 
@@ -1399,14 +1398,9 @@ local function show_field(packet, at, size, index, tree)
   return said, f
 end
 
--- 1: the host sent it, 2: the device did, 0: nothing tells it.
+-- 1: the host sent it, 2: the device did.
 local function direction_of(f)
-  if f.role == "command" then
-    return f.from_device and 2 or 1
-  elseif f == ACKNOWLEDGE_FIELD then
-    return 2
-  end
-  return 2
+  return f.role == "command" and not f.from_device and 1 or 2
 end
 
 -- Shows the fields of a packet; gives their texts, and the direction that they tell.
@@ -1539,25 +1533,29 @@ end
 -- A chunk of a TCP stream or a serial line. Chunks come in order once; what was held back before each of them is kept,
 -- so that it is shown in the same way whenever Wireshark comes back to it. Wireshark's own reassembly is for packets
 -- whose length is known: it shows packets twice if a header turns out to be none when more bytes have come.
-local held -- line -> bytes held back
+local held -- line -> bytes held back behind its latest chunk
 local before -- line -> chunk -> bytes held back before it
 
+-- Those before a chunk, and is it new?
 local function held_before(line, chunk)
   before[line] = before[line] or {}
-  before[line][chunk] = before[line][chunk] or held[line] or ""
-  return before[line][chunk]
+  local known = before[line][chunk]
+  before[line][chunk] = known or held[line] or ""
+  return before[line][chunk], known == nil
 end
 
 local function dissect_chunk(tvb, pinfo, tree)
   local sender = string.format("%s:%d %s", tostring(pinfo.src), pinfo.src_port, tostring(pinfo.p2p_dir))
   local line = conversation_of(pinfo) .. " " .. sender
-  local head = held_before(line, string.format("%d:%d:%d", pinfo.number, tvb:offset(), tvb:len()))
+  local head, new = held_before(line, string.format("%d:%d:%d", pinfo.number, tvb:offset(), tvb:len()))
   local raw, data = head .. tvb:raw(), tvb
   if head ~= "" then
     data = ByteArray.new(raw, true):tvb("MIP, with the bytes of earlier frames")
   end
   local packets, rest = scan(raw, false)
-  held[line] = rest and raw:sub(rest + 1) or ""
+  if new then -- while a capture goes on, Wireshark may come back to earlier chunks
+    held[line] = rest and raw:sub(rest + 1) or ""
+  end
   local texts, direction = show_bytes(data, raw, packets, 0, rest or #raw, pinfo, tree)
   if rest then
     local from = math.max(rest, #head)
