@@ -91,7 +91,6 @@ class World:
         self.booted = 0  # when the device was last restarted
         self.time = 0.0  # the same in seconds
         self.gps = self.start  # ns since the GPS epoch
-        self.trigger = 0  # id of the event that causes what is sent
         self.accel_bias: Vector = (
             0.0,
             0.0,
