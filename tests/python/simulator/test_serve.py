@@ -593,6 +593,8 @@ def test_errors_are_one_line_with_a_remedy(
         (["--duration", "0"], "'0' is no duration in seconds; use a number above 0"),
         (["--start", "yesterday"], "'yesterday' is no time; write 2024-05-01T12:00:00"),
         (["--start", "1970-01-01"], "is before GPS time, which began on 1980-01-06"),
+        (["--start", "3001-01-01"], "is too late; use a year up to 3000"),
+        (["--start", "0001-01-01T00:00:00+14:00"], "is no time; write 2024-05-01T12:00:00"),
         (["--speed", "fast"], "'fast' is no speed; use 1 for real time"),
     ],
 )

@@ -18,6 +18,7 @@ from .codes import (
     INVALID_PARAMETER,
     LOAD,
     OK,
+    READ,
     SAVE,
     SETS,
     UNKNOWN_COMMAND,
@@ -136,7 +137,7 @@ def _silenced(device: VirtualDevice, command: Command) -> bool:
     """Does the setting of another command keep this one from being acknowledged?"""
     for name, attribute, value in SILENCED.get(command.NAME, ()):
         kind: Any = command_type(name)
-        if getattr(device.settings.current(kind(function=2)), attribute) == value:
+        if getattr(device.settings.current(kind(function=READ)), attribute) == value:
             return True
     return False
 

@@ -23,7 +23,7 @@ from ..errors import Failure
 from ..field import Command
 from ..packet import Packet, RawField
 from ..profile import Device
-from . import formats, nmea, ports, values
+from . import formats, nmea, ports, values, views
 from ._facts import COMMANDS
 from .checks import NOTHING
 from .codes import DEFAULT, LOAD, SAVE
@@ -255,7 +255,7 @@ class VirtualDevice:
         """All effects of the settings that the device starts with."""
         self.world.restart()
         for name, behavior in COMMANDS.items():
-            if behavior.effect.startswith("orientation") and self.knows(name):
+            if behavior.effect in views.ORIENTATIONS and self.knows(name):
                 self.apply((home(command_type(name)).NAME, ()), None)
         for at, kept in list(self.settings.items()):
             self.apply(at, kept)

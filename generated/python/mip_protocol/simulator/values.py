@@ -29,6 +29,9 @@ _LETTERS = {
 }  # fmt: skip
 _NOTHING = FieldValues()
 
+#: The largest float of four bytes.
+LARGEST = (2 - 2**-23) * 2.0**127
+
 #: What clocks show: a log is not replayed for fields that show nothing else.
 _CLOCKS = ("gps.", "utc.", "reference.", "external.", "ticks.", "event.")
 
@@ -57,7 +60,7 @@ def _encoder(
     kind: type[Field], profile: Device, world: World, set: int, source: FieldValues
 ) -> Encoder:
     readers, layout = _readers(kind, profile, world, source)
-    pack = struct.Struct(">" + layout).pack
+    pack = _packer(layout)
     if source.for_each:
         items = QUANTITIES[source.for_each]
         return lambda: [pack(*_joined(readers, item)) for item in items(world, None)]
@@ -78,6 +81,18 @@ def _encoder(
         return found
 
     return encode
+
+
+def _packer(layout: str) -> Callable[..., bytes]:
+    pack = struct.Struct(">" + layout).pack
+
+    def packed(*numbers: Any) -> bytes:
+        try:
+            return pack(*numbers)
+        except OverflowError:  # a setting can lead beyond what a float of four bytes holds
+            return pack(*(min(max(x, -LARGEST), LARGEST) for x in numbers))
+
+    return packed
 
 
 def _joined(readers: list[Reader], item: Any) -> tuple[Any, ...]:

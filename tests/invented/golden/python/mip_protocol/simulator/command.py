@@ -260,12 +260,14 @@ def _start(text: str) -> int:
             if text == "now"
             else datetime.fromisoformat(text.replace("Z", "+00:00"))
         )
-    except ValueError:
+        if when.tzinfo is not None:
+            when = when.astimezone(timezone.utc).replace(tzinfo=None)
+    except (ValueError, OverflowError):
         raise argparse.ArgumentTypeError(
             f"'{text}' is no time; write 2024-05-01T12:00:00"
         ) from None
-    if when.tzinfo is not None:
-        when = when.astimezone(timezone.utc).replace(tzinfo=None)
     if when < datetime(1980, 1, 6):
         raise argparse.ArgumentTypeError(f"{text} is before GPS time, which began on 1980-01-06")
+    if when.year > 3000:
+        raise argparse.ArgumentTypeError(f"{text} is too late; use a year up to 3000")
     return earth.from_utc(when)
