@@ -1417,6 +1417,7 @@ COMMANDS: dict[str, Behavior] = {
         effect="orientation_dcm",
         arguments={"dcm": "dcm"},
         setting="3dm.sensor_to_vehicle_transform_quaternion",
+        initial={"dcm": (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)},
     ),
     "filter.sensor_to_vehicle_rotation_euler": Behavior(
         effect="orientation_euler",
@@ -1426,11 +1427,13 @@ COMMANDS: dict[str, Behavior] = {
         effect="orientation_dcm",
         arguments={"dcm": "dcm", "inverse": 1},
         setting="filter.sensor_to_vehicle_rotation_euler",
+        initial={"dcm": (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)},
     ),
     "filter.sensor_to_vehicle_rotation_quaternion": Behavior(
         effect="orientation_quaternion",
         arguments={"q": "q", "inverse": 1},
         setting="filter.sensor_to_vehicle_rotation_euler",
+        initial={"q": (1.0, 0.0, 0.0, 0.0)},
     ),
     "3dm.accel_bias": Behavior(effect="accel_bias", arguments={"bias": "bias"}),
     "3dm.gyro_bias": Behavior(effect="gyro_bias", arguments={"bias": "bias"}),

@@ -49,7 +49,7 @@ Encoder = Callable[[], list[RawField]]
 
 
 class VirtualDevice:
-    """One device. Times are nanoseconds since the start, if they are not said to be seconds."""
+    """One device. Times are in nanoseconds since the start unless said to be in seconds."""
 
     def __init__(
         self,
@@ -192,7 +192,7 @@ class VirtualDevice:
                 self._answer(link, packet)
 
     def _answer(self, link: Link, packet: Packet) -> None:
-        """Carries out the commands of a packet in their order, and what they lead to behind the answers."""
+        """Carries out the commands of a packet in order; what they lead to follows the answers."""
         self._tell("command", bytes(packet))
         groups: list[Sequence[RawField]] = []
         behind: list[Callable[[], None]] = []

@@ -173,7 +173,7 @@ def _gyro_bias(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _capture(device: VirtualDevice, call: Call) -> Outcome:
-    """Takes the whole bias of the sensor as the setting, whether it rests or not."""
+    """The whole bias of the sensor becomes the setting, whether it rests or not."""
     setting: Any = command_type(COMMANDS[call.command.NAME].setting)
     parameter = str(COMMANDS[setting.NAME].arguments["bias"])
     factory: Any = device.settings.factory(setting, call.command)

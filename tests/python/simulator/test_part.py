@@ -1,0 +1,46 @@
+"""The virtual device in a package that was generated for one device alone."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from mipgen import cli
+from support import ROOT
+
+#: Sends every command with several functions, asks for data, and prints what comes back.
+CONVERSATION = """
+import sys
+from mip_protocol import PacketBuilder, registry
+from mip_protocol.simulator import VirtualDevice
+
+device = VirtualDevice(sys.argv[1])
+link = device.connect()
+data = [set for set, _ in sorted(device.known) if 0x80 <= set < 0xFF]
+for number, descriptor in sorted(x for x in device.known if x[0] < 0x80 and x[1] < 0x80):
+    for function in (1, 2, 5, 2):
+        for rest in (bytes(20), bytes((1, 4, 0, 10)), bytes((data[0], 1, 4, 0, 10))):
+            builder = PacketBuilder(number)
+            builder.add(descriptor, bytes((function,)) + rest)
+            link.write(bytes(builder.build()))
+            device.advance(0.1)
+            print(number, descriptor, function, link.read().hex())
+"""
+
+
+@pytest.mark.parametrize("device", ["3dm-gx5-15", "3dm-gx5-45"])
+def test_it_does_what_it_does_in_the_whole_package(device: str, tmp_path: Path) -> None:
+    """Settings, too, that are kept by a command which this device does not have."""
+    part = ["generate", "--spec", str(ROOT / "spec"), "--out", str(tmp_path), "--target", "python", "--device", device]
+    assert cli.main(part) == 0
+    whole, alone = (
+        subprocess.run(
+            [sys.executable, "-c", CONVERSATION, device], env={"PYTHONPATH": str(package)},
+            capture_output=True, text=True, check=True,
+        ).stdout.splitlines()
+        for package in (ROOT / "generated/python", tmp_path / "python")
+    )  # fmt: skip
+    assert whole == alone
+    assert any(line.count("756580") > 1 for line in whole)  # data are streamed
