@@ -4535,7 +4535,7 @@ local DIRECTIONS = { [0] = "unknown", "host to device", "device to host" }
 local STATUS = { [0] = "wrong", "right" }
 
 local own = {
-  sync = filter(ProtoField.uint16(PREFIX .. ".sync", "Sync", base.HEX, nil, nil, "Begin of a packet.")),
+  sync = filter(ProtoField.uint16(PREFIX .. ".sync", "Sync", base.HEX, nil, nil, "Start of a packet.")),
   length = filter(ProtoField.uint8(PREFIX .. ".length", "Payload length", base.DEC, nil, nil, "Bytes of all fields.")),
   fields = filter(ProtoField.uint8(PREFIX .. ".fields", "Number of fields", base.DEC)),
   direction = filter(ProtoField.uint8(PREFIX .. ".direction", "Direction", base.DEC, DIRECTIONS)),
@@ -5239,7 +5239,7 @@ local function intact(raw, at, size)
   return checksum(raw, at, size - 2) == raw:byte(at + size - 1) * 256 + raw:byte(at + size)
 end
 
--- Every place is tried in order, and a packet is taken whole: its begin and size for each. After a header without a
+-- Every place is tried in order, and a packet is taken whole: its start and size. After a header without a
 -- packet the search goes on one byte behind its sync. `rest` is where a packet begins that may go on in later bytes;
 -- with `final`, no bytes follow. At most `limit` packets.
 local function scan(raw, final, limit)
@@ -5604,7 +5604,7 @@ end
 
 -- ------------------------------------------------------------------------- heuristics
 
--- Is this MIP? A whole packet of a known set with the right checksum, or the begin of one.
+-- Is this MIP? A whole packet of a known set with the right checksum, or the start of one.
 local function looks_like(raw)
   for _, found in ipairs((scan(raw, false))) do
     if plausible(raw, found.at, found.size) then
@@ -5716,7 +5716,7 @@ apply_preferences()
 -- Opens a log of raw bytes as a capture: a frame for each packet, and one for the bytes between two packets.
 
 local LONGEST = 255 + AROUND -- bytes of a packet
-local PROBE = 4096 -- bytes at the begin of a log in which a packet must be; of a frame between packets at most
+local PROBE = 4096 -- bytes at the start of a log, in which a packet must be; the most in a frame between packets
 
 -- What Wireshark puts in front of an exported PDU: the name of its dissector, and the end of such tags.
 local EXPORTED = "\0\12\0\12mip_protocol\0\0\0\0"

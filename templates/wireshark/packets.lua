@@ -21,7 +21,7 @@ local function intact(raw, at, size)
   return checksum(raw, at, size - 2) == raw:byte(at + size - 1) * 256 + raw:byte(at + size)
 end
 
--- Every place is tried in order, and a packet is taken whole: its begin and size for each. After a header without a
+-- Every place is tried in order, and a packet is taken whole: its start and size. After a header without a
 -- packet the search goes on one byte behind its sync. `rest` is where a packet begins that may go on in later bytes;
 -- with `final`, no bytes follow. At most `limit` packets.
 local function scan(raw, final, limit)

@@ -125,7 +125,7 @@ end
 
 -- ------------------------------------------------------------------------- heuristics
 
--- Is this MIP? A whole packet of a known set with the right checksum, or the begin of one.
+-- Is this MIP? A whole packet of a known set with the right checksum, or the start of one.
 local function looks_like(raw)
   for _, found in ipairs((scan(raw, false))) do
     if plausible(raw, found.at, found.size) then
