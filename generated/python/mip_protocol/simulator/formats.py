@@ -92,7 +92,7 @@ def factory(device: VirtualDevice, keep: bool) -> None:
         decimation = max(1, round(rate(device, set) / FACTORY_RATE))
         own = sorted(x for s, x in device.known if s == set)[:FACTORY_FIELDS]
         wanted = [*(of_set(device, set) if keep else ()), *((x, decimation) for x in own)]
-        given = {str(at["fields"]): tuple(entry(*pair) for pair in wanted)}
+        given: dict[str, Any] = {str(at["fields"]): tuple(entry(*pair) for pair in wanted)}
         given |= {name: set for name in keys(kind)}
         device.settings.write(kind(function=WRITE, **given))
 
