@@ -613,6 +613,22 @@ def test_start_in_gps_time() -> None:
         assert found == (days * 86400 + leaps[day]) * 10**9
 
 
+def test_without_pseudo_terminals() -> None:
+    """As on Windows: the program starts, says what `--pty` needs, and serves TCP."""
+    code = f"""
+import sys
+sys.modules.update(dict.fromkeys(("fcntl", "pty", "termios", "tty")))
+from mip_protocol.__main__ import main
+assert main(["simulate", "{DEVICE}", "--pty", "x"]) == 1
+assert main(["simulate", "{DEVICE}", "--tcp", "0", "--duration", "0.01"]) == 0
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code], env={"PYTHONPATH": str(ROOT / "generated/python")}, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == "mip simulate: this system has no pseudo-terminals; use --tcp\n"
+
+
 def test_what_is_installed() -> None:
     """The build takes the packages that are listed, and no others; the program is there."""
     root = ROOT / "generated/python"
