@@ -1,4 +1,4 @@
-"""The virtual device in a package that was generated for one device alone."""
+"""The virtual device in packages of a part of the specification, and of another one."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from mipgen import cli
-from support import ROOT
+from support import ROOT, SPECS, model
 
 #: Sends every command with several functions, asks for data, and prints what comes back.
 CONVERSATION = """
@@ -44,3 +44,28 @@ def test_it_does_what_it_does_in_the_whole_package(device: str, tmp_path: Path) 
     )  # fmt: skip
     assert whole == alone
     assert any(line.count("756580") > 1 for line in whole)  # data are streamed
+
+
+def test_data_of_any_form() -> None:
+    """Fields that the simulation does not describe show their defaults, be they texts, unions or counted arrays."""
+    code = """
+from mip_protocol import Parser, devices, registry
+from mip_protocol.simulator import VirtualDevice
+from mip_protocol.simulator._facts import VALUES
+
+for name in devices.DEVICES:
+    device = VirtualDevice(name)
+    link = device.connect()
+    for set, descriptor in sorted(x for x in device.known if 0x80 <= x[0] < 0xFF):
+        kind = registry.types(set, descriptor)[0]
+        if kind.NAME not in VALUES:
+            device.send_data(set, [descriptor])
+            (field,) = [f for p in Parser().feed(link.read()) for f in p]
+            assert kind.decode(field.data).encode() == field.data
+            print(kind.NAME)
+"""
+    package = {"PYTHONPATH": str(SPECS["invented"][1] / "python")}
+    done = subprocess.run([sys.executable, "-c", code], env=package, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    forms = {type(op) for f in model("invented").fields if f.full_name in done.stdout.split() for op in f.operations}
+    assert len(forms) > 3, forms

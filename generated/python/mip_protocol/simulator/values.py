@@ -17,6 +17,7 @@ from .facts import FieldValues, Value
 from .names import named
 from .quantities import INTERVALS, NOISE, QUANTITIES, Function
 from .replay import Replay
+from .settings import filled
 from .world import Output, World
 
 #: Takes an item and gives the numbers of one parameter.
@@ -42,6 +43,9 @@ def encoder(kind: type[Field], profile: Device, world: World, set: int | None = 
     `set` is that of the packets, where the field is shared by all sets.
     """
     set = kind.SET if set is None else set
+    if not all(_packs(p) for p, _ in _flat(kind)):
+        unchanging = _defaults(kind)
+        return lambda: [unchanging]
     source = VALUES.get(kind.NAME, _NOTHING)
     simulated = _encoder(kind, profile, world, set, source)
     motion = world.motion
@@ -49,6 +53,21 @@ def encoder(kind: type[Field], profile: Device, world: World, set: int | None = 
         return simulated
     descriptor = kind.DESCRIPTOR
     return lambda: motion.recorded(set, descriptor, world.time) or simulated()
+
+
+def _packs(p: Parameter) -> bool:
+    """Is it made of a known number of numbers?"""
+    known = p.kind in ("scalar", "constant", "array") and isinstance(p.length, (int, type(None)))
+    return known and p.scalar in _LETTERS
+
+
+def _defaults(kind: type[Field]) -> bytes:
+    """The data of a field that has texts, or arrays that are counted or hold structures."""
+    given: dict[str, Any] = {}
+    for p in reflection.PARAMETERS[kind]:
+        if p.kind not in ("constant", "counter"):
+            given[p.attribute] = filled(p, given, p.default)
+    return kind(**given).encode()
 
 
 def _recorded(source: FieldValues) -> bool:
@@ -111,11 +130,7 @@ def _readers(
     constants: tuple[Any, ...] = ()
     layout = ""
     for p, path in _flat(kind):
-        if p.kind not in ("scalar", "constant", "array") or not isinstance(
-            p.length, (int, type(None))
-        ):
-            raise TypeError(f"{kind.NAME}.{path}: a {p.kind} cannot be simulated in a data field")
-        count = len(p.elements) * (p.length or 1) if p.elements else p.length or 1
+        count = (p.length if isinstance(p.length, int) else 1) * (len(p.elements) or 1)
         letter = _LETTERS[p.scalar]
         layout += letter * count
         type_ = profile.readings.get(f"{kind.NAME}.{path}") or p.type
