@@ -69,3 +69,25 @@ for name in devices.DEVICES:
     assert done.returncode == 0, done.stderr
     forms = {type(op) for f in model("invented").fields if f.full_name in done.stdout.split() for op in f.operations}
     assert len(forms) > 3, forms
+
+
+def test_commands_of_any_form() -> None:
+    """Every command of another specification has an answer, or none; it does not end the device."""
+    code = """
+from mip_protocol import PacketBuilder, devices
+from mip_protocol.simulator import VirtualDevice
+
+for name in devices.DEVICES:
+    device = VirtualDevice(name)
+    link = device.connect()
+    for number, descriptor in sorted(x for x in device.known if x[0] < 0x80 and x[1] < 0x80):
+        for data in [bytes((function,)) + rest for function in range(7) for rest in (b"", bytes(30), b"\\\\1" * 30)]:
+            builder = PacketBuilder(number)
+            builder.add(descriptor, data)
+            link.write(bytes(builder.build()))
+            device.advance(3)
+        print(number, descriptor, len(link.read()))
+"""
+    package = {"PYTHONPATH": str(SPECS["invented"][1] / "python")}
+    done = subprocess.run([sys.executable, "-c", code], env=package, capture_output=True, text=True)
+    assert done.returncode == 0 and done.stdout, done.stderr
