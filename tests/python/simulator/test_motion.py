@@ -202,9 +202,14 @@ def test_motions_by_name(tmp_path: Path) -> None:
         "circle:radius=1,radius=2": "circle: option 'radius' is given twice",
         "circle:radius=big": "circle: radius: 'big' is not a number",
         "circle:radius=nan": "circle: radius: 'nan' is not a number",
-        "circle:radius=0": "circle: radius=0 must be above 0",
+        "circle:radius=0": "circle: radius=0 must be above 0, and at most 1e6",
+        "circle:speed=1e7": "circle: speed=1e+07 must be above 0, and at most 1e6",
+        "circle:height=1e7":
+            "circle: latitude 47, longitude 8, height 1e+07 is no place; use degrees, with a latitude of -89 to 89, "
+            "and a height of -10 to 1000 km",
         "standing:latitude=95":
-            "standing: latitude 95, longitude 8 is no place; use degrees, with a latitude of -89 to 89",
+            "standing: latitude 95, longitude 8, height 500 is no place; use degrees, with a latitude of -89 to 89, "
+            "and a height of -10 to 1000 km",
         "track": "track: needs a file; write track:file=PATH",
         "track:file=": "track: needs a file; write track:file=PATH",
         "track:file=x,loop=maybe": "track: loop: 'maybe' is neither yes nor no",
@@ -229,7 +234,7 @@ def test_descriptions_that_are_wrong(text: str, message: str) -> None:
          "at waypoint 2 the way turns back by 180 degrees; put another waypoint beside it"),
         ("47,8,400\n47.0001,8,500", "",
          "from waypoint 1 the way climbs 100 m in 11 m; put the waypoints farther apart"),
-        ("47,8,400\n95,8,400", "", "waypoint 2 is at 95, 8; use degrees, with a latitude of -89 to 89"),
+        ("47,8,400\n95,8,400", "", "waypoint 2 is at 95, 8, 400; use degrees, with a latitude of -89 to 89"),
         ("47,8,400,0\n47.1,8,400", "", "the speed at waypoint 1 is 0 m/s; it must be above 0"),
         ("47,8,nan\n47.1,8,400", "", "waypoint 1 has a value that is not a number"),
         ("47,8,400\n47.1,8,400", ",speed=-1", "track: speed=-1 must be above 0"),

@@ -593,6 +593,8 @@ def test_errors_are_one_line_with_a_remedy(
         (["--duration", "0"], "'0' is no duration in seconds; use a number above 0"),
         (["--start", "yesterday"], "'yesterday' is no time; write 2024-05-01T12:00:00"),
         (["--start", "1970-01-01"], "is before GPS time, which began on 1980-01-06"),
+        (["--start", "3001-01-01"], "is too late; use a year up to 3000"),
+        (["--start", "0001-01-01T00:00:00+14:00"], "is no time; write 2024-05-01T12:00:00"),
         (["--speed", "fast"], "'fast' is no speed; use 1 for real time"),
     ],
 )
@@ -609,6 +611,22 @@ def test_start_in_gps_time() -> None:
     for day, days in moments.items():
         found = _start(datetime(*day).isoformat())
         assert found == (days * 86400 + leaps[day]) * 10**9
+
+
+def test_without_pseudo_terminals() -> None:
+    """As on Windows: the program starts, says what `--pty` needs, and serves TCP."""
+    code = f"""
+import sys
+sys.modules.update(dict.fromkeys(("fcntl", "pty", "termios", "tty")))
+from mip_protocol.__main__ import main
+assert main(["simulate", "{DEVICE}", "--pty", "x"]) == 1
+assert main(["simulate", "{DEVICE}", "--tcp", "0", "--duration", "0.01"]) == 0
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code], env={"PYTHONPATH": str(ROOT / "generated/python")}, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == "mip simulate: this system has no pseudo-terminals; use --tcp\n"
 
 
 def test_what_is_installed() -> None:

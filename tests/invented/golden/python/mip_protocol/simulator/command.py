@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import difflib
 import signal
 import sys
 from contextlib import ExitStack
@@ -12,12 +11,13 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
-from ..devices import DEVICES, Device, find
+from ..devices import DEVICES, Device
 from ..errors import Failure
 from . import earth
 from .endpoints import Endpoint, pty_at, tcp_at
 from .fault_kinds import parse_faults, table
 from .faults import Faults, json_log
+from .profiles import device_named, port_named
 from .serve import Server
 
 EPILOG = f"""\
@@ -189,18 +189,7 @@ def _complain(text: str) -> None:
 def _profile(name: str | None) -> Device:
     if name is None:
         raise Failure("which device? `mip simulate --list` names them all")
-    found = find(name) or DEVICES.get(name.lower())
-    if found is None:
-        names = {
-            alias.lower(): d.id for d in DEVICES.values() for alias in (d.id, d.title, *d.also)
-        }
-        near = [
-            n for n in sorted(names) if name.lower() in n
-        ]  # a part of the name, else a similar one
-        near = near or difflib.get_close_matches(name.lower(), names, 1, 0.5)
-        hint = f"do you mean {names[near[0]]}? " if near else ""
-        raise Failure(f"device '{name}' is unknown; {hint}`mip simulate --list` names them all")
-    return found
+    return device_named(name)
 
 
 def _endpoints(options: argparse.Namespace, profile: Device) -> list[Endpoint]:
@@ -212,26 +201,13 @@ def _endpoints(options: argparse.Namespace, profile: Device) -> list[Endpoint]:
             raise Failure(
                 f"--port '{text}' cannot be read; write NAME=pty:PATH or NAME=tcp:[HOST:]PORT"
             )
-        port = _port(name, profile)
+        port = port_named(profile, name).name
         found.append(pty_at(place, port) if kind == "pty" else tcp_at(place, port))
     paths = [e.path for e in found if e.path]
     for path in paths:
         if paths.count(path) > 1:
             raise Failure(f"{path} is given for two terminals; choose different paths")
     return found or [pty_at("")]
-
-
-def _port(name: str, profile: Device) -> str:
-    """A port of the profile; case, spaces and underscores do not matter."""
-    for port in profile.ports:
-        if _plain(port.name) == _plain(name):
-            return port.name
-    known = ", ".join(p.name for p in profile.ports) or "none are known"
-    raise Failure(f"{profile.title} has no port '{name}'; its ports: {known}")
-
-
-def _plain(name: str) -> str:
-    return name.lower().replace("_", "").replace(" ", "")
 
 
 def _seconds(text: str) -> float:
@@ -260,12 +236,14 @@ def _start(text: str) -> int:
             if text == "now"
             else datetime.fromisoformat(text.replace("Z", "+00:00"))
         )
-    except ValueError:
+        if when.tzinfo is not None:
+            when = when.astimezone(timezone.utc).replace(tzinfo=None)
+    except (ValueError, OverflowError):
         raise argparse.ArgumentTypeError(
             f"'{text}' is no time; write 2024-05-01T12:00:00"
         ) from None
-    if when.tzinfo is not None:
-        when = when.astimezone(timezone.utc).replace(tzinfo=None)
     if when < datetime(1980, 1, 6):
         raise argparse.ArgumentTypeError(f"{text} is before GPS time, which began on 1980-01-06")
+    if when.year > 3000:
+        raise argparse.ArgumentTypeError(f"{text} is too late; use a year up to 3000")
     return earth.from_utc(when)

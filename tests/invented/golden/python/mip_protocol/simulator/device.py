@@ -12,18 +12,16 @@ Nothing happens by itself: bytes and time come from the caller, so that the same
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-from .. import devices, registry
-from ..errors import Failure
+from .. import registry
 from ..field import Command
 from ..packet import Packet, RawField
 from ..profile import Device
-from . import formats, nmea, ports, values
+from . import formats, nmea, ports, values, views
 from ._facts import COMMANDS
 from .checks import NOTHING
 from .codes import DEFAULT, LOAD, SAVE
@@ -32,6 +30,7 @@ from .effects import act
 from .faults import Faults
 from .link import Link
 from .motion import Motion, Standing
+from .profiles import device_named, port_named
 from .settings import Place, Settings, arguments, asking, command_type, home
 from .streams import SECOND, Stream, answers, packets
 from .world import World
@@ -49,7 +48,7 @@ Encoder = Callable[[], list[RawField]]
 
 
 class VirtualDevice:
-    """One device. Times are nanoseconds since the start, if they are not said to be seconds."""
+    """One device. Times are in nanoseconds since the start unless said to be in seconds."""
 
     def __init__(
         self,
@@ -66,7 +65,7 @@ class VirtualDevice:
 
         `trace` is told of every packet, before faults: "command", "answer" or "data", and the bytes.
         """
-        self.profile: Device = _profile(profile)
+        self.profile: Device = device_named(profile) if isinstance(profile, str) else profile
         self.seed: int = seed
         self.faults = faults
         self.settings = Settings(self.profile, storage)
@@ -93,11 +92,9 @@ class VirtualDevice:
 
         `capacity`: how many bytes may wait until the host reads them; the device drops packets that do not fit.
         """
-        names = [p.name for p in self.profile.ports]
-        name = port or (names[0] if names else "Main")
-        if port is not None and port not in names:
-            known = ", ".join(names) or "none"
-            raise Failure(f"{self.profile.title} has no port '{port}'; known: {known}")
+        if port is not None:
+            port = port_named(self.profile, port).name
+        name = port or next((p.name for p in self.profile.ports), "Main")
         link = Link(name, self._receive, capacity)
         self.links.append(link)
         ports.arrange(self)
@@ -192,7 +189,7 @@ class VirtualDevice:
                 self._answer(link, packet)
 
     def _answer(self, link: Link, packet: Packet) -> None:
-        """Carries out the commands of a packet in their order, and what they lead to behind the answers."""
+        """Carries out the commands of a packet in order; what they lead to follows the answers."""
         self._tell("command", bytes(packet))
         groups: list[Sequence[RawField]] = []
         behind: list[Callable[[], None]] = []
@@ -255,7 +252,7 @@ class VirtualDevice:
         """All effects of the settings that the device starts with."""
         self.world.restart()
         for name, behavior in COMMANDS.items():
-            if behavior.effect.startswith("orientation") and self.knows(name):
+            if behavior.effect in views.ORIENTATIONS and self.knows(name):
                 self.apply((home(command_type(name)).NAME, ()), None)
         for at, kept in list(self.settings.items()):
             self.apply(at, kept)
@@ -338,17 +335,6 @@ class VirtualDevice:
     def _tell(self, what: str, data: bytes) -> None:
         if self.trace is not None:
             self.trace(what, data)
-
-
-def _profile(device: Device | str) -> Device:
-    if isinstance(device, Device):
-        return device
-    found = devices.find(device)
-    if found is None:
-        near = difflib.get_close_matches(device, list(devices.DEVICES), 1, 0.3)
-        remedy = f"did you mean '{near[0]}'?" if near else f"known: {', '.join(devices.DEVICES)}"
-        raise Failure(f"no device '{device}'; {remedy}")
-    return found
 
 
 def _fields(set: int, descriptor: int, encode: Callable[[], list[bytes]]) -> list[RawField]:

@@ -8,7 +8,7 @@ from math import isfinite
 from pathlib import Path
 from typing import NamedTuple
 
-from .state import MotionError
+from .state import PLACES, MotionError, is_place
 
 
 class Waypoint(NamedTuple):
@@ -30,9 +30,9 @@ def check(points: Sequence[Waypoint], loop: bool) -> None:
     for i, p in enumerate(points, 1):
         if not all(isfinite(x) for x in p if x is not None):
             raise MotionError(f"track: waypoint {i} has a value that is not a number")
-        if abs(p.latitude) > 89 or abs(p.longitude) > 360:
+        if not is_place(p.latitude, p.longitude, p.height):
             raise MotionError(
-                f"track: waypoint {i} is at {p.latitude:g}, {p.longitude:g}; use degrees, with a latitude of -89 to 89"
+                f"track: waypoint {i} is at {p.latitude:g}, {p.longitude:g}, {p.height:g}; {PLACES}"
             )
         if p.speed is not None and p.speed <= 0:
             raise MotionError(
