@@ -412,6 +412,18 @@ def test_the_self_test_interrupts_the_data(host: Host) -> None:
     assert len(received(host, 1.0)) == 100
 
 
+def test_commands_wait_for_one_that_takes_its_time(host: Host) -> None:
+    test = PacketBuilder(0x01).add(base.BuiltInTest.DESCRIPTOR).add(base.SoftReset.DESCRIPTOR).build()
+    assert host.raw(bytes(test)) == host.raw(bytes(base.Ping().packet())) == []
+    assert received(host, 1.9) == []
+    (answer,) = received(host, 0.1)
+    assert codes([answer]) == [(0x05, OK), (0x7E, OK)]
+    assert host.raw(bytes(base.Ping().packet())) == [], "it restarts behind the answer; what waited is lost"
+    host.device.advance(1.0)
+    host.link.write(bytes(base.BuiltInTest().packet()) + bytes(base.Ping().packet()))
+    assert codes(received(host, 2.0)) == [(0x05, OK), (0x01, OK)]
+
+
 def test_a_poll_sends_one_packet_behind_the_reply(host: Host) -> None:
     host.link.write(bytes(mip_3dm.PollData(0x80, False, (0xD3, 0x04, 0x63)).packet()))
     answer, data = Parser().feed(host.link.read())

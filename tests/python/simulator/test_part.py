@@ -26,7 +26,12 @@ for number, descriptor in sorted(x for x in device.known if x[0] < 0x80 and x[1]
             builder.add(descriptor, bytes((function,)) + rest)
             link.write(bytes(builder.build()))
             device.advance(0.1)
-            print(number, descriptor, function, link.read().hex())
+            answer = link.read()
+            for _ in range(40):  # seconds that a command may take
+                if not answer:
+                    device.advance(1.0)
+                    answer = link.read()
+            print(number, descriptor, function, answer.hex())
 """
 
 

@@ -41,6 +41,9 @@ BOOT_TIME = SECOND // 2
 #: How long a host may pause inside a packet; then the device searches the bytes for another one.
 SILENCE = SECOND // 10
 
+#: Packets of commands that wait while another command takes its time; more are lost.
+MOST_WAITING = 32
+
 #: How often disturbances may happen.
 DISTURBANCE_TIME = SECOND // 10
 
@@ -79,6 +82,9 @@ class VirtualDevice:
         self.bytes_sent: int = 0
         self.bytes_received: int = 0
         self._ready_at = 0
+        self._busy_until: int | None = None  # a command takes its time; others wait
+        self._waiting: list[tuple[Link, Packet]] = []
+        self._behind: list[Callable[[], None]] = []  # what the answer of this command leads to
         self.trace = trace
         self._streams: list[Stream] = []
         self._encoders: dict[tuple[int, int], Encoder] = {}
@@ -120,6 +126,8 @@ class VirtualDevice:
                 link.arrive(due)
                 for data in link.due(due):
                     self._transmit(link, data)
+            if self._busy_until is not None and self._busy_until <= due:
+                self._go_on()
             for stream in list(self._streams):
                 if stream.next <= due and stream in self._streams:
                     stream.fire()
@@ -133,6 +141,7 @@ class VirtualDevice:
         times = [stream.next for stream in self._streams]
         times += [link.next for link in self.links if link.next is not None]
         times += [link.heard + SILENCE for link in self.links if link.parser.pending]
+        times += [] if self._busy_until is None else [self._busy_until]
         if self.faults is not None:
             times.append(self._disturbed)
         return min(times, default=None)
@@ -140,13 +149,17 @@ class VirtualDevice:
     @property
     def busy(self) -> bool:
         """Has it something to send, now or later, without being asked?"""
-        return bool(self._streams) or any(link.next is not None for link in self.links)
+        late = any(link.next is not None for link in self.links)
+        return bool(self._streams) or late or self._busy_until is not None
 
     def reset(self) -> None:
         """Restarts the device with its saved settings."""
         for link in self.links:
             link.clear()
         self.settings.restart()
+        self._busy_until = None
+        self._waiting.clear()
+        self._behind.clear()
         self.idle = self.direct = False
         self.world.pins.clear()
         self.booted = self.now
@@ -190,24 +203,39 @@ class VirtualDevice:
 
     def _answer(self, link: Link, packet: Packet) -> None:
         """Carries out the commands of a packet in order; what they lead to follows the answers."""
+        if self._busy_until is not None:
+            if len(self._waiting) < MOST_WAITING:
+                self._waiting.append((link, packet))
+            return
         self._tell("command", bytes(packet))
         groups: list[Sequence[RawField]] = []
         behind: list[Callable[[], None]] = []
-        delay = 0
+        delay = busy = 0
         for raw, group, outcome in carry_out(self, link, packet):
             if group and self.faults is not None:
                 late, group = self.faults.answer(self.now, raw, list(group))
                 delay = max(delay, late)
             if group:
                 groups.append(group)
-            delay = max(delay, outcome.delay)
+            busy = max(busy, outcome.delay)
             if outcome.after is not None:
                 behind.append(outcome.after)
         for data in answers(packet.set, groups):
             self._tell("answer", data)
-            self._transmit(link, data, delay)
-        for action in behind:
-            action()
+            self._transmit(link, data, max(delay, busy))
+        self._behind += behind
+        if busy > 0:
+            self._busy_until = self.now + busy
+        else:
+            self._go_on()
+
+    def _go_on(self) -> None:
+        """A command is answered: what it leads to happens, and the commands that wait are next."""
+        self._busy_until = None
+        while self._behind:
+            self._behind.pop(0)()
+        while self._waiting and self._busy_until is None:
+            self._answer(*self._waiting.pop(0))
 
     def pause(self, time: int) -> None:
         """No data for a while."""
