@@ -55,7 +55,7 @@ class Circle:
 def _place(motion: str, latitude: float, longitude: float) -> None:
     if not (abs(latitude) <= 89 and abs(longitude) <= 360):
         raise MotionError(
-            f"{motion}: latitude {latitude:g}, longitude {longitude:g} is no place; "
+            f"{motion}: latitude {latitude:g}, longitude {longitude:g} is not a place; "
             "use degrees, with a latitude of -89 to 89"
         )
 
@@ -96,14 +96,14 @@ _REQUIRED = {"track": "file", "replay": "file"}
 
 
 def parse_motion(text: str) -> Motion:
-    """A motion by name, perhaps with options. Raises MotionError.
+    """A motion by name, with options if need be. Raises MotionError.
 
     >>> parse_motion("circle:radius=20,speed=5").at(0).velocity[1]
     5.0
     """
     name, _, rest = text.partition(":")
     if name not in MOTIONS:
-        raise MotionError(f"'{name}' is no motion; use one of {', '.join(MOTIONS)}")
+        raise MotionError(f"'{name}' is not a motion; use one of {', '.join(MOTIONS)}")
     motion, options = MOTIONS[name]
     given: dict[str, Any] = {}
     for part in rest.split(",") if rest else ():
