@@ -544,6 +544,9 @@ def test_help(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(capsys, "--version")[1] == f"mip {__main__.VERSION}\n"
     code, out, _ = run(capsys, "simulate", "--help")
     assert code == 0 and "lose_answer" in out and "--strict-baud" in out
+    examples = re.findall(r"^  mip simulate (\S+) (?:--port \"(.*?)=pty.*--port \"(.*?)=tcp)?", out, re.M)
+    ports = {port.name for port in devices.DEVICES[examples[0][0]].ports}
+    assert {name for line in examples for name in line[1:] if name} <= ports and any(line[1] for line in examples)
 
 
 def test_an_interrupt_while_it_starts(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

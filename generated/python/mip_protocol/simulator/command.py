@@ -20,12 +20,16 @@ from .fault_kinds import parse_faults, table
 from .faults import Faults, json_log
 from .serve import Server
 
+_KNOWN = sorted(DEVICES.values(), key=lambda d: (bool(d.incomplete), -len(d.ports)))
+_EXAMPLE = _KNOWN[0].id if _KNOWN else "DEVICE"
+_PORTS = ([p.name for p in _KNOWN[0].ports] if _KNOWN else []) or ["NAME"]
+
 EPILOG = f"""\
 examples:
-  mip simulate 3dm-cv7-gnss-ins --pty /tmp/mip          a terminal at /tmp/mip, until Ctrl-C
-  mip simulate 3dm-gx5-15 --tcp 5000 --speed 10         TCP, ten times as fast as real time
-  mip simulate 3dm-cv7-gnss-ins --port "UART 1=pty:/tmp/uart" --port "USB 1=tcp:5000"
-  mip simulate 3dm-gx5-15 --fault lose=0.01,noise=0.1:16,lose_answer@3 --fault-log faults.jsonl
+  mip simulate {_EXAMPLE} --pty /tmp/mip          a terminal at /tmp/mip, until Ctrl-C
+  mip simulate {_EXAMPLE} --tcp 5000 --speed 10   TCP, ten times as fast as real time
+  mip simulate {_EXAMPLE} --port "{_PORTS[0]}=pty:/tmp/first" --port "{_PORTS[-1]}=tcp:5000"
+  mip simulate {_EXAMPLE} --fault lose=0.01,noise=0.1:16,lose_answer@3 --fault-log faults.jsonl
 
 When the device can be reached, its endpoints are printed, one in a line: those of --pty, --tcp and
 --port, in the order in which they are given.
