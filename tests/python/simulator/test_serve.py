@@ -612,7 +612,7 @@ def test_errors_are_one_line_with_a_remedy(
         arguments, error = [a.replace(name, place) for a in arguments], error.replace(name, place)
     before = sorted(tmp_path.iterdir())
     with taken:
-        code, out, text = run(capsys, "simulate", *arguments)
+        code, out, text = run(capsys, "simulate", *arguments, "--duration", "0.01")
     assert (code, out) == (1, "") and text.startswith(f"mip simulate: {error}") and text.count("\n") == 1
     assert sorted(tmp_path.iterdir()) == before and (tmp_path / "file").read_text() == "mine"
 
