@@ -202,13 +202,14 @@ def test_a_damaged_file_is_refused(tmp_path: Path, text: str, message: str) -> N
 
 
 def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
-    """At the start, if its folder is not there; else when settings are saved."""
-    folder = tmp_path / "none"
-    with pytest.raises(Failure, match=r"settings\.json cannot be written: there is no folder"):
-        VirtualDevice(CV7, storage=folder / "settings.json")
-    folder.mkdir()
-    host = Host(VirtualDevice(CV7, storage=folder / "settings.json"))
-    folder.rmdir()
+    """At once, not when a host saves something; and later too."""
+    path = tmp_path / "none" / "settings.json"
+    with pytest.raises(Failure, match=r"settings\.json cannot be written: No such file"):
+        VirtualDevice(CV7, storage=path)
+    path.parent.mkdir()
+    host = Host(VirtualDevice(CV7, storage=path))
+    assert not list(path.parent.iterdir())
+    path.parent.rmdir()
     host.ok(filter.AutoAngularZupt.write(1, 0.25))
     with pytest.raises(Failure, match=r"settings\.json cannot be written: No such file"):
         host.ok(filter.AutoAngularZupt.save())

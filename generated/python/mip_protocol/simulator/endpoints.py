@@ -46,7 +46,7 @@ def tcp_at(text: str, port: str | None = None) -> Endpoint:
     host, _, digits = text.rpartition(":")
     if not (digits.isascii() and digits.isdigit()) or int(digits) > 65535:
         raise Failure(
-            f"'{text}' is no TCP port; write PORT or HOST:PORT, as in 5000 or 0.0.0.0:5000"
+            f"'{text}' is not a TCP port; write PORT or HOST:PORT, as in 5000 or 0.0.0.0:5000"
         )
     return Endpoint("tcp", host=host.strip("[]") or DEFAULT_HOST, number=int(digits), port=port)
 
@@ -237,7 +237,9 @@ def _refused(error: OSError, host: str, number: int) -> str:
     if error.errno == errno.EACCES:
         return f"TCP port {number} needs privileges; use one from 1024 on"
     if error.errno == errno.EADDRNOTAVAIL:
-        return f"{host} is no address of this machine; use localhost, or 0.0.0.0 for all networks"
+        return (
+            f"{host} is not an address of this machine; use localhost, or 0.0.0.0 for all networks"
+        )
     return f"TCP port {number} of {host} cannot be opened: {error.strerror}"
 
 

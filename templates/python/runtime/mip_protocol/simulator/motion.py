@@ -55,7 +55,7 @@ class Circle:
 def _place(motion: str, latitude: float, longitude: float, height: float) -> None:
     if not is_place(latitude, longitude, height):
         raise MotionError(
-            f"{motion}: latitude {latitude:g}, longitude {longitude:g}, height {height:g} is no place; {PLACES}"
+            f"{motion}: latitude {latitude:g}, longitude {longitude:g}, height {height:g} is not a place; {PLACES}"
         )
 
 
@@ -95,14 +95,14 @@ _REQUIRED = {"track": "file", "replay": "file"}
 
 
 def parse_motion(text: str) -> Motion:
-    """A motion by name, perhaps with options. Raises MotionError.
+    """A motion by name, with options if need be. Raises MotionError.
 
     >>> parse_motion("circle:radius=20,speed=5").at(0).velocity[1]
     5.0
     """
     name, _, rest = text.partition(":")
     if name not in MOTIONS:
-        raise MotionError(f"'{name}' is no motion; use one of {', '.join(MOTIONS)}")
+        raise MotionError(f"'{name}' is not a motion; use one of {', '.join(MOTIONS)}")
     motion, options = MOTIONS[name]
     given: dict[str, Any] = {}
     for part in rest.split(",") if rest else ():

@@ -95,10 +95,10 @@ class Settings:
         self._storage = storage
         self._current: dict[Place, Command] = {}
         self._saved: dict[Place, Command] = {}
-        if storage is not None and storage.exists():
-            self._saved = _stored(storage, profile)
-        elif storage is not None and not storage.parent.is_dir():
-            raise Failure(f"{storage} cannot be written: there is no folder {storage.parent}")
+        if storage is not None:
+            if storage.exists():
+                self._saved = _stored(storage, profile)
+            self._replace(storage, None)  # not only when a host saves something
         self.restart()
 
     def restart(self) -> None:
@@ -189,12 +189,22 @@ class Settings:
             for (name, key), value in sorted(self._saved.items(), key=lambda item: item[0])
         ]
         text = json.dumps({"device": self._profile.id, "settings": kept}, indent=1)
-        new = self._storage.with_name(self._storage.name + ".new")
+        self._replace(self._storage, text + "\n")
+
+    @staticmethod
+    def _replace(storage: Path, text: str | None) -> None:
+        """Writes the file, whole or not at all; without a text, finds out whether it could. Raises Failure."""
+        new = storage.with_name(storage.name + ".new")
         try:
-            new.write_text(text + "\n", "utf-8")
-            os.replace(new, self._storage)
+            new.write_text(text or "", "utf-8")
+            if text is None:
+                new.unlink()
+            else:
+                os.replace(new, storage)
         except OSError as error:
-            raise Failure(f"{self._storage} cannot be written: {error.strerror}") from None
+            raise Failure(
+                f"{storage} cannot be written: {error.strerror}; name another file"
+            ) from None
 
 
 def arguments(command: Command) -> dict[str, Any]:

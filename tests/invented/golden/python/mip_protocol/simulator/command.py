@@ -20,14 +20,19 @@ from .faults import Faults, json_log
 from .profiles import device_named, port_named
 from .serve import Server
 
+_KNOWN = sorted(DEVICES.values(), key=lambda d: (bool(d.incomplete), -len(d.ports)))
+_EXAMPLE = _KNOWN[0].id if _KNOWN else "DEVICE"
+_PORTS = ([p.name for p in _KNOWN[0].ports] if _KNOWN else []) or ["NAME"]
+
 EPILOG = f"""\
 examples:
-  mip simulate 3dm-cv7-gnss-ins --pty /tmp/mip          a terminal at /tmp/mip, until Ctrl-C
-  mip simulate 3dm-gx5-15 --tcp 5000 --speed 10         TCP, ten times as fast as real time
-  mip simulate 3dm-cv7-gnss-ins --port "UART 1=pty:/tmp/uart" --port "USB 1=tcp:5000"
-  mip simulate 3dm-gx5-15 --fault lose=0.01,noise=0.1:16,lose_answer@3 --fault-log faults.jsonl
+  mip simulate {_EXAMPLE} --pty /tmp/mip          a terminal at /tmp/mip, until Ctrl-C
+  mip simulate {_EXAMPLE} --tcp 5000 --speed 10   TCP, ten times as fast as real time
+  mip simulate {_EXAMPLE} --port "{_PORTS[0]}=pty:/tmp/first" --port "{_PORTS[-1]}=tcp:5000"
+  mip simulate {_EXAMPLE} --fault lose=0.01,noise=0.1:16,lose_answer@3 --fault-log faults.jsonl
 
-When the device can be reached, its endpoints are printed, one in a line.
+When the device can be reached, its endpoints are printed, one in a line: those of --pty, --tcp and
+--port, in the order in which they are given.
 
 faults: KIND=RATE with a probability, KIND=RATE:AMOUNT with how much at most, KIND@N at the Nth
 chance; all=RATE is every kind.
@@ -73,13 +78,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=_speed,
         default=1.0,
         metavar="X",
-        help="times real time; 0: as fast as clients read",
+        help="times real time (default: 1); 0: as fast as clients read",
     )
     add(
         "--start",
         type=_start,
         metavar="TIME",
-        help="simulated time at the start: ISO 8601, UTC, or `now`",
+        help="simulated time at the start: ISO 8601, UTC, or `now` "
+        "(default: 2024-01-06T23:59:42, or that of a replayed log)",
     )
     add("--duration", type=_seconds, metavar="S", help="end after this many simulated seconds")
     add(
@@ -104,7 +110,7 @@ def run(options: argparse.Namespace) -> int:
     if options.list:
         width = max(len(d.id) for d in DEVICES.values())
         for known in DEVICES.values():
-            incomplete = " (incomplete)" if known.incomplete else ""
+            incomplete = f" (incomplete: {_known(known)})" if known.incomplete else ""
             print(f"{known.id:<{width}}  {known.title}{incomplete}")
         return 0
     profile = _profile(options.device)
@@ -128,7 +134,8 @@ def run(options: argparse.Namespace) -> int:
         stack.enter_context(server)
         if profile.incomplete:
             _complain(
-                f"the profile of {profile.title} is incomplete: {' '.join(profile.incomplete)}"
+                f"the profile of {profile.title} is incomplete ({_known(profile)}): "
+                + " ".join(profile.incomplete)
             )
         server.run()
     return 0
@@ -165,6 +172,18 @@ def _faults(options: argparse.Namespace, stack: ExitStack) -> Faults | None:
     if not plans and log is None:
         return None
     return Faults(seed=options.seed, log=log, every_packet=options.log_packets, plans=plans)
+
+
+def _known(profile: Device) -> str:
+    """How much a profile knows of its device, for those that are incomplete."""
+    known = profile.fields | profile.perhaps.keys()
+    commands = sum(1 for set, _ in known if set < 0x80)
+    data = len(known) - commands
+    return f"{_count(commands, 'command')}, {_count(data, 'data field')}"
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}{'s' * (number != 1)}"
 
 
 def _until_interrupted(server: Server, stack: ExitStack) -> None:
@@ -224,7 +243,7 @@ def _number(text: str, least: float, most: float, what: str) -> float:
     except ValueError:
         value = -1.0
     if not least <= value <= most:
-        raise argparse.ArgumentTypeError(f"'{text}' is no {what}")
+        raise argparse.ArgumentTypeError(f"'{text}' is not a {what}")
     return value
 
 
@@ -240,7 +259,7 @@ def _start(text: str) -> int:
             when = when.astimezone(timezone.utc).replace(tzinfo=None)
     except (ValueError, OverflowError):
         raise argparse.ArgumentTypeError(
-            f"'{text}' is no time; write 2024-05-01T12:00:00"
+            f"'{text}' is not a time; write 2024-05-01T12:00:00"
         ) from None
     if when < datetime(1980, 1, 6):
         raise argparse.ArgumentTypeError(f"{text} is before GPS time, which began on 1980-01-06")

@@ -29,7 +29,7 @@ from .commands import carry_out
 from .effects import act
 from .faults import Faults
 from .link import Link
-from .motion import Motion, Standing
+from .motion import Motion, Standing, parse_motion
 from .profiles import device_named, port_named
 from .settings import Place, Settings, arguments, asking, command_type, home
 from .streams import SECOND, Stream, answers, packets
@@ -57,22 +57,25 @@ class VirtualDevice:
         self,
         profile: Device | str,
         *,
-        motion: Motion | None = None,
+        motion: Motion | str | None = None,
         seed: int = 0,
         start: int | None = None,
         storage: Path | None = None,
         faults: Faults | None = None,
         trace: Callable[[str, bytes], None] | None = None,
     ) -> None:
-        """`start`: nanoseconds since the GPS epoch. `storage`: the file of saved settings.
+        """`motion`: an object, or as `mip simulate --motion` has it: "circle:radius=20,speed=5".
+
+        `start`: nanoseconds since the GPS epoch. `storage`: the file of saved settings.
 
         `trace` is told of every packet, before faults: "command", "answer" or "data", and the bytes.
         """
         self.profile: Device = device_named(profile) if isinstance(profile, str) else profile
         self.seed: int = seed
+        moving = parse_motion(motion) if isinstance(motion, str) else motion
         self.faults = faults
         self.settings = Settings(self.profile, storage)
-        self.world: World = World(motion or Standing(), seed=seed, start=start)
+        self.world: World = World(moving or Standing(), seed=seed, start=start)
         self.known = self.profile.fields | self.profile.perhaps.keys()
         self.links: list[Link] = []
         self.idle = False
