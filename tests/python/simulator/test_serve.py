@@ -576,6 +576,7 @@ def busy() -> tuple[socket.socket, str]:
         ([DEVICE, "--tcp", "A_PORT"], "TCP port A_PORT is in use; end the program that has it, or use another: --tcp "),
         ([DEVICE, "--pty", "A_FILE"], "A_FILE exists; choose another path, or remove it"),
         ([DEVICE, "--pty", "A_LINK"], "A_LINK is a link to something else; choose another path, or remove it"),
+        ([DEVICE, "--pty", "A_TERMINAL"], "A_TERMINAL leads to /dev/tty, perhaps of another simulator; end that one, "),
         ([DEVICE, "--pty", "A_FILE/x"], "A_FILE/x cannot be made: Not a directory; choose another path"),
         ([DEVICE, "--pty", "x", "--port", "USB 1=pty:x"], "x is given for two terminals; choose different paths"),
         ([DEVICE, "--port", "USB 9=tcp:0"], "3DM-CV7-GNSS/INS has no port 'USB 9'; its ports: Main, UART 1, "),
@@ -602,7 +603,9 @@ def test_errors_are_one_line_with_a_remedy(
     taken, number = busy()
     (tmp_path / "file").write_text("mine")
     (tmp_path / "link").symlink_to(tmp_path / "file")
+    (tmp_path / "terminal").symlink_to("/dev/tty")
     put = {
+        "A_TERMINAL": str(tmp_path / "terminal"),
         "A_FILE": str(tmp_path / "file"),
         "A_LINK": str(tmp_path / "link"),
         "NOWHERE": str(tmp_path / "none"),

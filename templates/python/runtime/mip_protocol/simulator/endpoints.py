@@ -81,7 +81,12 @@ class Pty:
             raise Failure(
                 f"{self._path} is a link to something else; choose another path, or remove it"
             )
-        if self._path.exists() and not self._path.is_symlink():
+        if self._path.is_symlink() and self._path.exists():
+            raise Failure(
+                f"{self._path} leads to {os.readlink(self._path)}, perhaps of another simulator; "
+                "end that one, remove the link, or choose another path"
+            )
+        if self._path.exists():
             raise Failure(f"{self._path} exists; choose another path, or remove it")
         part = self._path.with_name(f"{self._path.name}.{os.getpid()}.part")
         try:
@@ -130,9 +135,7 @@ class Pty:
 
     def close(self) -> None:
         if self._path is not None and self._path.is_symlink():
-            if (
-                os.readlink(self._path) == self.name
-            ):  # not that of a simulator that has taken it over
+            if os.readlink(self._path) == self.name:  # not one that somebody else has made since
                 self._path.unlink(missing_ok=True)
         self._close_files()
 
