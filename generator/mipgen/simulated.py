@@ -6,7 +6,7 @@ field or of a response shows one of them. Likewise a command has an *effect* by 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -81,12 +81,19 @@ class Simulation:
     behaviors: tuple[Behavior, ...] = ()
 
     def only(self, fields: dict[str, Field]) -> Simulation:
-        """The part that is about these fields."""
-        return Simulation(
-            self.quantities,
-            self.effects,
-            tuple(s for s in self.sources if s.field.full_name in fields),
-            tuple(
-                b for b in self.behaviors if b.command.full_name in fields and (not b.setting or b.setting in fields)
-            ),
-        )
+        """The part that is about these fields.
+
+        Commands whose common setting is not among them share it as before: the first one keeps it.
+        """
+        behaviors: list[Behavior] = []
+        keepers: dict[tuple[str, tuple[tuple[str, int], ...]], str] = {}
+        for b in self.behaviors:
+            if b.command.full_name not in fields:
+                continue
+            if not b.setting or b.setting in fields:
+                behaviors.append(b)
+            elif b.command.functions:  # else it only acts on the setting, which is not there
+                keeper = keepers.setdefault((b.setting, b.key), b.command.full_name)
+                behaviors.append(replace(b, setting="" if keeper == b.command.full_name else keeper, key=()))
+        sources = tuple(s for s in self.sources if s.field.full_name in fields)
+        return Simulation(self.quantities, self.effects, sources, tuple(behaviors))

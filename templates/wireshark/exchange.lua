@@ -77,8 +77,7 @@ end
 local function show_answer(exchange, tree)
   if exchange then
     add_generated(tree, own.request_in, exchange.request)
-    local past = math.max(0, exchange.answered - exchange.sent)
-    local seconds = math.floor(past)
-    add_generated(tree, own.answer_time, NSTime(seconds, math.floor((past - seconds) * 1e9 + 0.5)))
+    local past = math.floor(math.max(0, exchange.answered - exchange.sent) * 1e9 + 0.5)
+    add_generated(tree, own.answer_time, NSTime(math.floor(past / 1000000000), past % 1000000000))
   end
 end

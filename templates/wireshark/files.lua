@@ -2,7 +2,7 @@
 -- Opens a log of raw bytes as a capture: a frame for each packet, and one for the bytes between two packets.
 
 local LONGEST = 255 + AROUND -- bytes of a packet
-local PROBE = 4096 -- bytes at the begin of a log in which a packet must be; of a frame between packets at most
+local PROBE = 4096 -- bytes at the start of a log, in which a packet must be; the most in a frame between packets
 
 -- What Wireshark puts in front of an exported PDU: the name of its dissector, and the end of such tags.
 local EXPORTED = "\0\12\0\12mip_protocol\0\0\0\0"

@@ -16,7 +16,7 @@ local DIRECTIONS = { [0] = "unknown", "host to device", "device to host" }
 local STATUS = { [0] = "wrong", "right" }
 
 local own = {
-  sync = filter(ProtoField.uint16(PREFIX .. ".sync", "Sync", base.HEX, nil, nil, "Begin of a packet.")),
+  sync = filter(ProtoField.uint16(PREFIX .. ".sync", "Sync", base.HEX, nil, nil, "Start of a packet.")),
   length = filter(ProtoField.uint8(PREFIX .. ".length", "Payload length", base.DEC, nil, nil, "Bytes of all fields.")),
   fields = filter(ProtoField.uint8(PREFIX .. ".fields", "Number of fields", base.DEC)),
   direction = filter(ProtoField.uint8(PREFIX .. ".direction", "Direction", base.DEC, DIRECTIONS)),

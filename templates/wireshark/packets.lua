@@ -21,7 +21,7 @@ local function intact(raw, at, size)
   return checksum(raw, at, size - 2) == raw:byte(at + size - 1) * 256 + raw:byte(at + size)
 end
 
--- Every place is tried in order, and a packet is taken whole: its begin and size for each. After a header without a
+-- Every place is tried in order, and a packet is taken whole: its start and size. After a header without a
 -- packet the search goes on one byte behind its sync. `rest` is where a packet begins that may go on in later bytes;
 -- with `final`, no bytes follow. At most `limit` packets.
 local function scan(raw, final, limit)
@@ -198,14 +198,9 @@ local function show_field(packet, at, size, index, tree)
   return said, f
 end
 
--- 1: the host sent it, 2: the device did, 0: nothing tells it.
+-- 1: the host sent it, 2: the device did.
 local function direction_of(f)
-  if f.role == "command" then
-    return f.from_device and 2 or 1
-  elseif f == ACKNOWLEDGE_FIELD then
-    return 2
-  end
-  return 2
+  return f.role == "command" and not f.from_device and 1 or 2
 end
 
 -- Shows the fields of a packet; gives their texts, and the direction that they tell.

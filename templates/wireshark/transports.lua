@@ -72,25 +72,29 @@ end
 -- A chunk of a TCP stream or a serial line. Chunks come in order once; what was held back before each of them is kept,
 -- so that it is shown in the same way whenever Wireshark comes back to it. Wireshark's own reassembly is for packets
 -- whose length is known: it shows packets twice if a header turns out to be none when more bytes have come.
-local held -- line -> bytes held back
+local held -- line -> bytes held back behind its latest chunk
 local before -- line -> chunk -> bytes held back before it
 
+-- Those before a chunk, and is it new?
 local function held_before(line, chunk)
   before[line] = before[line] or {}
-  before[line][chunk] = before[line][chunk] or held[line] or ""
-  return before[line][chunk]
+  local known = before[line][chunk]
+  before[line][chunk] = known or held[line] or ""
+  return before[line][chunk], known == nil
 end
 
 local function dissect_chunk(tvb, pinfo, tree)
   local sender = string.format("%s:%d %s", tostring(pinfo.src), pinfo.src_port, tostring(pinfo.p2p_dir))
   local line = conversation_of(pinfo) .. " " .. sender
-  local head = held_before(line, string.format("%d:%d:%d", pinfo.number, tvb:offset(), tvb:len()))
+  local head, new = held_before(line, string.format("%d:%d:%d", pinfo.number, tvb:offset(), tvb:len()))
   local raw, data = head .. tvb:raw(), tvb
   if head ~= "" then
     data = ByteArray.new(raw, true):tvb("MIP, with the bytes of earlier frames")
   end
   local packets, rest = scan(raw, false)
-  held[line] = rest and raw:sub(rest + 1) or ""
+  if new then -- while a capture goes on, Wireshark may come back to earlier chunks
+    held[line] = rest and raw:sub(rest + 1) or ""
+  end
   local texts, direction = show_bytes(data, raw, packets, 0, rest or #raw, pinfo, tree)
   if rest then
     local from = math.max(rest, #head)
@@ -121,7 +125,7 @@ end
 
 -- ------------------------------------------------------------------------- heuristics
 
--- Is this MIP? A whole packet of a known set with the right checksum, or the begin of one.
+-- Is this MIP? A whole packet of a known set with the right checksum, or the start of one.
 local function looks_like(raw)
   for _, found in ipairs((scan(raw, false))) do
     if plausible(raw, found.at, found.size) then

@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 from mipgen import codec
 from mipgen import model as m
-from support import ROOT, driver, expected_decode, model, offering
+from support import ROOT, driver, expected_decode, heavy, model, offering
 from virtual.commands import Trial, commands
 from virtual.ledger import OUTCOMES
 from virtual.scenario import few, formats, write
@@ -74,7 +74,10 @@ def intact(log: Path) -> list[bytes]:
     return found
 
 
-@pytest.mark.parametrize("port", ["tcp", "pty"])
+TERMINALS = pytest.param("pty", marks=heavy("pseudo-terminals"))
+
+
+@pytest.mark.parametrize("port", ["tcp", TERMINALS])
 @pytest.mark.parametrize("language", offering("live"))
 def test_real_ports(language: str, port: str, tmp_path: Path) -> None:
     log = tmp_path / "faults.jsonl"

@@ -13,6 +13,16 @@ static const char *const cl5_10_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char cl5_10_evidence_1[] = "The vendor's software asks every device for it.";
+
+static const struct mip_device_field cl5_10_fields[] = {
+    {0x01, 0x01, "", cl5_10_evidence_1}, /* base.ping */
+    {0x01, 0x02, "", cl5_10_evidence_1}, /* base.set_idle */
+    {0x01, 0x03, "", cl5_10_evidence_1}, /* base.get_device_info */
+    {0x01, 0x04, "", cl5_10_evidence_1}, /* base.get_device_descriptors */
+    {0x01, 0x06, "", cl5_10_evidence_1}, /* base.resume */
+};
+
 const struct mip_device mip_device_cl5_10 = {
     "3dm-cl5-10",
     "3DM-CL5-10",
@@ -22,7 +32,7 @@ const struct mip_device mip_device_cl5_10 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    0,    /* fields */
+    5,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -31,7 +41,7 @@ const struct mip_device mip_device_cl5_10 = {
     0,    /* acknowledge codes */
     cl5_10_also,
     cl5_10_incomplete,
-    NULL,
+    cl5_10_fields,
     NULL,
     NULL,
     NULL,
@@ -50,16 +60,23 @@ static const char *const cl5_15_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char cl5_15_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char cl5_15_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char cl5_15_evidence_2[] = "MSCL asks for it on this device.";
+static const char cl5_15_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char cl5_15_evidence_3[] = "MSCL asks for it on this device.";
 
 static const struct mip_device_field cl5_15_fields[] = {
-    {0x0C, 0x11, "WRSLD", cl5_15_evidence_1}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", cl5_15_evidence_1}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", cl5_15_evidence_2},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", cl5_15_evidence_1}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", cl5_15_evidence_1}, /* filter.heading_source */
+    {0x01, 0x01, "", cl5_15_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", cl5_15_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", cl5_15_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", cl5_15_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", cl5_15_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", cl5_15_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", cl5_15_evidence_2}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", cl5_15_evidence_3},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", cl5_15_evidence_2}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", cl5_15_evidence_2}, /* filter.heading_source */
 };
 
 static const struct mip_device_note cl5_15_notes[] = {
@@ -83,7 +100,7 @@ const struct mip_device mip_device_cl5_15 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    5,    /* fields */
+    10,   /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -111,15 +128,22 @@ static const char *const cl5_25_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char cl5_25_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char cl5_25_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char cl5_25_evidence_2[] = "MSCL asks for it on this device.";
+static const char cl5_25_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char cl5_25_evidence_3[] = "MSCL asks for it on this device.";
 
 static const struct mip_device_field cl5_25_fields[] = {
-    {0x0C, 0x11, "WRSLD", cl5_25_evidence_1}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", cl5_25_evidence_2},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", cl5_25_evidence_1}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", cl5_25_evidence_1}, /* filter.heading_source */
+    {0x01, 0x01, "", cl5_25_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", cl5_25_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", cl5_25_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", cl5_25_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", cl5_25_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", cl5_25_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", cl5_25_evidence_3},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", cl5_25_evidence_2}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", cl5_25_evidence_2}, /* filter.heading_source */
 };
 
 static const struct mip_device_note cl5_25_notes[] = {
@@ -143,7 +167,7 @@ const struct mip_device mip_device_cl5_25 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    4,    /* fields */
+    9,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -171,14 +195,21 @@ static const char *const cv5_10_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char cv5_10_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char cv5_10_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char cv5_10_evidence_2[] = "MSCL asks for it on this device.";
+static const char cv5_10_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char cv5_10_evidence_3[] = "MSCL asks for it on this device.";
 
 static const struct mip_device_field cv5_10_fields[] = {
-    {0x0C, 0x11, "WRSLD", cv5_10_evidence_1}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", cv5_10_evidence_1}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", cv5_10_evidence_2},      /* 3dm.device_status */
+    {0x01, 0x01, "", cv5_10_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", cv5_10_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", cv5_10_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", cv5_10_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", cv5_10_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", cv5_10_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", cv5_10_evidence_2}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", cv5_10_evidence_3},      /* 3dm.device_status */
 };
 
 static const struct mip_device_note cv5_10_notes[] = {
@@ -202,7 +233,7 @@ const struct mip_device mip_device_cv5_10 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    3,    /* fields */
+    8,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -230,16 +261,23 @@ static const char *const cv5_15_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char cv5_15_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char cv5_15_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char cv5_15_evidence_2[] = "MSCL asks for it on this device.";
+static const char cv5_15_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char cv5_15_evidence_3[] = "MSCL asks for it on this device.";
 
 static const struct mip_device_field cv5_15_fields[] = {
-    {0x0C, 0x11, "WRSLD", cv5_15_evidence_1}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", cv5_15_evidence_1}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", cv5_15_evidence_2},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", cv5_15_evidence_1}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", cv5_15_evidence_1}, /* filter.heading_source */
+    {0x01, 0x01, "", cv5_15_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", cv5_15_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", cv5_15_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", cv5_15_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", cv5_15_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", cv5_15_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", cv5_15_evidence_2}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", cv5_15_evidence_3},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", cv5_15_evidence_2}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", cv5_15_evidence_2}, /* filter.heading_source */
 };
 
 static const struct mip_device_note cv5_15_notes[] = {
@@ -263,7 +301,7 @@ const struct mip_device mip_device_cv5_15 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    5,    /* fields */
+    10,   /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -291,15 +329,22 @@ static const char *const cv5_25_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char cv5_25_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char cv5_25_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char cv5_25_evidence_2[] = "MSCL asks for it on this device.";
+static const char cv5_25_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char cv5_25_evidence_3[] = "MSCL asks for it on this device.";
 
 static const struct mip_device_field cv5_25_fields[] = {
-    {0x0C, 0x11, "WRSLD", cv5_25_evidence_1}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", cv5_25_evidence_2},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", cv5_25_evidence_1}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", cv5_25_evidence_1}, /* filter.heading_source */
+    {0x01, 0x01, "", cv5_25_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", cv5_25_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", cv5_25_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", cv5_25_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", cv5_25_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", cv5_25_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", cv5_25_evidence_3},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", cv5_25_evidence_2}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", cv5_25_evidence_2}, /* filter.heading_source */
 };
 
 static const struct mip_device_note cv5_25_notes[] = {
@@ -323,7 +368,7 @@ const struct mip_device mip_device_cv5_25 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    4,    /* fields */
+    9,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -348,25 +393,32 @@ static const char *const cv7_ahrs_incomplete[] = {
     "The limits are those of firmware 1.0.04 and later.",
 };
 
-static const char cv7_ahrs_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char cv7_ahrs_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char cv7_ahrs_evidence_2[] =
+static const char cv7_ahrs_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char cv7_ahrs_evidence_3[] =
     "The manual says of what firmware which filter can be set.";
 
 static const struct mip_device_field cv7_ahrs_fields[] = {
+    {0x01, 0x01, "", cv7_ahrs_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", cv7_ahrs_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", cv7_ahrs_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", cv7_ahrs_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", cv7_ahrs_evidence_1},      /* base.resume */
     {0x0C, 0x11, "WRSLD", NULL},                /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", cv7_ahrs_evidence_1}, /* 3dm.pps_source_control */
+    {0x0C, 0x28, "WRSLD", cv7_ahrs_evidence_2}, /* 3dm.pps_source_control */
     {0x0C, 0x38, "WRSLD", NULL},                /* 3dm.gyro_bias */
     {0x0C, 0x39, "", NULL},                     /* 3dm.capture_gyro_bias */
     {0x0C, 0x3A, "WRSLD", NULL},                /* 3dm.mag_hard_iron_offset */
     {0x0C, 0x3B, "WRSLD", NULL},                /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", cv7_ahrs_evidence_1}, /* 3dm.gpio_config */
-    {0x0C, 0x50, "WRSLD", cv7_ahrs_evidence_2}, /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x54, "WRSLD", cv7_ahrs_evidence_2}, /* 3dm.low_pass_filter */
+    {0x0C, 0x41, "WRSLD", cv7_ahrs_evidence_2}, /* 3dm.gpio_config */
+    {0x0C, 0x50, "WRSLD", cv7_ahrs_evidence_3}, /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x54, "WRSLD", cv7_ahrs_evidence_3}, /* 3dm.low_pass_filter */
     {0x0D, 0x01, "", NULL},                     /* filter.reset */
     {0x0D, 0x03, "", NULL},                     /* filter.set_initial_heading */
     {0x0D, 0x43, "WRSLD", NULL},                /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", cv7_ahrs_evidence_1}, /* filter.aiding_measurement_enable */
+    {0x0D, 0x50, "WRSLD", cv7_ahrs_evidence_2}, /* filter.aiding_measurement_enable */
     {0x13, 0x01, "WRSLD", NULL},                /* aiding.frame_config */
     {0x13, 0x1F, "WRSLD", NULL},                /* aiding.echo_control */
     {0x13, 0x31, "", NULL},                     /* aiding.true_heading */
@@ -425,7 +477,7 @@ const struct mip_device mip_device_cv7_ahrs = {
     7,    /* generation */
     0,    /* other names */
     2,    /* what is not known */
-    19,   /* fields */
+    24,   /* fields */
     3,    /* base rates */
     1,    /* ports */
     5,    /* limits */
@@ -450,24 +502,31 @@ static const char *const cv7_ar_incomplete[] = {
     "The limits are those of firmware 1.0.04 and later.",
 };
 
-static const char cv7_ar_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char cv7_ar_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char cv7_ar_evidence_2[] = "The manual says of what firmware which filter can be set.";
+static const char cv7_ar_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char cv7_ar_evidence_3[] = "The manual says of what firmware which filter can be set.";
 
 static const struct mip_device_field cv7_ar_fields[] = {
+    {0x01, 0x01, "", cv7_ar_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", cv7_ar_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", cv7_ar_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", cv7_ar_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", cv7_ar_evidence_1},      /* base.resume */
     {0x0C, 0x11, "WRSLD", NULL},              /* 3dm.data_stream_control */
-    {0x0C, 0x28, "WRSLD", cv7_ar_evidence_1}, /* 3dm.pps_source_control */
+    {0x0C, 0x28, "WRSLD", cv7_ar_evidence_2}, /* 3dm.pps_source_control */
     {0x0C, 0x38, "WRSLD", NULL},              /* 3dm.gyro_bias */
     {0x0C, 0x39, "", NULL},                   /* 3dm.capture_gyro_bias */
     {0x0C, 0x3A, "WRSLD", NULL},              /* 3dm.mag_hard_iron_offset */
     {0x0C, 0x3B, "WRSLD", NULL},              /* 3dm.mag_soft_iron_matrix */
-    {0x0C, 0x41, "WRSLD", cv7_ar_evidence_1}, /* 3dm.gpio_config */
-    {0x0C, 0x50, "WRSLD", cv7_ar_evidence_2}, /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x54, "WRSLD", cv7_ar_evidence_2}, /* 3dm.low_pass_filter */
+    {0x0C, 0x41, "WRSLD", cv7_ar_evidence_2}, /* 3dm.gpio_config */
+    {0x0C, 0x50, "WRSLD", cv7_ar_evidence_3}, /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x54, "WRSLD", cv7_ar_evidence_3}, /* 3dm.low_pass_filter */
     {0x0D, 0x01, "", NULL},                   /* filter.reset */
     {0x0D, 0x03, "", NULL},                   /* filter.set_initial_heading */
     {0x0D, 0x43, "WRSLD", NULL},              /* filter.magnetic_declination_source */
-    {0x0D, 0x50, "WRSLD", cv7_ar_evidence_1}, /* filter.aiding_measurement_enable */
+    {0x0D, 0x50, "WRSLD", cv7_ar_evidence_2}, /* filter.aiding_measurement_enable */
     {0x13, 0x01, "WRSLD", NULL},              /* aiding.frame_config */
     {0x13, 0x1F, "WRSLD", NULL},              /* aiding.echo_control */
     {0x13, 0x31, "", NULL},                   /* aiding.true_heading */
@@ -526,7 +585,7 @@ const struct mip_device mip_device_cv7_ar = {
     7,    /* generation */
     0,    /* other names */
     2,    /* what is not known */
-    19,   /* fields */
+    24,   /* fields */
     3,    /* base rates */
     1,    /* ports */
     5,    /* limits */
@@ -1066,23 +1125,30 @@ static const char *const cv7_ins_incomplete[] = {
     "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.",
 };
 
-static const char cv7_ins_evidence_1[] =
+static const char cv7_ins_evidence_1[] = "The vendor's software asks every device for it.";
+
+static const char cv7_ins_evidence_2[] =
     "A test site of the vendor lists it for this device; the firmware is not known.";
 
 static const struct mip_device_field cv7_ins_fields[] = {
+    {0x01, 0x01, "", cv7_ins_evidence_1}, /* base.ping */
+    {0x01, 0x02, "", cv7_ins_evidence_1}, /* base.set_idle */
+    {0x01, 0x03, "", cv7_ins_evidence_1}, /* base.get_device_info */
+    {0x01, 0x04, "", cv7_ins_evidence_1}, /* base.get_device_descriptors */
+    {0x01, 0x06, "", cv7_ins_evidence_1}, /* base.resume */
     {0x0D, 0x13, "WRSLD", NULL},          /* filter.antenna_offset */
     {0x0D, 0x20, "WRSLD", NULL},          /* filter.auto_angular_zupt */
-    {0x94, 0x03, "", cv7_ins_evidence_1}, /* gnss_external.llh_position */
-    {0x94, 0x04, "", cv7_ins_evidence_1}, /* gnss_external.ecef_position */
-    {0x94, 0x05, "", cv7_ins_evidence_1}, /* gnss_external.ned_velocity */
-    {0x94, 0x06, "", cv7_ins_evidence_1}, /* gnss_external.ecef_velocity */
-    {0x94, 0x07, "", cv7_ins_evidence_1}, /* gnss_external.dop */
-    {0x94, 0x08, "", cv7_ins_evidence_1}, /* gnss_external.utc_time */
-    {0x94, 0x0B, "", cv7_ins_evidence_1}, /* gnss_external.fix_info */
-    {0x94, 0x10, "", cv7_ins_evidence_1}, /* gnss_external.clock_info_2 */
-    {0x94, 0x11, "", cv7_ins_evidence_1}, /* gnss_external.gps_leap_seconds */
-    {0x94, 0x14, "", cv7_ins_evidence_1}, /* gnss_external.rf_error_detection */
-    {0x94, 0x20, "", cv7_ins_evidence_1}, /* gnss_external.satellite_status */
+    {0x94, 0x03, "", cv7_ins_evidence_2}, /* gnss_external.llh_position */
+    {0x94, 0x04, "", cv7_ins_evidence_2}, /* gnss_external.ecef_position */
+    {0x94, 0x05, "", cv7_ins_evidence_2}, /* gnss_external.ned_velocity */
+    {0x94, 0x06, "", cv7_ins_evidence_2}, /* gnss_external.ecef_velocity */
+    {0x94, 0x07, "", cv7_ins_evidence_2}, /* gnss_external.dop */
+    {0x94, 0x08, "", cv7_ins_evidence_2}, /* gnss_external.utc_time */
+    {0x94, 0x0B, "", cv7_ins_evidence_2}, /* gnss_external.fix_info */
+    {0x94, 0x10, "", cv7_ins_evidence_2}, /* gnss_external.clock_info_2 */
+    {0x94, 0x11, "", cv7_ins_evidence_2}, /* gnss_external.gps_leap_seconds */
+    {0x94, 0x14, "", cv7_ins_evidence_2}, /* gnss_external.rf_error_detection */
+    {0x94, 0x20, "", cv7_ins_evidence_2}, /* gnss_external.satellite_status */
 };
 
 static const struct mip_device_rate cv7_ins_rates[] = {
@@ -1102,7 +1168,7 @@ const struct mip_device mip_device_cv7_ins = {
     7,    /* generation */
     0,    /* other names */
     2,    /* what is not known */
-    13,   /* fields */
+    18,   /* fields */
     1,    /* base rates */
     0,    /* ports */
     1,    /* limits */
@@ -1130,14 +1196,21 @@ static const char *const cx5_10_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char cx5_10_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char cx5_10_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char cx5_10_evidence_2[] = "MSCL asks for it on this device.";
+static const char cx5_10_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char cx5_10_evidence_3[] = "MSCL asks for it on this device.";
 
 static const struct mip_device_field cx5_10_fields[] = {
-    {0x0C, 0x11, "WRSLD", cx5_10_evidence_1}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", cx5_10_evidence_1}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", cx5_10_evidence_2},      /* 3dm.device_status */
+    {0x01, 0x01, "", cx5_10_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", cx5_10_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", cx5_10_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", cx5_10_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", cx5_10_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", cx5_10_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", cx5_10_evidence_2}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", cx5_10_evidence_3},      /* 3dm.device_status */
 };
 
 static const struct mip_device_note cx5_10_notes[] = {
@@ -1161,7 +1234,7 @@ const struct mip_device mip_device_cx5_10 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    3,    /* fields */
+    8,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1189,14 +1262,21 @@ static const char *const cx5_15_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char cx5_15_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char cx5_15_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char cx5_15_evidence_2[] = "MSCL asks for it on this device.";
+static const char cx5_15_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char cx5_15_evidence_3[] = "MSCL asks for it on this device.";
 
 static const struct mip_device_field cx5_15_fields[] = {
-    {0x0C, 0x11, "WRSLD", cx5_15_evidence_1}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", cx5_15_evidence_1}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", cx5_15_evidence_2},      /* 3dm.device_status */
+    {0x01, 0x01, "", cx5_15_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", cx5_15_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", cx5_15_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", cx5_15_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", cx5_15_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", cx5_15_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", cx5_15_evidence_2}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", cx5_15_evidence_3},      /* 3dm.device_status */
 };
 
 static const struct mip_device_note cx5_15_notes[] = {
@@ -1220,7 +1300,7 @@ const struct mip_device mip_device_cx5_15 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    3,    /* fields */
+    8,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1248,13 +1328,20 @@ static const char *const cx5_25_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char cx5_25_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char cx5_25_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char cx5_25_evidence_2[] = "MSCL asks for it on this device.";
+static const char cx5_25_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char cx5_25_evidence_3[] = "MSCL asks for it on this device.";
 
 static const struct mip_device_field cx5_25_fields[] = {
-    {0x0C, 0x11, "WRSLD", cx5_25_evidence_1}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", cx5_25_evidence_2},      /* 3dm.device_status */
+    {0x01, 0x01, "", cx5_25_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", cx5_25_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", cx5_25_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", cx5_25_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", cx5_25_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", cx5_25_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", cx5_25_evidence_3},      /* 3dm.device_status */
 };
 
 static const struct mip_device_note cx5_25_notes[] = {
@@ -1278,7 +1365,7 @@ const struct mip_device mip_device_cx5_25 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    2,    /* fields */
+    7,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1306,13 +1393,20 @@ static const char *const cx5_35_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char cx5_35_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char cx5_35_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char cx5_35_evidence_2[] = "MSCL asks for it on this device.";
+static const char cx5_35_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char cx5_35_evidence_3[] = "MSCL asks for it on this device.";
 
 static const struct mip_device_field cx5_35_fields[] = {
-    {0x0C, 0x11, "WRSLD", cx5_35_evidence_1}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", cx5_35_evidence_2},      /* 3dm.device_status */
+    {0x01, 0x01, "", cx5_35_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", cx5_35_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", cx5_35_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", cx5_35_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", cx5_35_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", cx5_35_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", cx5_35_evidence_3},      /* 3dm.device_status */
 };
 
 static const struct mip_device_note cx5_35_notes[] = {
@@ -1336,7 +1430,7 @@ const struct mip_device mip_device_cx5_35 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    2,    /* fields */
+    7,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1364,13 +1458,20 @@ static const char *const cx5_45_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char cx5_45_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char cx5_45_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char cx5_45_evidence_2[] = "MSCL asks for it on this device.";
+static const char cx5_45_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char cx5_45_evidence_3[] = "MSCL asks for it on this device.";
 
 static const struct mip_device_field cx5_45_fields[] = {
-    {0x0C, 0x11, "WRSLD", cx5_45_evidence_1}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", cx5_45_evidence_2},      /* 3dm.device_status */
+    {0x01, 0x01, "", cx5_45_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", cx5_45_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", cx5_45_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", cx5_45_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", cx5_45_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", cx5_45_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", cx5_45_evidence_3},      /* 3dm.device_status */
 };
 
 static const struct mip_device_note cx5_45_notes[] = {
@@ -1394,7 +1495,7 @@ const struct mip_device mip_device_cx5_45 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    2,    /* fields */
+    7,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1418,10 +1519,17 @@ static const char *const dh3_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char dh3_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char dh3_evidence_1[] = "The vendor's software asks every device for it.";
+
+static const char dh3_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const struct mip_device_field dh3_fields[] = {
-    {0x0C, 0x11, "WRSLD", dh3_evidence_1}, /* 3dm.data_stream_control */
+    {0x01, 0x01, "", dh3_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", dh3_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", dh3_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", dh3_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", dh3_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", dh3_evidence_2}, /* 3dm.data_stream_control */
 };
 
 static const struct mip_device_reading dh3_readings[] = {
@@ -1436,7 +1544,7 @@ const struct mip_device mip_device_dh3 = {
     3,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    1,    /* fields */
+    6,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1549,17 +1657,24 @@ static const char *const gq7_incomplete[] = {
     "The baud rates of the Aux port are not known, nor all of its protocols.",
 };
 
-static const char gq7_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char gq7_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char gq7_evidence_2[] = "The manual says of what firmware which filter can be set.";
+static const char gq7_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char gq7_evidence_3[] = "The manual says of what firmware which filter can be set.";
 
 static const struct mip_device_field gq7_fields[] = {
+    {0x01, 0x01, "", gq7_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", gq7_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", gq7_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", gq7_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", gq7_evidence_1},      /* base.resume */
     {0x0C, 0x04, "", NULL},                /* 3dm.poll_nmea_data */
     {0x0C, 0x31, "WRSLD", NULL},           /* 3dm.sensor_to_vehicle_transform_euler */
     {0x0C, 0x39, "", NULL},                /* 3dm.capture_gyro_bias */
-    {0x0C, 0x41, "WRSLD", gq7_evidence_1}, /* 3dm.gpio_config */
-    {0x0C, 0x50, "WRSLD", gq7_evidence_2}, /* 3dm.imu_low_pass_filter */
-    {0x0C, 0x54, "WRSLD", gq7_evidence_2}, /* 3dm.low_pass_filter */
+    {0x0C, 0x41, "WRSLD", gq7_evidence_2}, /* 3dm.gpio_config */
+    {0x0C, 0x50, "WRSLD", gq7_evidence_3}, /* 3dm.imu_low_pass_filter */
+    {0x0C, 0x54, "WRSLD", gq7_evidence_3}, /* 3dm.low_pass_filter */
     {0x0D, 0x05, "", NULL},                /* filter.run */
     {0x0D, 0x15, "WRSLD", NULL},           /* filter.gnss_source */
     {0x0D, 0x1E, "WRSLD", NULL},           /* filter.auto_zupt */
@@ -1623,7 +1738,7 @@ const struct mip_device mip_device_gq7 = {
     7,    /* generation */
     1,    /* other names */
     2,    /* what is not known */
-    16,   /* fields */
+    21,   /* fields */
     6,    /* base rates */
     2,    /* ports */
     0,    /* limits */
@@ -1643,6 +1758,16 @@ static const char *const gv7_ahrs_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char gv7_ahrs_evidence_1[] = "The vendor's software asks every device for it.";
+
+static const struct mip_device_field gv7_ahrs_fields[] = {
+    {0x01, 0x01, "", gv7_ahrs_evidence_1}, /* base.ping */
+    {0x01, 0x02, "", gv7_ahrs_evidence_1}, /* base.set_idle */
+    {0x01, 0x03, "", gv7_ahrs_evidence_1}, /* base.get_device_info */
+    {0x01, 0x04, "", gv7_ahrs_evidence_1}, /* base.get_device_descriptors */
+    {0x01, 0x06, "", gv7_ahrs_evidence_1}, /* base.resume */
+};
+
 const struct mip_device mip_device_gv7_ahrs = {
     "3dm-gv7-ahrs",
     "3DM-GV7-AHRS",
@@ -1652,7 +1777,7 @@ const struct mip_device mip_device_gv7_ahrs = {
     7,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    0,    /* fields */
+    5,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1661,7 +1786,7 @@ const struct mip_device mip_device_gv7_ahrs = {
     0,    /* acknowledge codes */
     NULL,
     gv7_ahrs_incomplete,
-    NULL,
+    gv7_ahrs_fields,
     NULL,
     NULL,
     NULL,
@@ -1676,6 +1801,16 @@ static const char *const gv7_ar_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char gv7_ar_evidence_1[] = "The vendor's software asks every device for it.";
+
+static const struct mip_device_field gv7_ar_fields[] = {
+    {0x01, 0x01, "", gv7_ar_evidence_1}, /* base.ping */
+    {0x01, 0x02, "", gv7_ar_evidence_1}, /* base.set_idle */
+    {0x01, 0x03, "", gv7_ar_evidence_1}, /* base.get_device_info */
+    {0x01, 0x04, "", gv7_ar_evidence_1}, /* base.get_device_descriptors */
+    {0x01, 0x06, "", gv7_ar_evidence_1}, /* base.resume */
+};
+
 const struct mip_device mip_device_gv7_ar = {
     "3dm-gv7-ar",
     "3DM-GV7-AR",
@@ -1685,7 +1820,7 @@ const struct mip_device mip_device_gv7_ar = {
     7,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    0,    /* fields */
+    5,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1694,7 +1829,7 @@ const struct mip_device mip_device_gv7_ar = {
     0,    /* acknowledge codes */
     NULL,
     gv7_ar_incomplete,
-    NULL,
+    gv7_ar_fields,
     NULL,
     NULL,
     NULL,
@@ -1709,6 +1844,16 @@ static const char *const gv7_ins_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char gv7_ins_evidence_1[] = "The vendor's software asks every device for it.";
+
+static const struct mip_device_field gv7_ins_fields[] = {
+    {0x01, 0x01, "", gv7_ins_evidence_1}, /* base.ping */
+    {0x01, 0x02, "", gv7_ins_evidence_1}, /* base.set_idle */
+    {0x01, 0x03, "", gv7_ins_evidence_1}, /* base.get_device_info */
+    {0x01, 0x04, "", gv7_ins_evidence_1}, /* base.get_device_descriptors */
+    {0x01, 0x06, "", gv7_ins_evidence_1}, /* base.resume */
+};
+
 const struct mip_device mip_device_gv7_ins = {
     "3dm-gv7-ins",
     "3DM-GV7-INS",
@@ -1718,7 +1863,7 @@ const struct mip_device mip_device_gv7_ins = {
     7,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    0,    /* fields */
+    5,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1727,7 +1872,7 @@ const struct mip_device mip_device_gv7_ins = {
     0,    /* acknowledge codes */
     NULL,
     gv7_ins_incomplete,
-    NULL,
+    gv7_ins_fields,
     NULL,
     NULL,
     NULL,
@@ -1742,10 +1887,17 @@ static const char *const gx3_15_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char gx3_15_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char gx3_15_evidence_1[] = "The vendor's software asks every device for it.";
+
+static const char gx3_15_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const struct mip_device_field gx3_15_fields[] = {
-    {0x0C, 0x11, "WRSLD", gx3_15_evidence_1}, /* 3dm.data_stream_control */
+    {0x01, 0x01, "", gx3_15_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", gx3_15_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", gx3_15_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", gx3_15_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", gx3_15_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", gx3_15_evidence_2}, /* 3dm.data_stream_control */
 };
 
 static const struct mip_device_reading gx3_15_readings[] = {
@@ -1762,7 +1914,7 @@ const struct mip_device mip_device_gx3_15 = {
     3,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    1,    /* fields */
+    6,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1786,10 +1938,17 @@ static const char *const gx3_25_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char gx3_25_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char gx3_25_evidence_1[] = "The vendor's software asks every device for it.";
+
+static const char gx3_25_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const struct mip_device_field gx3_25_fields[] = {
-    {0x0C, 0x11, "WRSLD", gx3_25_evidence_1}, /* 3dm.data_stream_control */
+    {0x01, 0x01, "", gx3_25_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", gx3_25_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", gx3_25_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", gx3_25_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", gx3_25_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", gx3_25_evidence_2}, /* 3dm.data_stream_control */
 };
 
 static const struct mip_device_reading gx3_25_readings[] = {
@@ -1806,7 +1965,7 @@ const struct mip_device mip_device_gx3_25 = {
     3,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    1,    /* fields */
+    6,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1830,10 +1989,17 @@ static const char *const gx3_35_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char gx3_35_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char gx3_35_evidence_1[] = "The vendor's software asks every device for it.";
+
+static const char gx3_35_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const struct mip_device_field gx3_35_fields[] = {
-    {0x0C, 0x11, "WRSLD", gx3_35_evidence_1}, /* 3dm.data_stream_control */
+    {0x01, 0x01, "", gx3_35_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", gx3_35_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", gx3_35_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", gx3_35_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", gx3_35_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", gx3_35_evidence_2}, /* 3dm.data_stream_control */
 };
 
 static const struct mip_device_reading gx3_35_readings[] = {
@@ -1850,7 +2016,7 @@ const struct mip_device mip_device_gx3_35 = {
     3,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    1,    /* fields */
+    6,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1874,16 +2040,23 @@ static const char *const gx3_45_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char gx3_45_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char gx3_45_evidence_1[] = "The vendor's software asks every device for it.";
+
+static const char gx3_45_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const struct mip_device_field gx3_45_fields[] = {
-    {0x0C, 0x11, "WRSLD", gx3_45_evidence_1}, /* 3dm.data_stream_control */
-    {0x0D, 0x10, "WRSLD", gx3_45_evidence_1}, /* filter.vehicle_dynamics_mode */
-    {0x0D, 0x14, "WRSLD", gx3_45_evidence_1}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", gx3_45_evidence_1}, /* filter.heading_source */
+    {0x01, 0x01, "", gx3_45_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", gx3_45_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", gx3_45_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", gx3_45_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", gx3_45_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", gx3_45_evidence_2}, /* 3dm.data_stream_control */
+    {0x0D, 0x10, "WRSLD", gx3_45_evidence_2}, /* filter.vehicle_dynamics_mode */
+    {0x0D, 0x14, "WRSLD", gx3_45_evidence_2}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", gx3_45_evidence_2}, /* filter.heading_source */
     {0x0D, 0x44, "WRSLD",
-     gx3_45_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", gx3_45_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
+     gx3_45_evidence_2}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD", gx3_45_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
 static const struct mip_device_reading gx3_45_readings[] = {
@@ -1900,7 +2073,7 @@ const struct mip_device mip_device_gx3_45 = {
     3,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    6,    /* fields */
+    11,   /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1924,17 +2097,24 @@ static const char *const gx4_15_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char gx4_15_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char gx4_15_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char gx4_15_evidence_2[] = "MSCL asks for it on this device.";
+static const char gx4_15_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char gx4_15_evidence_3[] = "MSCL asks for it on this device.";
 
 static const struct mip_device_field gx4_15_fields[] = {
-    {0x0C, 0x11, "WRSLD", gx4_15_evidence_1}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", gx4_15_evidence_2},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", gx4_15_evidence_1}, /* filter.estimation_control */
+    {0x01, 0x01, "", gx4_15_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", gx4_15_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", gx4_15_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", gx4_15_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", gx4_15_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", gx4_15_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", gx4_15_evidence_3},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", gx4_15_evidence_2}, /* filter.estimation_control */
     {0x0D, 0x44, "WRSLD",
-     gx4_15_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", gx4_15_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
+     gx4_15_evidence_2}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD", gx4_15_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
 static const struct mip_device_note gx4_15_notes[] = {
@@ -1958,7 +2138,7 @@ const struct mip_device mip_device_gx4_15 = {
     4,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    5,    /* fields */
+    10,   /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -1982,18 +2162,25 @@ static const char *const gx4_25_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char gx4_25_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char gx4_25_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char gx4_25_evidence_2[] = "MSCL asks for it on this device.";
+static const char gx4_25_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char gx4_25_evidence_3[] = "MSCL asks for it on this device.";
 
 static const struct mip_device_field gx4_25_fields[] = {
-    {0x0C, 0x11, "WRSLD", gx4_25_evidence_1}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", gx4_25_evidence_2},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", gx4_25_evidence_1}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", gx4_25_evidence_1}, /* filter.heading_source */
+    {0x01, 0x01, "", gx4_25_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", gx4_25_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", gx4_25_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", gx4_25_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", gx4_25_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", gx4_25_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", gx4_25_evidence_3},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", gx4_25_evidence_2}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", gx4_25_evidence_2}, /* filter.heading_source */
     {0x0D, 0x44, "WRSLD",
-     gx4_25_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", gx4_25_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
+     gx4_25_evidence_2}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD", gx4_25_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
 static const struct mip_device_note gx4_25_notes[] = {
@@ -2017,7 +2204,7 @@ const struct mip_device mip_device_gx4_25 = {
     4,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    6,    /* fields */
+    11,   /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -2041,18 +2228,25 @@ static const char *const gx4_45_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char gx4_45_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char gx4_45_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char gx4_45_evidence_2[] = "MSCL asks for it on this device.";
+static const char gx4_45_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char gx4_45_evidence_3[] = "MSCL asks for it on this device.";
 
 static const struct mip_device_field gx4_45_fields[] = {
-    {0x0C, 0x11, "WRSLD", gx4_45_evidence_1}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", gx4_45_evidence_2},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", gx4_45_evidence_1}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", gx4_45_evidence_1}, /* filter.heading_source */
+    {0x01, 0x01, "", gx4_45_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", gx4_45_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", gx4_45_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", gx4_45_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", gx4_45_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", gx4_45_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", gx4_45_evidence_3},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", gx4_45_evidence_2}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", gx4_45_evidence_2}, /* filter.heading_source */
     {0x0D, 0x44, "WRSLD",
-     gx4_45_evidence_1}, /* filter.accel_magnitude_error_adaptive_measurement */
-    {0x0D, 0x45, "WRSLD", gx4_45_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
+     gx4_45_evidence_2}, /* filter.accel_magnitude_error_adaptive_measurement */
+    {0x0D, 0x45, "WRSLD", gx4_45_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
 static const struct mip_device_note gx4_45_notes[] = {
@@ -2076,7 +2270,7 @@ const struct mip_device mip_device_gx4_45 = {
     4,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    6,    /* fields */
+    11,   /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -2104,14 +2298,21 @@ static const char *const gx5_10_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char gx5_10_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char gx5_10_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char gx5_10_evidence_2[] = "MSCL asks for it on this device.";
+static const char gx5_10_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char gx5_10_evidence_3[] = "MSCL asks for it on this device.";
 
 static const struct mip_device_field gx5_10_fields[] = {
-    {0x0C, 0x11, "WRSLD", gx5_10_evidence_1}, /* 3dm.data_stream_control */
-    {0x0C, 0x51, "WRSLD", gx5_10_evidence_1}, /* 3dm.complementary_filter */
-    {0x0C, 0x64, "", gx5_10_evidence_2},      /* 3dm.device_status */
+    {0x01, 0x01, "", gx5_10_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", gx5_10_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", gx5_10_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", gx5_10_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", gx5_10_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", gx5_10_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x51, "WRSLD", gx5_10_evidence_2}, /* 3dm.complementary_filter */
+    {0x0C, 0x64, "", gx5_10_evidence_3},      /* 3dm.device_status */
 };
 
 static const struct mip_device_note gx5_10_notes[] = {
@@ -2135,7 +2336,7 @@ const struct mip_device mip_device_gx5_10 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    3,    /* fields */
+    8,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -2338,15 +2539,22 @@ static const char *const gx5_25_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char gx5_25_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char gx5_25_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const char gx5_25_evidence_2[] = "MSCL asks for it on this device.";
+static const char gx5_25_evidence_2[] = "MSCL lists what can be chosen on it.";
+
+static const char gx5_25_evidence_3[] = "MSCL asks for it on this device.";
 
 static const struct mip_device_field gx5_25_fields[] = {
-    {0x0C, 0x11, "WRSLD", gx5_25_evidence_1}, /* 3dm.data_stream_control */
-    {0x0C, 0x64, "", gx5_25_evidence_2},      /* 3dm.device_status */
-    {0x0D, 0x14, "WRSLD", gx5_25_evidence_1}, /* filter.estimation_control */
-    {0x0D, 0x18, "WRSLD", gx5_25_evidence_1}, /* filter.heading_source */
+    {0x01, 0x01, "", gx5_25_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", gx5_25_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", gx5_25_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", gx5_25_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", gx5_25_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", gx5_25_evidence_2}, /* 3dm.data_stream_control */
+    {0x0C, 0x64, "", gx5_25_evidence_3},      /* 3dm.device_status */
+    {0x0D, 0x14, "WRSLD", gx5_25_evidence_2}, /* filter.estimation_control */
+    {0x0D, 0x18, "WRSLD", gx5_25_evidence_2}, /* filter.heading_source */
 };
 
 static const struct mip_device_note gx5_25_notes[] = {
@@ -2370,7 +2578,7 @@ const struct mip_device mip_device_gx5_25 = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    4,    /* fields */
+    9,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -2711,10 +2919,17 @@ static const char *const mv5_ar_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
-static const char mv5_ar_evidence_1[] = "MSCL lists what can be chosen on it.";
+static const char mv5_ar_evidence_1[] = "The vendor's software asks every device for it.";
+
+static const char mv5_ar_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const struct mip_device_field mv5_ar_fields[] = {
-    {0x0C, 0x11, "WRSLD", mv5_ar_evidence_1}, /* 3dm.data_stream_control */
+    {0x01, 0x01, "", mv5_ar_evidence_1},      /* base.ping */
+    {0x01, 0x02, "", mv5_ar_evidence_1},      /* base.set_idle */
+    {0x01, 0x03, "", mv5_ar_evidence_1},      /* base.get_device_info */
+    {0x01, 0x04, "", mv5_ar_evidence_1},      /* base.get_device_descriptors */
+    {0x01, 0x06, "", mv5_ar_evidence_1},      /* base.resume */
+    {0x0C, 0x11, "WRSLD", mv5_ar_evidence_2}, /* 3dm.data_stream_control */
 };
 
 static const struct mip_device_reading mv5_ar_readings[] = {
@@ -2731,7 +2946,7 @@ const struct mip_device mip_device_mv5_ar = {
     5,    /* generation */
     1,    /* other names */
     1,    /* what is not known */
-    1,    /* fields */
+    6,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
@@ -2947,21 +3162,31 @@ static const char *const rtk_incomplete[] = {
     "No manual is known. The SDK has its name and number only.",
 };
 
+static const char rtk_evidence_1[] = "The vendor's software asks every device for it.";
+
+static const struct mip_device_field rtk_fields[] = {
+    {0x01, 0x01, "", rtk_evidence_1}, /* base.ping */
+    {0x01, 0x02, "", rtk_evidence_1}, /* base.set_idle */
+    {0x01, 0x03, "", rtk_evidence_1}, /* base.get_device_info */
+    {0x01, 0x04, "", rtk_evidence_1}, /* base.get_device_descriptors */
+    {0x01, 0x06, "", rtk_evidence_1}, /* base.resume */
+};
+
 const struct mip_device mip_device_rtk = {
-    "3dm-rtk", "3DM-RTK",      "",   "Modem for GNSS corrections.",
+    "3dm-rtk", "3DM-RTK",      "",         "Modem for GNSS corrections.",
     6285, /* model number */
     7,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    0,    /* fields */
+    5,    /* fields */
     0,    /* base rates */
     0,    /* ports */
     0,    /* limits */
     0,    /* notes */
     0,    /* readings */
     0,    /* acknowledge codes */
-    NULL,      rtk_incomplete, NULL, NULL,
-    NULL,      NULL,           NULL, NULL,
+    NULL,      rtk_incomplete, rtk_fields, NULL,
+    NULL,      NULL,           NULL,       NULL,
     NULL,
 };
 

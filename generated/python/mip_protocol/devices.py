@@ -18,7 +18,16 @@ CL5_10 = Device(
     notes={},
     readings={},
     ack_codes=frozenset([]),
-    perhaps={},
+    perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+    },
     incomplete=("No manual is known. The SDK has its name and number only.",),
     also=("3DM-CL5-IMU",),
     generation=5,
@@ -55,6 +64,14 @@ CL5_15 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
         (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
@@ -96,6 +113,14 @@ CL5_25 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
         (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
@@ -137,6 +162,14 @@ CV5_10 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
         (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
@@ -176,6 +209,14 @@ CV5_15 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
         (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
@@ -217,6 +258,14 @@ CV5_25 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
         (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
@@ -292,6 +341,14 @@ CV7_AHRS = Device(
     readings={},
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x28): "MSCL lists what can be chosen on it.",  # 3dm.pps_source_control
         (0x0C, 0x41): "MSCL lists what can be chosen on it.",  # 3dm.gpio_config
         (
@@ -379,6 +436,14 @@ CV7_AR = Device(
     readings={},
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x28): "MSCL lists what can be chosen on it.",  # 3dm.pps_source_control
         (0x0C, 0x41): "MSCL lists what can be chosen on it.",  # 3dm.gpio_config
         (
@@ -844,6 +909,14 @@ CV7_INS = Device(
     readings={},
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (
             0x94,
             0x03,
@@ -931,6 +1004,14 @@ CX5_10 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
         (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
@@ -970,6 +1051,14 @@ CX5_15 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
         (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
@@ -1010,6 +1099,14 @@ CX5_25 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
     },
@@ -1050,6 +1147,14 @@ CX5_35 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
     },
@@ -1089,6 +1194,14 @@ CX5_45 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
     },
@@ -1122,7 +1235,15 @@ DH3 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x0C, 0x11): "MSCL lists what can be chosen on it."  # 3dm.data_stream_control
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
     },
     incomplete=("No manual is known. The SDK has its name and number only.",),
     also=(),
@@ -1293,6 +1414,14 @@ GQ7 = Device(
     readings={},
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x41): "MSCL lists what can be chosen on it.",  # 3dm.gpio_config
         (
             0x0C,
@@ -1336,7 +1465,16 @@ GV7_AHRS = Device(
     notes={},
     readings={},
     ack_codes=frozenset([]),
-    perhaps={},
+    perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+    },
     incomplete=("No manual is known. The SDK has its name and number only.",),
     also=(),
     generation=7,
@@ -1362,7 +1500,16 @@ GV7_AR = Device(
     notes={},
     readings={},
     ack_codes=frozenset([]),
-    perhaps={},
+    perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+    },
     incomplete=("No manual is known. The SDK has its name and number only.",),
     also=(),
     generation=7,
@@ -1388,7 +1535,16 @@ GV7_INS = Device(
     notes={},
     readings={},
     ack_codes=frozenset([]),
-    perhaps={},
+    perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+    },
     incomplete=("No manual is known. The SDK has its name and number only.",),
     also=(),
     generation=7,
@@ -1418,7 +1574,15 @@ GX3_15 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x0C, 0x11): "MSCL lists what can be chosen on it."  # 3dm.data_stream_control
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
     },
     incomplete=("No manual is known. The SDK has its name and number only.",),
     also=(),
@@ -1450,7 +1614,15 @@ GX3_25 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x0C, 0x11): "MSCL lists what can be chosen on it."  # 3dm.data_stream_control
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
     },
     incomplete=("No manual is known. The SDK has its name and number only.",),
     also=(),
@@ -1482,7 +1654,15 @@ GX3_35 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x0C, 0x11): "MSCL lists what can be chosen on it."  # 3dm.data_stream_control
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
     },
     incomplete=("No manual is known. The SDK has its name and number only.",),
     also=(),
@@ -1514,6 +1694,14 @@ GX3_45 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0D, 0x10): "MSCL lists what can be chosen on it.",  # filter.vehicle_dynamics_mode
         (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
@@ -1563,6 +1751,14 @@ GX4_15 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
         (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
@@ -1611,6 +1807,14 @@ GX4_25 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
         (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
@@ -1660,6 +1864,14 @@ GX4_45 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
         (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
@@ -1709,6 +1921,14 @@ GX5_10 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0C, 0x51): "MSCL lists what can be chosen on it.",  # 3dm.complementary_filter
         (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
@@ -1909,6 +2129,14 @@ GX5_25 = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
         (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
         (0x0C, 0x64): "MSCL asks for it on this device.",  # 3dm.device_status
         (0x0D, 0x14): "MSCL lists what can be chosen on it.",  # filter.estimation_control
@@ -2427,7 +2655,15 @@ MV5_AR = Device(
     },
     ack_codes=frozenset([]),
     perhaps={
-        (0x0C, 0x11): "MSCL lists what can be chosen on it."  # 3dm.data_stream_control
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+        (0x0C, 0x11): "MSCL lists what can be chosen on it.",  # 3dm.data_stream_control
     },
     incomplete=("No manual is known. The SDK has its name and number only.",),
     also=("3DM-MV5-15",),
@@ -2637,7 +2873,16 @@ RTK = Device(
     notes={},
     readings={},
     ack_codes=frozenset([]),
-    perhaps={},
+    perhaps={
+        (0x01, 0x01): "The vendor's software asks every device for it.",  # base.ping
+        (0x01, 0x02): "The vendor's software asks every device for it.",  # base.set_idle
+        (0x01, 0x03): "The vendor's software asks every device for it.",  # base.get_device_info
+        (
+            0x01,
+            0x04,
+        ): "The vendor's software asks every device for it.",  # base.get_device_descriptors
+        (0x01, 0x06): "The vendor's software asks every device for it.",  # base.resume
+    },
     incomplete=("No manual is known. The SDK has its name and number only.",),
     also=(),
     generation=7,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import random
 from itertools import groupby
 from pathlib import Path
@@ -24,6 +25,7 @@ from mip_protocol import (
     mip_3dm,
     protocol,
     registry,
+    sensor,
     system,
     system_data,
     types,
@@ -32,6 +34,7 @@ from mip_protocol.errors import Failure
 from mip_protocol.simulator import VirtualDevice, effects, formats, knowledge
 from mip_protocol.simulator._facts import COMMANDS, EFFECTS, QUANTITIES
 from mip_protocol.simulator.settings import command_type, keys
+from mip_protocol.simulator.streams import Stream
 from simulator_host import Host
 
 CV7, GX5 = "3dm-cv7-gnss-ins", "3dm-gx5-15"
@@ -98,7 +101,7 @@ def test_the_descriptors_are_those_of_the_profile(host: Host) -> None:
 
 
 def test_an_unknown_device_is_named_with_the_nearest() -> None:
-    with pytest.raises(Failure, match="did you mean '3dm-gx5-15'"):
+    with pytest.raises(Failure, match="do you mean 3dm-gx5-15"):
         VirtualDevice("gx5-15")
 
 
@@ -199,7 +202,14 @@ def test_a_damaged_file_is_refused(tmp_path: Path, text: str, message: str) -> N
 
 
 def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
-    host = Host(VirtualDevice(CV7, storage=tmp_path / "none" / "settings.json"))
+    """At once, not when a host saves something; and later too."""
+    path = tmp_path / "none" / "settings.json"
+    with pytest.raises(Failure, match=r"settings\.json cannot be written: No such file"):
+        VirtualDevice(CV7, storage=path)
+    path.parent.mkdir()
+    host = Host(VirtualDevice(CV7, storage=path))
+    assert not list(path.parent.iterdir())
+    path.parent.rmdir()
     host.ok(filter.AutoAngularZupt.write(1, 0.25))
     with pytest.raises(Failure, match=r"settings\.json cannot be written: No such file"):
         host.ok(filter.AutoAngularZupt.save())
@@ -261,6 +271,37 @@ def test_refusals(host: Host, data: bytes, code: int) -> None:
 def test_a_device_without_a_code_for_unknown_sets_does_not_know_the_command(old: Host) -> None:
     assert UNKNOWN_SET not in old.device.profile.ack_codes
     assert codes(old.raw(command(0x55, 0x01))) == [(0x01, UNKNOWN)]
+
+
+@pytest.mark.parametrize("number", [math.nan, math.inf, -math.inf])
+def test_what_is_no_number_is_refused(host: Host, number: float) -> None:
+    for command in (
+        mip_3dm.GyroBias.write((0.0, number, 0.0)),
+        mip_3dm.SensorToVehicleTransformEuler.write(0.0, 0.0, number),
+        aiding.FrameConfig.write(1, aiding.AidingFrameFormat.EULER, True, (0.0, 0.0, 0.0), (number, 0.0, 0.0)),
+    ):
+        assert host.refused(command) == INVALID
+
+
+def test_settings_that_lead_beyond_what_data_hold() -> None:
+    """The data show the largest number; the device goes on."""
+    host = Host(VirtualDevice(GX5))
+    host.ok(mip_3dm.GyroBias.write((3.4e38, -3.4e38, 0.0)))
+    host.ok(mip_3dm.AccelBias.write((-3.4e38, 0.0, 0.0)))
+    for set, descriptor in sorted(x for x in host.device.known if 0x80 <= x[0] < 0xFF):
+        host.device.send_data(set, [descriptor])
+    (gyro,) = [f for p in Parser().feed(host.link.read()) for f in p if f[:2] == (0x80, 0x05)]
+    assert sensor.ScaledGyro.decode(gyro.data).scaled_gyro[:2] == pytest.approx((-3.4e38, 3.4e38), rel=0.01)
+
+
+def test_times_that_no_data_can_show_are_refused() -> None:
+    host, field = Host(VirtualDevice("3dm-gx5-45")), base.GpsTimeUpdate
+    week, tow = base.GpsTimeField.WEEK_NUMBER, base.GpsTimeField.TOW
+    for name, last in ((week, 0xFFFF), (tow, 604_799)):
+        host.ok(field.write(name, last))
+        assert [host.refused(field.write(name, n)) for n in (last + 1, 2**32 - 1)] == [INVALID] * 2
+    assert host.device.world.gps // (604_800 * 10**9) == 0xFFFF
+    host.device.send_data(0x81, [0x08])  # its UTC
 
 
 def test_a_refused_setting_changes_nothing(host: Host) -> None:
@@ -370,6 +411,18 @@ def test_the_self_test_interrupts_the_data(host: Host) -> None:
     assert host.ok(base.BuiltInTest()).result == 0
     assert host.now - before >= 2.0 and len(host.data) < 10
     assert len(received(host, 1.0)) == 100
+
+
+def test_commands_wait_for_one_that_takes_its_time(host: Host) -> None:
+    test = PacketBuilder(0x01).add(base.BuiltInTest.DESCRIPTOR).add(base.SoftReset.DESCRIPTOR).build()
+    assert host.raw(bytes(test)) == host.raw(bytes(base.Ping().packet())) == []
+    assert received(host, 1.9) == []
+    (answer,) = received(host, 0.1)
+    assert codes([answer]) == [(0x05, OK), (0x7E, OK)]
+    assert host.raw(bytes(base.Ping().packet())) == [], "it restarts behind the answer; what waited is lost"
+    host.device.advance(1.0)
+    host.link.write(bytes(base.BuiltInTest().packet()) + bytes(base.Ping().packet()))
+    assert codes(received(host, 2.0)) == [(0x05, OK), (0x01, OK)]
 
 
 def test_a_poll_sends_one_packet_behind_the_reply(host: Host) -> None:
@@ -589,6 +642,16 @@ def test_the_bytes_do_not_depend_on_how_time_is_cut() -> None:
     assert session([0.001] * 2000, 5) == whole == session([0.25, 1.0, 0.75], 5)
 
 
+def test_a_stream_that_starts_anew_at_a_tick_does_not_repeat_it() -> None:
+    """At 3 Hz, no tick is at a whole nanosecond."""
+    for tick in range(1, 100):
+        stream = Stream(3, [(1, None)], lambda items: None, 0, 0)
+        for _ in range(tick - 1):
+            stream.fire()
+        assert stream.next == -(-tick * 10**9 // 3)
+        assert Stream(3, [(1, None)], lambda items: None, 0, stream.next).next > stream.next
+
+
 def test_time_does_not_drift() -> None:
     device = VirtualDevice(CV7)
     times: list[int] = []
@@ -630,5 +693,5 @@ def test_closed_links_say_so(host: Host) -> None:
     host.device.disconnect(host.link)
     with pytest.raises(ConnectionError, match="connect again"):
         host.link.write(b"x")
-    with pytest.raises(Failure, match="has no port 'UART 9'; known: Main, UART 1"):
+    with pytest.raises(Failure, match="has no port 'UART 9'; its ports: Main, UART 1"):
         host.device.connect("UART 9")

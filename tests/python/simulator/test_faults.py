@@ -407,9 +407,9 @@ def test_what_the_command_line_says() -> None:
     [
         ("looose=0.1", "fault 'looose' is unknown; do you mean 'lose'? known are: lose, cut, "),
         ("xyz@1", "fault 'xyz' is unknown; known are: "),
-        ("lose=2", "fault lose: rate 2 is no probability; use 0 to 1"),
-        ("lose=-1", "fault lose: rate -1 is no probability"),
-        ("lose=nan", "fault lose: rate nan is no probability"),
+        ("lose=2", "fault lose: rate 2 is not a probability; use 0 to 1"),
+        ("lose=-1", "fault lose: rate -1 is not a probability"),
+        ("lose=nan", "fault lose: rate nan is not a probability"),
         ("lose=often", "fault 'lose=often': 'often' is not a number"),
         ("lose", "fault 'lose' cannot be read; write KIND=RATE, KIND=RATE:AMOUNT or KIND@N"),
         ("lose@0", "fault lose: the first place is lose@1"),
@@ -428,7 +428,7 @@ def test_what_cannot_be_read(text: str, error: str) -> None:
 def test_code_is_checked_in_the_same_way() -> None:
     with pytest.raises(Failure, match="do you mean 'noise'"):
         Faults(nose=0.1)
-    with pytest.raises(Failure, match="no probability"):
+    with pytest.raises(Failure, match="not a probability"):
         Faults(noise=3)
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from random import Random
 
 import pytest
+from mip_protocol.simulator import VirtualDevice
 from mip_protocol.simulator.motion import (
     Circle,
     Motion,
@@ -193,18 +194,29 @@ def test_motions_by_name(tmp_path: Path) -> None:
             assert parse_motion(text).at(t) == motion.at(t), text
 
 
+def test_a_device_takes_a_motion_by_name() -> None:
+    assert VirtualDevice("3dm-gx5-15", motion="circle:radius=7,speed=3").world.motion.at(1) == Circle(7, 3).at(1)
+    with pytest.raises(MotionError, match="circle: radius=0 must be above 0"):
+        VirtualDevice("3dm-gx5-15", motion="circle:radius=0")
+
+
 @pytest.mark.parametrize(
     "text, message",
     {
-        "fly": "'fly' is no motion; use one of standing, circle, track, replay",
+        "fly": "'fly' is not a motion; use one of standing, circle, track, replay",
         "circle:size=3": "circle: unknown option 'size'; it has radius, speed, latitude, longitude, height",
         "circle:radius": "circle: option 'radius' has no value; write radius=...",
         "circle:radius=1,radius=2": "circle: option 'radius' is given twice",
         "circle:radius=big": "circle: radius: 'big' is not a number",
         "circle:radius=nan": "circle: radius: 'nan' is not a number",
-        "circle:radius=0": "circle: radius=0 must be above 0",
+        "circle:radius=0": "circle: radius=0 must be above 0, and at most 1e6",
+        "circle:speed=1e7": "circle: speed=1e+07 must be above 0, and at most 1e6",
+        "circle:height=1e7":
+            "circle: latitude 47, longitude 8, height 1e+07 is not a place; use degrees, with a latitude of -89 to 89, "
+            "and a height of -10 to 1000 km",
         "standing:latitude=95":
-            "standing: latitude 95, longitude 8 is no place; use degrees, with a latitude of -89 to 89",
+            "standing: latitude 95, longitude 8, height 500 is not a place; use degrees, with a latitude of -89 to 89, "
+            "and a height of -10 to 1000 km",
         "track": "track: needs a file; write track:file=PATH",
         "track:file=": "track: needs a file; write track:file=PATH",
         "track:file=x,loop=maybe": "track: loop: 'maybe' is neither yes nor no",
@@ -222,14 +234,14 @@ def test_descriptions_that_are_wrong(text: str, message: str) -> None:
     [
         ("47,8,400", "", "1 waypoints; a track needs at least 2"),
         ("47,8,400\n47.1,8,400", ",loop=yes", "2 waypoints; a track that loops needs at least 3"),
-        ("47,8,400\n47.1,eight,400", "", ":2: '47.1,eight,400' is not made of numbers"),
-        ("47,8\n47.1,8,400", "", ":1: 2 numbers; a waypoint has latitude, longitude, height and perhaps speed"),
+        ("47,8,400\n47.1,eight,400", "", ":2: '47.1,eight,400' has a value that is not a number"),
+        ("47,8\n47.1,8,400", "", ":1: 2 numbers; a waypoint has latitude, longitude, height and optionally speed"),
         ("47,8,400\n47,8,500", "", "waypoints 1 and 2 are at the same place; remove one"),
         ("47,8,400\n47.1,8,400\n47,8,400", "",
          "at waypoint 2 the way turns back by 180 degrees; put another waypoint beside it"),
         ("47,8,400\n47.0001,8,500", "",
          "from waypoint 1 the way climbs 100 m in 11 m; put the waypoints farther apart"),
-        ("47,8,400\n95,8,400", "", "waypoint 2 is at 95, 8; use degrees, with a latitude of -89 to 89"),
+        ("47,8,400\n95,8,400", "", "waypoint 2 is at 95, 8, 400; use degrees, with a latitude of -89 to 89"),
         ("47,8,400,0\n47.1,8,400", "", "the speed at waypoint 1 is 0 m/s; it must be above 0"),
         ("47,8,nan\n47.1,8,400", "", "waypoint 1 has a value that is not a number"),
         ("47,8,400\n47.1,8,400", ",speed=-1", "track: speed=-1 must be above 0"),

@@ -18,7 +18,9 @@ from threading import Thread
 from typing import Any
 
 import pytest
-from mip_protocol import Parser, __main__, base, devices, mip_3dm, types
+from mip_protocol import Parser, __main__, base, devices, mip_3dm, registry, types
+from mip_protocol.devices import Device
+from mip_protocol.field import Command, Data, Response
 from mip_protocol.simulator.channel import CAPACITY, Channel
 from mip_protocol.simulator.command import _start
 from mip_protocol.simulator.device import VirtualDevice
@@ -510,19 +512,30 @@ def run(capsys: pytest.CaptureFixture[str], *arguments: str | Path) -> tuple[int
     return code, out, error
 
 
+def counts(device: Device) -> str:
+    """How many commands and data fields a device may have, as they are said to a person."""
+    listed = device.fields | device.perhaps.keys()
+    roles = {(number, t.DESCRIPTOR): t for number, t in registry.all_types() if not issubclass(t, Response)}
+    commands = sum(issubclass(roles[key], Command) for key in listed)
+    data = sum(issubclass(roles[key], Data) for key in listed)
+    return f"{commands} command{'s' * (commands != 1)}, {data} data field{'s' * (data != 1)}"
+
+
 def test_the_list_of_devices(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys, "simulate", "--list")
     lines = out.splitlines()
     assert code == 0 and [line.split()[0] for line in lines] == list(devices.DEVICES)
     for line, device in zip(lines, devices.DEVICES.values(), strict=True):
-        assert device.title in line and line.endswith("(incomplete)") is bool(device.incomplete)
+        incomplete = f" (incomplete: {counts(device)})" if device.incomplete else ""
+        assert line.endswith(device.title + incomplete)
 
 
 def test_an_incomplete_profile_is_said_to_be_so(capsys: pytest.CaptureFixture[str]) -> None:
     known = next(d for d in devices.DEVICES.values() if d.incomplete)
     code, out, error = run(capsys, "simulate", known.id, "--tcp", "0", "--duration", "0.01")
     assert code == 0 and out.startswith("localhost:")
-    assert error == f"mip simulate: the profile of {known.title} is incomplete: {' '.join(known.incomplete)}\n"
+    line = f"the profile of {known.title} is incomplete ({counts(known)}): {' '.join(known.incomplete)}"
+    assert error == f"mip simulate: {line}\n"
 
 
 def test_help(capsys: pytest.CaptureFixture[str]) -> None:
@@ -531,6 +544,9 @@ def test_help(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(capsys, "--version")[1] == f"mip {__main__.VERSION}\n"
     code, out, _ = run(capsys, "simulate", "--help")
     assert code == 0 and "lose_answer" in out and "--strict-baud" in out
+    examples = re.findall(r"^  mip simulate (\S+) (?:--port \"(.*?)=pty.*--port \"(.*?)=tcp)?", out, re.M)
+    ports = {port.name for port in devices.DEVICES[examples[0][0]].ports}
+    assert {name for line in examples for name in line[1:] if name} <= ports and any(line[1] for line in examples)
 
 
 def test_an_interrupt_while_it_starts(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
@@ -553,13 +569,14 @@ def busy() -> tuple[socket.socket, str]:
         (["3dm-gx5-16"], "device '3dm-gx5-16' is unknown; do you mean 3dm-gx5-15? `mip simulate --list` "),
         (["CV7-GNSS"], "device 'CV7-GNSS' is unknown; do you mean 3dm-cv7-gnss-ins? "),
         (["toaster"], "device 'toaster' is unknown; `mip simulate --list` names them all"),
-        ([DEVICE, "--tcp", "70000"], "'70000' is no TCP port; write PORT or HOST:PORT"),
-        ([DEVICE, "--tcp", "localhost"], "'localhost' is no TCP port; "),
+        ([DEVICE, "--tcp", "70000"], "'70000' is not a TCP port; write PORT or HOST:PORT"),
+        ([DEVICE, "--tcp", "localhost"], "'localhost' is not a TCP port; "),
         ([DEVICE, "--tcp", "no such host:1"], "host 'no such host' is unknown; use localhost"),
-        ([DEVICE, "--tcp", "192.0.2.1:0"], "192.0.2.1 is no address of this machine; use localhost"),
+        ([DEVICE, "--tcp", "192.0.2.1:0"], "192.0.2.1 is not an address of this machine; use localhost"),
         ([DEVICE, "--tcp", "A_PORT"], "TCP port A_PORT is in use; end the program that has it, or use another: --tcp "),
         ([DEVICE, "--pty", "A_FILE"], "A_FILE exists; choose another path, or remove it"),
         ([DEVICE, "--pty", "A_LINK"], "A_LINK is a link to something else; choose another path, or remove it"),
+        ([DEVICE, "--pty", "A_TERMINAL"], "A_TERMINAL leads to /dev/tty, perhaps of another simulator; end that one, "),
         ([DEVICE, "--pty", "A_FILE/x"], "A_FILE/x cannot be made: Not a directory; choose another path"),
         ([DEVICE, "--pty", "x", "--port", "USB 1=pty:x"], "x is given for two terminals; choose different paths"),
         ([DEVICE, "--port", "USB 9=tcp:0"], "3DM-CV7-GNSS/INS has no port 'USB 9'; its ports: Main, UART 1, "),
@@ -567,7 +584,17 @@ def busy() -> tuple[socket.socket, str]:
         ([DEVICE, "--fault", "loose=1"], "fault 'loose' is unknown; do you mean 'lose'? known are: "),
         ([DEVICE, "--log-packets"], "--log-packets needs a file; add --fault-log FILE"),
         ([DEVICE, "--fault-log", "A_FILE/x"], "A_FILE/x cannot be written: Not a directory"),
-        ([DEVICE, "--motion", "swim"], "--motion 'swim' is no motion; use one of "),
+        ([DEVICE, "--storage", "A_FILE/x"], "A_FILE/x cannot be written: Not a directory; name another file"),
+        ([DEVICE, "--storage", "NOWHERE/x"], "NOWHERE/x cannot be written: No such file or directory; name another"),
+        (
+            [DEVICE, "--motion", "track:file=NOWHERE"],
+            "--motion track: cannot read NOWHERE: No such file or directory\n",
+        ),
+        (
+            [DEVICE, "--motion", "replay:file=NOWHERE"],
+            "--motion replay: cannot read NOWHERE: No such file or directory\n",
+        ),
+        ([DEVICE, "--motion", "swim"], "--motion 'swim' is not a motion; use one of "),
     ],
 )
 def test_errors_are_one_line_with_a_remedy(
@@ -576,12 +603,19 @@ def test_errors_are_one_line_with_a_remedy(
     taken, number = busy()
     (tmp_path / "file").write_text("mine")
     (tmp_path / "link").symlink_to(tmp_path / "file")
-    put = {"A_FILE": str(tmp_path / "file"), "A_LINK": str(tmp_path / "link"), "A_PORT": number}
+    (tmp_path / "terminal").symlink_to("/dev/tty")
+    put = {
+        "A_TERMINAL": str(tmp_path / "terminal"),
+        "A_FILE": str(tmp_path / "file"),
+        "A_LINK": str(tmp_path / "link"),
+        "NOWHERE": str(tmp_path / "none"),
+        "A_PORT": number,
+    }
     for name, place in put.items():
         arguments, error = [a.replace(name, place) for a in arguments], error.replace(name, place)
     before = sorted(tmp_path.iterdir())
     with taken:
-        code, out, text = run(capsys, "simulate", *arguments)
+        code, out, text = run(capsys, "simulate", *arguments, "--duration", "0.01")
     assert (code, out) == (1, "") and text.startswith(f"mip simulate: {error}") and text.count("\n") == 1
     assert sorted(tmp_path.iterdir()) == before and (tmp_path / "file").read_text() == "mine"
 
@@ -589,11 +623,13 @@ def test_errors_are_one_line_with_a_remedy(
 @pytest.mark.parametrize(
     ("arguments", "error"),
     [
-        (["--speed", "-1"], "'-1' is no speed; use 1 for real time"),
-        (["--duration", "0"], "'0' is no duration in seconds; use a number above 0"),
-        (["--start", "yesterday"], "'yesterday' is no time; write 2024-05-01T12:00:00"),
+        (["--speed", "-1"], "'-1' is not a speed; use 1 for real time"),
+        (["--duration", "0"], "'0' is not a duration in seconds; use a number above 0"),
+        (["--start", "yesterday"], "'yesterday' is not a time; write 2024-05-01T12:00:00"),
         (["--start", "1970-01-01"], "is before GPS time, which began on 1980-01-06"),
-        (["--speed", "fast"], "'fast' is no speed; use 1 for real time"),
+        (["--start", "3001-01-01"], "is too late; use a year up to 3000"),
+        (["--start", "0001-01-01T00:00:00+14:00"], "is not a time; write 2024-05-01T12:00:00"),
+        (["--speed", "fast"], "'fast' is not a speed; use 1 for real time"),
     ],
 )
 def test_values_are_checked(arguments: list[str], error: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -609,6 +645,22 @@ def test_start_in_gps_time() -> None:
     for day, days in moments.items():
         found = _start(datetime(*day).isoformat())
         assert found == (days * 86400 + leaps[day]) * 10**9
+
+
+def test_without_pseudo_terminals() -> None:
+    """As on Windows: the program starts, says what `--pty` needs, and serves TCP."""
+    code = f"""
+import sys
+sys.modules.update(dict.fromkeys(("fcntl", "pty", "termios", "tty")))
+from mip_protocol.__main__ import main
+assert main(["simulate", "{DEVICE}", "--pty", "x"]) == 1
+assert main(["simulate", "{DEVICE}", "--tcp", "0", "--duration", "0.01"]) == 0
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code], env={"PYTHONPATH": str(ROOT / "generated/python")}, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == "mip simulate: this system has no pseudo-terminals; use --tcp\n"
 
 
 def test_what_is_installed() -> None:

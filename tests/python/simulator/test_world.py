@@ -145,7 +145,7 @@ def test_integrals_of_the_rate_turn_the_attitude(shown: Shown) -> None:
 
 
 def test_integrals_of_the_acceleration_change_the_velocity(shown: Shown) -> None:
-    """v1 = v0 + C^T * dv + g * t, where C is the attitude at the begin; to 0.1 mm/s."""
+    """v1 = v0 + C^T * dv + g * t, where C is the attitude at the start; to 0.1 mm/s."""
     velocity = shown.at(5.0).world.state.velocity
     shown.raw("sensor.delta_velocity")
     for i in range(10):

@@ -210,7 +210,7 @@ EFFECTS: dict[str, tuple[str, ...]] = {
     "baud_rate": ("port", "baud"),
     "capture": ("milliseconds",),
     "communication_mode": ("mode",),
-    "device_status": (),
+    "device_status": ("sensor", "gnss", "filter"),
     "factory_streaming": ("action",),
     "format": ("set", "fields"),
     "frame_rotation": ("format", "rotation"),
@@ -1344,6 +1344,7 @@ COMMANDS: dict[str, Behavior] = {
     "3dm.get_imu_base_rate": Behavior(arguments={"set": 128}),
     "3dm.get_gnss_base_rate": Behavior(arguments={"set": 129}),
     "3dm.get_filter_base_rate": Behavior(arguments={"set": 130}),
+    "gnss.receiver_info": Behavior(arguments={"only": 129, "first": 145, "second": 146}),
     "3dm.get_base_rate": Behavior(
         arguments={"set": "descriptor_set"}, instances={"descriptor_set": "data_sets"}
     ),
@@ -1416,6 +1417,7 @@ COMMANDS: dict[str, Behavior] = {
         effect="orientation_dcm",
         arguments={"dcm": "dcm"},
         setting="3dm.sensor_to_vehicle_transform_quaternion",
+        initial={"dcm": (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)},
     ),
     "filter.sensor_to_vehicle_rotation_euler": Behavior(
         effect="orientation_euler",
@@ -1425,11 +1427,13 @@ COMMANDS: dict[str, Behavior] = {
         effect="orientation_dcm",
         arguments={"dcm": "dcm", "inverse": 1},
         setting="filter.sensor_to_vehicle_rotation_euler",
+        initial={"dcm": (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)},
     ),
     "filter.sensor_to_vehicle_rotation_quaternion": Behavior(
         effect="orientation_quaternion",
         arguments={"q": "q", "inverse": 1},
         setting="filter.sensor_to_vehicle_rotation_euler",
+        initial={"q": (1.0, 0.0, 0.0, 0.0)},
     ),
     "3dm.accel_bias": Behavior(effect="accel_bias", arguments={"bias": "bias"}),
     "3dm.gyro_bias": Behavior(effect="gyro_bias", arguments={"bias": "bias"}),
@@ -1461,6 +1465,7 @@ COMMANDS: dict[str, Behavior] = {
     "3dm.get_calibrated_sensor_ranges": Behavior(arguments={"sensor": "sensor"}),
     "3dm.device_status": Behavior(
         effect="device_status",
+        arguments={"sensor": 128, "gnss": 129, "filter": 130},
         answers={
             "device_status_basic_without_state_response": (
                 "3dm-gx4-15",

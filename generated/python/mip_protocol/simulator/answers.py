@@ -13,8 +13,7 @@ from ._facts import COMMANDS, VALUES
 from .checks import NOTHING
 from .facts import FieldValues, Value
 from .names import named
-from .settings import _filled as filled
-from .settings import arguments, is_setting
+from .settings import arguments, filled, is_setting
 
 if TYPE_CHECKING:
     from .device import VirtualDevice

@@ -12,7 +12,7 @@ from ..field import Command, Structure
 from ..parameter import Parameter
 from ..profile import Device
 from ._facts import COMMANDS, DIFFERENCES
-from .codes import INVALID_PARAMETER, SETS, Refused
+from .codes import INVALID_PARAMETER, READ, SETS, Refused
 from .facts import Behavior, Difference
 
 NOTHING = Behavior()
@@ -45,7 +45,7 @@ def check(command: Command, profile: Device, keys: tuple[str, ...]) -> None:
 def meaning_all(command: Command, name: str, value: Any, function: int | None) -> bool:
     """Does the value select all instances, and may it with this function?"""
     everything = COMMANDS.get(command.NAME, NOTHING).all.get(name)
-    return everything is not None and value == everything and function not in (*SETS, 2)
+    return everything is not None and value == everything and function not in (*SETS, READ)
 
 
 def data_sets(profile: Device) -> frozenset[int]:
@@ -133,7 +133,8 @@ def _inside(p: Parameter, value: float, differs: Difference) -> bool:
             None if x is None else single_from_bits(single_to_bits(float(x))) for x in (least, most)
         )
     return (
-        (least is None or value >= least)
+        math.isfinite(value)
+        and (least is None or value >= least)
         and (most is None or value <= most)
         and (p.above is None or value > p.above)
         and (p.below is None or value < p.below)

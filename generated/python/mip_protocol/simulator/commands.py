@@ -25,7 +25,7 @@ from .codes import (
     Refused,
 )
 from .effects import DONE, Outcome, act
-from .settings import command_type, is_setting, keys, place
+from .settings import asking, command_type, is_setting, keys, place
 
 if TYPE_CHECKING:
     from .device import VirtualDevice
@@ -135,8 +135,8 @@ def _kept(device: VirtualDevice, command: Command, function: int) -> Outcome:
 def _silenced(device: VirtualDevice, command: Command) -> bool:
     """Does the setting of another command keep this one from being acknowledged?"""
     for name, attribute, value in SILENCED.get(command.NAME, ()):
-        kind: Any = command_type(name)
-        if getattr(device.settings.current(kind(function=2)), attribute) == value:
+        instance = [0] * len(keys(command_type(name)))
+        if getattr(device.settings.current(asking(name, instance)), attribute) == value:
             return True
     return False
 

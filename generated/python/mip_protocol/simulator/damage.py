@@ -7,6 +7,7 @@ from random import Random
 from ..packet import MAX_PAYLOAD, SYNC, PacketBuilder
 from ..parser import Parser
 from ..registry import MODULES
+from .nmea import checksum
 
 
 def damage(kind: str, packet: bytes, most: int, random: Random) -> tuple[bytes, str]:
@@ -71,10 +72,7 @@ def nmea(random: Random) -> bytes:
             f"GPGGA,{clock},{north:04}.0000,N,{east:05}.0000,E,1,08,1.0,100.0,M,0.0,M,,",
         )
     )
-    check = 0
-    for byte in text.encode():
-        check ^= byte
-    return f"${text}*{check:02X}\r\n".encode()
+    return f"${text}*{checksum(text)}\r\n".encode()
 
 
 def unknown_packet(random: Random) -> bytes:

@@ -12,18 +12,16 @@ Nothing happens by itself: bytes and time come from the caller, so that the same
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-from .. import devices, registry
-from ..errors import Failure
+from .. import registry
 from ..field import Command
 from ..packet import Packet, RawField
 from ..profile import Device
-from . import formats, nmea, ports, values
+from . import formats, nmea, ports, values, views
 from ._facts import COMMANDS
 from .checks import NOTHING
 from .codes import DEFAULT, LOAD, SAVE
@@ -31,7 +29,8 @@ from .commands import carry_out
 from .effects import act
 from .faults import Faults
 from .link import Link
-from .motion import Motion, Standing
+from .motion import Motion, Standing, parse_motion
+from .profiles import device_named, port_named
 from .settings import Place, Settings, arguments, asking, command_type, home
 from .streams import SECOND, Stream, answers, packets
 from .world import World
@@ -42,6 +41,9 @@ BOOT_TIME = SECOND // 2
 #: How long a host may pause inside a packet; then the device searches the bytes for another one.
 SILENCE = SECOND // 10
 
+#: Packets of commands that wait while another command takes its time; more are lost.
+MOST_WAITING = 32
+
 #: How often disturbances may happen.
 DISTURBANCE_TIME = SECOND // 10
 
@@ -49,28 +51,31 @@ Encoder = Callable[[], list[RawField]]
 
 
 class VirtualDevice:
-    """One device. Times are nanoseconds since the start, if they are not said to be seconds."""
+    """One device. Times are in nanoseconds since the start unless said to be in seconds."""
 
     def __init__(
         self,
         profile: Device | str,
         *,
-        motion: Motion | None = None,
+        motion: Motion | str | None = None,
         seed: int = 0,
         start: int | None = None,
         storage: Path | None = None,
         faults: Faults | None = None,
         trace: Callable[[str, bytes], None] | None = None,
     ) -> None:
-        """`start`: nanoseconds since the GPS epoch. `storage`: the file of saved settings.
+        """`motion`: an object, or as `mip simulate --motion` has it: "circle:radius=20,speed=5".
+
+        `start`: nanoseconds since the GPS epoch. `storage`: the file of saved settings.
 
         `trace` is told of every packet, before faults: "command", "answer" or "data", and the bytes.
         """
-        self.profile: Device = _profile(profile)
+        self.profile: Device = device_named(profile) if isinstance(profile, str) else profile
         self.seed: int = seed
+        moving = parse_motion(motion) if isinstance(motion, str) else motion
         self.faults = faults
         self.settings = Settings(self.profile, storage)
-        self.world: World = World(motion or Standing(), seed=seed, start=start)
+        self.world: World = World(moving or Standing(), seed=seed, start=start)
         self.known = self.profile.fields | self.profile.perhaps.keys()
         self.links: list[Link] = []
         self.idle = False
@@ -80,6 +85,9 @@ class VirtualDevice:
         self.bytes_sent: int = 0
         self.bytes_received: int = 0
         self._ready_at = 0
+        self._busy_until: int | None = None  # a command takes its time; others wait
+        self._waiting: list[tuple[Link, Packet]] = []
+        self._behind: list[Callable[[], None]] = []  # what the answer of this command leads to
         self.trace = trace
         self._streams: list[Stream] = []
         self._encoders: dict[tuple[int, int], Encoder] = {}
@@ -93,11 +101,9 @@ class VirtualDevice:
 
         `capacity`: how many bytes may wait until the host reads them; the device drops packets that do not fit.
         """
-        names = [p.name for p in self.profile.ports]
-        name = port or (names[0] if names else "Main")
-        if port is not None and port not in names:
-            known = ", ".join(names) or "none"
-            raise Failure(f"{self.profile.title} has no port '{port}'; known: {known}")
+        if port is not None:
+            port = port_named(self.profile, port).name
+        name = port or next((p.name for p in self.profile.ports), "Main")
         link = Link(name, self._receive, capacity)
         self.links.append(link)
         ports.arrange(self)
@@ -123,6 +129,8 @@ class VirtualDevice:
                 link.arrive(due)
                 for data in link.due(due):
                     self._transmit(link, data)
+            if self._busy_until is not None and self._busy_until <= due:
+                self._go_on()
             for stream in list(self._streams):
                 if stream.next <= due and stream in self._streams:
                     stream.fire()
@@ -136,6 +144,7 @@ class VirtualDevice:
         times = [stream.next for stream in self._streams]
         times += [link.next for link in self.links if link.next is not None]
         times += [link.heard + SILENCE for link in self.links if link.parser.pending]
+        times += [] if self._busy_until is None else [self._busy_until]
         if self.faults is not None:
             times.append(self._disturbed)
         return min(times, default=None)
@@ -143,13 +152,17 @@ class VirtualDevice:
     @property
     def busy(self) -> bool:
         """Has it something to send, now or later, without being asked?"""
-        return bool(self._streams) or any(link.next is not None for link in self.links)
+        late = any(link.next is not None for link in self.links)
+        return bool(self._streams) or late or self._busy_until is not None
 
     def reset(self) -> None:
         """Restarts the device with its saved settings."""
         for link in self.links:
             link.clear()
         self.settings.restart()
+        self._busy_until = None
+        self._waiting.clear()
+        self._behind.clear()
         self.idle = self.direct = False
         self.world.pins.clear()
         self.booted = self.now
@@ -192,25 +205,40 @@ class VirtualDevice:
                 self._answer(link, packet)
 
     def _answer(self, link: Link, packet: Packet) -> None:
-        """Carries out the commands of a packet in their order, and what they lead to behind the answers."""
+        """Carries out the commands of a packet in order; what they lead to follows the answers."""
+        if self._busy_until is not None:
+            if len(self._waiting) < MOST_WAITING:
+                self._waiting.append((link, packet))
+            return
         self._tell("command", bytes(packet))
         groups: list[Sequence[RawField]] = []
         behind: list[Callable[[], None]] = []
-        delay = 0
+        delay = busy = 0
         for raw, group, outcome in carry_out(self, link, packet):
             if group and self.faults is not None:
                 late, group = self.faults.answer(self.now, raw, list(group))
                 delay = max(delay, late)
             if group:
                 groups.append(group)
-            delay = max(delay, outcome.delay)
+            busy = max(busy, outcome.delay)
             if outcome.after is not None:
                 behind.append(outcome.after)
         for data in answers(packet.set, groups):
             self._tell("answer", data)
-            self._transmit(link, data, delay)
-        for action in behind:
-            action()
+            self._transmit(link, data, max(delay, busy))
+        self._behind += behind
+        if busy > 0:
+            self._busy_until = self.now + busy
+        else:
+            self._go_on()
+
+    def _go_on(self) -> None:
+        """A command is answered: what it leads to happens, and the commands that wait are next."""
+        self._busy_until = None
+        while self._behind:
+            self._behind.pop(0)()
+        while self._waiting and self._busy_until is None:
+            self._answer(*self._waiting.pop(0))
 
     def pause(self, time: int) -> None:
         """No data for a while."""
@@ -255,7 +283,7 @@ class VirtualDevice:
         """All effects of the settings that the device starts with."""
         self.world.restart()
         for name, behavior in COMMANDS.items():
-            if behavior.effect.startswith("orientation") and self.knows(name):
+            if behavior.effect in views.ORIENTATIONS and self.knows(name):
                 self.apply((home(command_type(name)).NAME, ()), None)
         for at, kept in list(self.settings.items()):
             self.apply(at, kept)
@@ -338,17 +366,6 @@ class VirtualDevice:
     def _tell(self, what: str, data: bytes) -> None:
         if self.trace is not None:
             self.trace(what, data)
-
-
-def _profile(device: Device | str) -> Device:
-    if isinstance(device, Device):
-        return device
-    found = devices.find(device)
-    if found is None:
-        near = difflib.get_close_matches(device, list(devices.DEVICES), 1, 0.3)
-        remedy = f"did you mean '{near[0]}'?" if near else f"known: {', '.join(devices.DEVICES)}"
-        raise Failure(f"no device '{device}'; {remedy}")
-    return found
 
 
 def _fields(set: int, descriptor: int, encode: Callable[[], list[bytes]]) -> list[RawField]:

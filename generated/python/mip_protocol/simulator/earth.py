@@ -21,6 +21,7 @@ LIGHT = 299792458.0
 
 SECOND = 1_000_000_000
 WEEK = 604_800 * SECOND
+LAST_WEEK = 0xFFFF  # that data show; in the year 3236
 _EPOCH = datetime(1980, 1, 6)
 _LEAPS = [
     datetime.fromisoformat(day)

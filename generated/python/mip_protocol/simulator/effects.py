@@ -15,6 +15,7 @@ from . import formats, knowledge, ports, views
 from ._facts import COMMANDS
 from .checks import NOTHING, data_sets
 from .codes import COMMAND_FAILED, INVALID_PARAMETER, READ, SETS, Refused
+from .earth import LAST_WEEK, WEEK
 from .settings import arguments, command_type
 from .streams import SECOND
 
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from .link import Link
 
 
-@dataclass
+@dataclass(frozen=True)
 class Outcome:
     """How a command goes on after its answer."""
 
@@ -31,7 +32,7 @@ class Outcome:
     after: Callable[[], None] | None = None  # done once it is sent
 
 
-@dataclass
+@dataclass(frozen=True)
 class Call:
     """A command on its way: `values` are the arguments of its effect."""
 
@@ -161,10 +162,6 @@ def _mounting(device: VirtualDevice, call: Call) -> Outcome:
     return DONE
 
 
-def _frame_rotation(device: VirtualDevice, call: Call) -> Outcome:
-    return DONE
-
-
 def _accel_bias(device: VirtualDevice, call: Call) -> Outcome:
     device.world.accel_bias = tuple(call.values["bias"])
     return DONE
@@ -176,7 +173,7 @@ def _gyro_bias(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _capture(device: VirtualDevice, call: Call) -> Outcome:
-    """Takes the whole bias of the sensor as the setting, whether it rests or not."""
+    """The whole bias of the sensor becomes the setting, whether it rests or not."""
     setting: Any = command_type(COMMANDS[call.command.NAME].setting)
     parameter = str(COMMANDS[setting.NAME].arguments["bias"])
     factory: Any = device.settings.factory(setting, call.command)
@@ -188,11 +185,15 @@ def _capture(device: VirtualDevice, call: Call) -> Outcome:
 
 def _gps_time(device: VirtualDevice, call: Call) -> Outcome:
     """Sets the clock of the simulated world."""
-    if call.writes:
-        if call.values["field"] == 1:
-            device.world.set_gps(week=call.values["value"])
-        else:
-            device.world.set_gps(tow=call.values["value"])
+    value = call.values["value"]
+    if call.writes and call.values["field"] == 1:
+        if value > LAST_WEEK:
+            raise Refused(INVALID_PARAMETER)
+        device.world.set_gps(week=value)
+    elif call.writes:
+        if value * SECOND >= WEEK:
+            raise Refused(INVALID_PARAMETER)
+        device.world.set_gps(tow=value)
     return DONE
 
 
@@ -257,7 +258,7 @@ EFFECTS: dict[str, Effect] = {
     "device_status": _nothing,
     "factory_streaming": _factory_streaming,
     "format": _format,
-    "frame_rotation": _frame_rotation,
+    "frame_rotation": _nothing,
     "gps_time": _gps_time,
     "gyro_bias": _gyro_bias,
     "idle": _idle,

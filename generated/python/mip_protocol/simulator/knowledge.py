@@ -106,13 +106,15 @@ RANGES: dict[int, Sequence[tuple[int, float]]] = {
 
 def _receivers(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int, str]]:
     """Number, set of the data, and what it is."""
-    sets = sorted(data_sets(device.profile) & {0x81, 0x91, 0x92})
+    sets = sorted(
+        data_sets(device.profile) & {context["only"], context["first"], context["second"]}
+    )
     return [(i, set, f"Simulated receiver {i}".ljust(32)) for i, set in enumerate(sets, 1)]
 
 
 def sentence(device: VirtualDevice, entry: Any) -> bool:
     """Can the device send this NMEA sentence?"""
-    return entry.source_descriptor_set in data_sets(device.profile) | {0} and nmea.known(entry)
+    return entry.source_descriptor_set in data_sets(device.profile) and nmea.known(entry)
 
 
 def _port_protocols(way: int) -> Quantity:
@@ -123,10 +125,15 @@ def _port_protocols(way: int) -> Quantity:
     return found
 
 
-def _stream(set: int) -> Quantity:
-    return lambda device, context: bool(
-        formats.enabled(device, set) and formats.of_set(device, set)
-    )
+def _stream(name: str) -> Quantity:
+    """Is the data set streamed that an argument names?"""
+
+    def found(device: VirtualDevice, context: Context) -> bool:
+        return formats.enabled(device, context[name]) and bool(
+            formats.of_set(device, context[name])
+        )
+
+    return found
 
 
 QUANTITIES: dict[str, Quantity] = {
@@ -147,9 +154,9 @@ QUANTITIES: dict[str, Quantity] = {
     "device.packets_dropped": lambda device, context: device.dropped & 0xFFFFFFFF,
     "stream.base_rate": lambda device, context: formats.rate(device, context["set"]),
     "stream.enabled": lambda device, context: formats.enabled(device, context["set"]),
-    "stream.sensor": _stream(0x80),
-    "stream.gnss": _stream(0x81),
-    "stream.filter": _stream(0x82),
+    "stream.sensor": _stream("sensor"),
+    "stream.gnss": _stream("gnss"),
+    "stream.filter": _stream("filter"),
     "event.slots": lambda device, context: _slots(
         device, TRIGGERS if context["query"] == 1 else ACTIONS
     ),

@@ -76,7 +76,7 @@ class Replay:
         try:
             data = Path(path).read_bytes()
         except OSError as error:
-            raise MotionError(f"replay: cannot read {path}: {error}") from None
+            raise MotionError(f"replay: cannot read {path}: {error.strerror}") from None
         parser = Parser()
         packets = [p for p in [*parser.feed(data), *parser.flush()] if p.set >= 0x80]
         if not packets:

@@ -63,7 +63,7 @@ class Ephemeris(NamedTuple):
 
     @property
     def node(self) -> float:
-        """Longitude of the ascending node as it is broadcast: at the begin of the week."""
+        """Longitude of the ascending node as it is broadcast: at the start of the week."""
         now = self.satellite.node + (NODE_RATE - ROTATION) * (self.time / SECOND)
         return (now + ROTATION * (self.time % WEEK / SECOND) + pi) % (2 * pi) - pi
 

@@ -14,6 +14,14 @@ class MotionError(ValueError):
     """A motion that is not possible, or a text or a file that describes none."""
 
 
+def is_place(latitude: float, longitude: float, height: float) -> bool:
+    """Degrees and metres. At a pole there is no north; far below or above, no surroundings."""
+    return abs(latitude) <= 89 and abs(longitude) <= 360 and -1e4 <= height <= 1e6
+
+
+PLACES = "use degrees, with a latitude of -89 to 89, and a height of -10 to 1000 km"
+
+
 class State(NamedTuple):
     """All values agree with each other. The body's axes point forward, right and down."""
 

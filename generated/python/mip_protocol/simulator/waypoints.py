@@ -8,7 +8,7 @@ from math import isfinite
 from pathlib import Path
 from typing import NamedTuple
 
-from .state import MotionError
+from .state import PLACES, MotionError, is_place
 
 
 class Waypoint(NamedTuple):
@@ -30,9 +30,9 @@ def check(points: Sequence[Waypoint], loop: bool) -> None:
     for i, p in enumerate(points, 1):
         if not all(isfinite(x) for x in p if x is not None):
             raise MotionError(f"track: waypoint {i} has a value that is not a number")
-        if abs(p.latitude) > 89 or abs(p.longitude) > 360:
+        if not is_place(p.latitude, p.longitude, p.height):
             raise MotionError(
-                f"track: waypoint {i} is at {p.latitude:g}, {p.longitude:g}; use degrees, with a latitude of -89 to 89"
+                f"track: waypoint {i} is at {p.latitude:g}, {p.longitude:g}, {p.height:g}; {PLACES}"
             )
         if p.speed is not None and p.speed <= 0:
             raise MotionError(
@@ -41,14 +41,16 @@ def check(points: Sequence[Waypoint], loop: bool) -> None:
 
 
 def read_waypoints(path: str | Path) -> list[Waypoint]:
-    """Waypoints of a CSV file: latitude, longitude (degrees), height (m), and perhaps speed (m/s).
+    """Waypoints of a CSV file: latitude, longitude (degrees), height (m), and optionally speed (m/s).
 
     A heading, empty lines and lines that begin with # are ignored.
     """
     try:
         text = Path(path).read_text("utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise MotionError(f"track: cannot read {path}: {error}") from None
+    except OSError as error:
+        raise MotionError(f"track: cannot read {path}: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise MotionError(f"track: {path} is not a text file in UTF-8") from None
     found: list[Waypoint] = []
     first = True
     for number, row in enumerate(csv.reader(text.splitlines()), 1):
@@ -60,14 +62,14 @@ def read_waypoints(path: str | Path) -> list[Waypoint]:
         except ValueError:
             if not first:
                 raise MotionError(
-                    f"{path}:{number}: '{','.join(cells)}' is not made of numbers"
+                    f"{path}:{number}: '{','.join(cells)}' has a value that is not a number"
                 ) from None
             first = False
             continue
         first = False
         if len(values) not in (3, 4):
             raise MotionError(
-                f"{path}:{number}: {len(values)} numbers; a waypoint has latitude, longitude, height and perhaps speed"
+                f"{path}:{number}: {len(values)} numbers; a waypoint has latitude, longitude, height and optionally speed"
             )
         found.append(Waypoint(*values))
     return found

@@ -14,7 +14,7 @@ from .state import Motion, Quaternion, State, quaternion
 
 T = TypeVar("T")
 
-#: When a simulation starts that is given no time: the begin of a GPS week, 7 January 2024.
+#: When a simulation starts, unless it is told: the start of a GPS week, 7 January 2024.
 START = 2296 * earth.WEEK
 
 _IDENTITY: Matrix = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
@@ -91,7 +91,6 @@ class World:
         self.booted = 0  # when the device was last restarted
         self.time = 0.0  # the same in seconds
         self.gps = self.start  # ns since the GPS epoch
-        self.trigger = 0  # id of the event that causes what is sent
         self.accel_bias: Vector = (
             0.0,
             0.0,

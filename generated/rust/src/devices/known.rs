@@ -67,6 +67,11 @@ pub static CL5_10: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
     },
     base_rates: &[
     ],
@@ -107,6 +112,11 @@ pub static CL5_15: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
@@ -177,6 +187,11 @@ pub static CL5_25: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
         0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
@@ -242,6 +257,11 @@ pub static CV5_10: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
@@ -300,6 +320,11 @@ pub static CV5_15: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
@@ -370,6 +395,11 @@ pub static CV5_25: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
         0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
@@ -453,6 +483,11 @@ pub static CV7_AHRS: Device = Device {
         "The limits are those of firmware 1.0.04 and later.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] None;
@@ -580,6 +615,11 @@ pub static CV7_AR: Device = Device {
         "The limits are those of firmware 1.0.04 and later.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x28 "3dm.pps_source_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x38 "3dm.gyro_bias" [WRITE READ SAVE LOAD DEFAULT] None;
@@ -1263,6 +1303,11 @@ pub static CV7_INS: Device = Device {
         "It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0D 0x13 "filter.antenna_offset" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0D 0x20 "filter.auto_angular_zupt" [WRITE READ SAVE LOAD DEFAULT] None;
         0x94 0x03 "gnss_external.llh_position" [] Some("A test site of the vendor lists it for this device; the firmware is not known.");
@@ -1324,6 +1369,11 @@ pub static CX5_10: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
@@ -1383,6 +1433,11 @@ pub static CX5_15: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
@@ -1442,6 +1497,11 @@ pub static CX5_25: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
     },
@@ -1494,6 +1554,11 @@ pub static CX5_35: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
     },
@@ -1546,6 +1611,11 @@ pub static CX5_45: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
     },
@@ -1592,6 +1662,11 @@ pub static DH3: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
     },
     base_rates: &[
@@ -1792,6 +1867,11 @@ pub static GQ7: Device = Device {
         "The baud rates of the Aux port are not known, nor all of its protocols.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x04 "3dm.poll_nmea_data" [] None;
         0x0C 0x31 "3dm.sensor_to_vehicle_transform_euler" [WRITE READ SAVE LOAD DEFAULT] None;
         0x0C 0x39 "3dm.capture_gyro_bias" [] None;
@@ -1865,6 +1945,11 @@ pub static GV7_AHRS: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
     },
     base_rates: &[
     ],
@@ -1899,6 +1984,11 @@ pub static GV7_AR: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
     },
     base_rates: &[
     ],
@@ -1933,6 +2023,11 @@ pub static GV7_INS: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
     },
     base_rates: &[
     ],
@@ -1967,6 +2062,11 @@ pub static GX3_15: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
     },
     base_rates: &[
@@ -2012,6 +2112,11 @@ pub static GX3_25: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
     },
     base_rates: &[
@@ -2057,6 +2162,11 @@ pub static GX3_35: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
     },
     base_rates: &[
@@ -2102,6 +2212,11 @@ pub static GX3_45: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0D 0x10 "filter.vehicle_dynamics_mode" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
@@ -2184,6 +2299,11 @@ pub static GX4_15: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
         0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
@@ -2255,6 +2375,11 @@ pub static GX4_25: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
         0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
@@ -2331,6 +2456,11 @@ pub static GX4_45: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
         0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
@@ -2408,6 +2538,11 @@ pub static GX5_10: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x51 "3dm.complementary_filter" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
@@ -2749,6 +2884,11 @@ pub static GX5_25: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
         0x0C 0x64 "3dm.device_status" [] Some("MSCL asks for it on this device.");
         0x0D 0x14 "filter.estimation_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
@@ -3205,6 +3345,11 @@ pub static MV5_AR: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
         0x0C 0x11 "3dm.data_stream_control" [WRITE READ SAVE LOAD DEFAULT] Some("MSCL lists what can be chosen on it.");
     },
     base_rates: &[
@@ -3488,6 +3633,11 @@ pub static RTK: Device = Device {
         "No manual is known. The SDK has its name and number only.",
     ],
     fields: supported! {
+        0x01 0x01 "base.ping" [] Some("The vendor's software asks every device for it.");
+        0x01 0x02 "base.set_idle" [] Some("The vendor's software asks every device for it.");
+        0x01 0x03 "base.get_device_info" [] Some("The vendor's software asks every device for it.");
+        0x01 0x04 "base.get_device_descriptors" [] Some("The vendor's software asks every device for it.");
+        0x01 0x06 "base.resume" [] Some("The vendor's software asks every device for it.");
     },
     base_rates: &[
     ],

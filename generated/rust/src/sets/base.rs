@@ -61,7 +61,11 @@ record! {
     /// Asks whether a device is there and answers commands.
     ///
     /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
-    /// 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    /// 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
+    /// 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
+    /// 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
+    /// 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
+    /// 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
     ///
     /// - A device that is not in a normal operating mode may refuse the command.
     ///
@@ -91,7 +95,11 @@ record! {
     /// Stops all data streams, and wakes a sleeping device, so that it can be set up.
     ///
     /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May
-    /// be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// be supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
+    /// 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    /// 3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15,
+    /// 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+    /// 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
     ///
     /// - The resume command restores the previous mode.
     /// - While idle the device sends no NMEA sentences either.
@@ -123,7 +131,12 @@ record! {
     /// Gets the firmware version and the identity strings of the device.
     ///
     /// Answered by [`GetDeviceInfoResponse`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
-    /// 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
+    /// 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS,
+    /// 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
+    /// 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25,
+    /// 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25,
+    /// 3DM-MV5-AR and 3DM-RTK.
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
@@ -153,7 +166,12 @@ record! {
     /// Gets the command and data descriptors that the device supports.
     ///
     /// Answered by [`GetDeviceDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
-    /// 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    /// 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10,
+    /// 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR,
+    /// 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3,
+    /// 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
+    /// 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45,
+    /// 3DM-MV5-AR and 3DM-RTK.
     ///
     /// - If the list contains the descriptor of [`GetExtendedDescriptors`], that command gives
     ///   more.
@@ -224,7 +242,11 @@ record! {
     /// Ends idle mode and returns the device to the mode that it was in before.
     ///
     /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May
-    /// be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// be supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
+    /// 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
+    /// 3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15,
+    /// 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
+    /// 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
     ///
     /// - If the device was not idle, it enters its default mode (3DM-GX5-15).
     ///
@@ -477,7 +499,12 @@ record! {
     /// Get device information response (0x01,0x81).
     ///
     /// Answers [`GetDeviceInfo`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
-    /// 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10,
+    /// 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR,
+    /// 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3,
+    /// 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
+    /// 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-MV5-AR and
+    /// 3DM-RTK.
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
@@ -497,7 +524,12 @@ record! {
     /// Get device descriptors response (0x01,0x82).
     ///
     /// Answers [`GetDeviceDescriptors`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
-    /// 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    /// 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10, 3DM-CL5-15,
+    /// 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
+    /// 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS,
+    /// 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
+    /// 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR and
+    /// 3DM-RTK.
     ///
     /// Source: 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04); 3dm-cv7-gnss-ins: Get
     /// device descriptors (0x01,0x04).

@@ -517,7 +517,7 @@ local DIRECTIONS = { [0] = "unknown", "host to device", "device to host" }
 local STATUS = { [0] = "wrong", "right" }
 
 local own = {
-  sync = filter(ProtoField.uint16(PREFIX .. ".sync", "Sync", base.HEX, nil, nil, "Begin of a packet.")),
+  sync = filter(ProtoField.uint16(PREFIX .. ".sync", "Sync", base.HEX, nil, nil, "Start of a packet.")),
   length = filter(ProtoField.uint8(PREFIX .. ".length", "Payload length", base.DEC, nil, nil, "Bytes of all fields.")),
   fields = filter(ProtoField.uint8(PREFIX .. ".fields", "Number of fields", base.DEC)),
   direction = filter(ProtoField.uint8(PREFIX .. ".direction", "Direction", base.DEC, DIRECTIONS)),
@@ -1193,9 +1193,8 @@ end
 local function show_answer(exchange, tree)
   if exchange then
     add_generated(tree, own.request_in, exchange.request)
-    local past = math.max(0, exchange.answered - exchange.sent)
-    local seconds = math.floor(past)
-    add_generated(tree, own.answer_time, NSTime(seconds, math.floor((past - seconds) * 1e9 + 0.5)))
+    local past = math.floor(math.max(0, exchange.answered - exchange.sent) * 1e9 + 0.5)
+    add_generated(tree, own.answer_time, NSTime(math.floor(past / 1000000000), past % 1000000000))
   end
 end
 
@@ -1222,7 +1221,7 @@ local function intact(raw, at, size)
   return checksum(raw, at, size - 2) == raw:byte(at + size - 1) * 256 + raw:byte(at + size)
 end
 
--- Every place is tried in order, and a packet is taken whole: its begin and size for each. After a header without a
+-- Every place is tried in order, and a packet is taken whole: its start and size. After a header without a
 -- packet the search goes on one byte behind its sync. `rest` is where a packet begins that may go on in later bytes;
 -- with `final`, no bytes follow. At most `limit` packets.
 local function scan(raw, final, limit)
@@ -1399,14 +1398,9 @@ local function show_field(packet, at, size, index, tree)
   return said, f
 end
 
--- 1: the host sent it, 2: the device did, 0: nothing tells it.
+-- 1: the host sent it, 2: the device did.
 local function direction_of(f)
-  if f.role == "command" then
-    return f.from_device and 2 or 1
-  elseif f == ACKNOWLEDGE_FIELD then
-    return 2
-  end
-  return 2
+  return f.role == "command" and not f.from_device and 1 or 2
 end
 
 -- Shows the fields of a packet; gives their texts, and the direction that they tell.
@@ -1539,25 +1533,29 @@ end
 -- A chunk of a TCP stream or a serial line. Chunks come in order once; what was held back before each of them is kept,
 -- so that it is shown in the same way whenever Wireshark comes back to it. Wireshark's own reassembly is for packets
 -- whose length is known: it shows packets twice if a header turns out to be none when more bytes have come.
-local held -- line -> bytes held back
+local held -- line -> bytes held back behind its latest chunk
 local before -- line -> chunk -> bytes held back before it
 
+-- Those before a chunk, and is it new?
 local function held_before(line, chunk)
   before[line] = before[line] or {}
-  before[line][chunk] = before[line][chunk] or held[line] or ""
-  return before[line][chunk]
+  local known = before[line][chunk]
+  before[line][chunk] = known or held[line] or ""
+  return before[line][chunk], known == nil
 end
 
 local function dissect_chunk(tvb, pinfo, tree)
   local sender = string.format("%s:%d %s", tostring(pinfo.src), pinfo.src_port, tostring(pinfo.p2p_dir))
   local line = conversation_of(pinfo) .. " " .. sender
-  local head = held_before(line, string.format("%d:%d:%d", pinfo.number, tvb:offset(), tvb:len()))
+  local head, new = held_before(line, string.format("%d:%d:%d", pinfo.number, tvb:offset(), tvb:len()))
   local raw, data = head .. tvb:raw(), tvb
   if head ~= "" then
     data = ByteArray.new(raw, true):tvb("MIP, with the bytes of earlier frames")
   end
   local packets, rest = scan(raw, false)
-  held[line] = rest and raw:sub(rest + 1) or ""
+  if new then -- while a capture goes on, Wireshark may come back to earlier chunks
+    held[line] = rest and raw:sub(rest + 1) or ""
+  end
   local texts, direction = show_bytes(data, raw, packets, 0, rest or #raw, pinfo, tree)
   if rest then
     local from = math.max(rest, #head)
@@ -1588,7 +1586,7 @@ end
 
 -- ------------------------------------------------------------------------- heuristics
 
--- Is this MIP? A whole packet of a known set with the right checksum, or the begin of one.
+-- Is this MIP? A whole packet of a known set with the right checksum, or the start of one.
 local function looks_like(raw)
   for _, found in ipairs((scan(raw, false))) do
     if plausible(raw, found.at, found.size) then
@@ -1700,7 +1698,7 @@ apply_preferences()
 -- Opens a log of raw bytes as a capture: a frame for each packet, and one for the bytes between two packets.
 
 local LONGEST = 255 + AROUND -- bytes of a packet
-local PROBE = 4096 -- bytes at the begin of a log in which a packet must be; of a frame between packets at most
+local PROBE = 4096 -- bytes at the start of a log, in which a packet must be; the most in a frame between packets
 
 -- What Wireshark puts in front of an exported PDU: the name of its dissector, and the end of such tags.
 local EXPORTED = "\0\12\0\12mip_protocol\0\0\0\0"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import difflib
 import signal
 import sys
 from contextlib import ExitStack
@@ -12,22 +11,28 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
-from ..devices import DEVICES, Device, find
+from ..devices import DEVICES, Device
 from ..errors import Failure
 from . import earth
 from .endpoints import Endpoint, pty_at, tcp_at
 from .fault_kinds import parse_faults, table
 from .faults import Faults, json_log
+from .profiles import device_named, port_named
 from .serve import Server
+
+_KNOWN = sorted(DEVICES.values(), key=lambda d: (bool(d.incomplete), -len(d.ports)))
+_EXAMPLE = _KNOWN[0].id if _KNOWN else "DEVICE"
+_PORTS = ([p.name for p in _KNOWN[0].ports] if _KNOWN else []) or ["NAME"]
 
 EPILOG = f"""\
 examples:
-  mip simulate 3dm-cv7-gnss-ins --pty /tmp/mip          a terminal at /tmp/mip, until Ctrl-C
-  mip simulate 3dm-gx5-15 --tcp 5000 --speed 10         TCP, ten times as fast as real time
-  mip simulate 3dm-cv7-gnss-ins --port "UART 1=pty:/tmp/uart" --port "USB 1=tcp:5000"
-  mip simulate 3dm-gx5-15 --fault lose=0.01,noise=0.1:16,lose_answer@3 --fault-log faults.jsonl
+  mip simulate {_EXAMPLE} --pty /tmp/mip          a terminal at /tmp/mip, until Ctrl-C
+  mip simulate {_EXAMPLE} --tcp 5000 --speed 10   TCP, ten times as fast as real time
+  mip simulate {_EXAMPLE} --port "{_PORTS[0]}=pty:/tmp/first" --port "{_PORTS[-1]}=tcp:5000"
+  mip simulate {_EXAMPLE} --fault lose=0.01,noise=0.1:16,lose_answer@3 --fault-log faults.jsonl
 
-When the device can be reached, its endpoints are printed, one in a line.
+When the device can be reached, its endpoints are printed, one in a line: those of --pty, --tcp and
+--port, in the order in which they are given.
 
 faults: KIND=RATE with a probability, KIND=RATE:AMOUNT with how much at most, KIND@N at the Nth
 chance; all=RATE is every kind.
@@ -73,13 +78,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=_speed,
         default=1.0,
         metavar="X",
-        help="times real time; 0: as fast as clients read",
+        help="times real time (default: 1); 0: as fast as clients read",
     )
     add(
         "--start",
         type=_start,
         metavar="TIME",
-        help="simulated time at the start: ISO 8601, UTC, or `now`",
+        help="simulated time at the start: ISO 8601, UTC, or `now` "
+        "(default: 2024-01-06T23:59:42, or that of a replayed log)",
     )
     add("--duration", type=_seconds, metavar="S", help="end after this many simulated seconds")
     add(
@@ -104,7 +110,7 @@ def run(options: argparse.Namespace) -> int:
     if options.list:
         width = max(len(d.id) for d in DEVICES.values())
         for known in DEVICES.values():
-            incomplete = " (incomplete)" if known.incomplete else ""
+            incomplete = f" (incomplete: {_known(known)})" if known.incomplete else ""
             print(f"{known.id:<{width}}  {known.title}{incomplete}")
         return 0
     profile = _profile(options.device)
@@ -128,7 +134,8 @@ def run(options: argparse.Namespace) -> int:
         stack.enter_context(server)
         if profile.incomplete:
             _complain(
-                f"the profile of {profile.title} is incomplete: {' '.join(profile.incomplete)}"
+                f"the profile of {profile.title} is incomplete ({_known(profile)}): "
+                + " ".join(profile.incomplete)
             )
         server.run()
     return 0
@@ -167,6 +174,18 @@ def _faults(options: argparse.Namespace, stack: ExitStack) -> Faults | None:
     return Faults(seed=options.seed, log=log, every_packet=options.log_packets, plans=plans)
 
 
+def _known(profile: Device) -> str:
+    """How much a profile knows of its device, for those that are incomplete."""
+    known = profile.fields | profile.perhaps.keys()
+    commands = sum(1 for set, _ in known if set < 0x80)
+    data = len(known) - commands
+    return f"{_count(commands, 'command')}, {_count(data, 'data field')}"
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}{'s' * (number != 1)}"
+
+
 def _until_interrupted(server: Server, stack: ExitStack) -> None:
     """Ctrl-C, an ordinary kill and the end of the terminal end it cleanly."""
 
@@ -189,18 +208,7 @@ def _complain(text: str) -> None:
 def _profile(name: str | None) -> Device:
     if name is None:
         raise Failure("which device? `mip simulate --list` names them all")
-    found = find(name) or DEVICES.get(name.lower())
-    if found is None:
-        names = {
-            alias.lower(): d.id for d in DEVICES.values() for alias in (d.id, d.title, *d.also)
-        }
-        near = [
-            n for n in sorted(names) if name.lower() in n
-        ]  # a part of the name, else a similar one
-        near = near or difflib.get_close_matches(name.lower(), names, 1, 0.5)
-        hint = f"do you mean {names[near[0]]}? " if near else ""
-        raise Failure(f"device '{name}' is unknown; {hint}`mip simulate --list` names them all")
-    return found
+    return device_named(name)
 
 
 def _endpoints(options: argparse.Namespace, profile: Device) -> list[Endpoint]:
@@ -212,26 +220,13 @@ def _endpoints(options: argparse.Namespace, profile: Device) -> list[Endpoint]:
             raise Failure(
                 f"--port '{text}' cannot be read; write NAME=pty:PATH or NAME=tcp:[HOST:]PORT"
             )
-        port = _port(name, profile)
+        port = port_named(profile, name).name
         found.append(pty_at(place, port) if kind == "pty" else tcp_at(place, port))
     paths = [e.path for e in found if e.path]
     for path in paths:
         if paths.count(path) > 1:
             raise Failure(f"{path} is given for two terminals; choose different paths")
     return found or [pty_at("")]
-
-
-def _port(name: str, profile: Device) -> str:
-    """A port of the profile; case, spaces and underscores do not matter."""
-    for port in profile.ports:
-        if _plain(port.name) == _plain(name):
-            return port.name
-    known = ", ".join(p.name for p in profile.ports) or "none are known"
-    raise Failure(f"{profile.title} has no port '{name}'; its ports: {known}")
-
-
-def _plain(name: str) -> str:
-    return name.lower().replace("_", "").replace(" ", "")
 
 
 def _seconds(text: str) -> float:
@@ -248,7 +243,7 @@ def _number(text: str, least: float, most: float, what: str) -> float:
     except ValueError:
         value = -1.0
     if not least <= value <= most:
-        raise argparse.ArgumentTypeError(f"'{text}' is no {what}")
+        raise argparse.ArgumentTypeError(f"'{text}' is not a {what}")
     return value
 
 
@@ -260,12 +255,14 @@ def _start(text: str) -> int:
             if text == "now"
             else datetime.fromisoformat(text.replace("Z", "+00:00"))
         )
-    except ValueError:
+        if when.tzinfo is not None:
+            when = when.astimezone(timezone.utc).replace(tzinfo=None)
+    except (ValueError, OverflowError):
         raise argparse.ArgumentTypeError(
-            f"'{text}' is no time; write 2024-05-01T12:00:00"
+            f"'{text}' is not a time; write 2024-05-01T12:00:00"
         ) from None
-    if when.tzinfo is not None:
-        when = when.astimezone(timezone.utc).replace(tzinfo=None)
     if when < datetime(1980, 1, 6):
         raise argparse.ArgumentTypeError(f"{text} is before GPS time, which began on 1980-01-06")
+    if when.year > 3000:
+        raise argparse.ArgumentTypeError(f"{text} is too late; use a year up to 3000")
     return earth.from_utc(when)

@@ -46,7 +46,7 @@ def tcp_at(text: str, port: str | None = None) -> Endpoint:
     host, _, digits = text.rpartition(":")
     if not (digits.isascii() and digits.isdigit()) or int(digits) > 65535:
         raise Failure(
-            f"'{text}' is no TCP port; write PORT or HOST:PORT, as in 5000 or 0.0.0.0:5000"
+            f"'{text}' is not a TCP port; write PORT or HOST:PORT, as in 5000 or 0.0.0.0:5000"
         )
     return Endpoint("tcp", host=host.strip("[]") or DEFAULT_HOST, number=int(digits), port=port)
 
@@ -81,7 +81,12 @@ class Pty:
             raise Failure(
                 f"{self._path} is a link to something else; choose another path, or remove it"
             )
-        if self._path.exists() and not self._path.is_symlink():
+        if self._path.is_symlink() and self._path.exists():
+            raise Failure(
+                f"{self._path} leads to {os.readlink(self._path)}, perhaps of another simulator; "
+                "end that one, remove the link, or choose another path"
+            )
+        if self._path.exists():
             raise Failure(f"{self._path} exists; choose another path, or remove it")
         part = self._path.with_name(f"{self._path.name}.{os.getpid()}.part")
         try:
@@ -130,9 +135,7 @@ class Pty:
 
     def close(self) -> None:
         if self._path is not None and self._path.is_symlink():
-            if (
-                os.readlink(self._path) == self.name
-            ):  # not that of a simulator that has taken it over
+            if os.readlink(self._path) == self.name:  # not one that somebody else has made since
                 self._path.unlink(missing_ok=True)
         self._close_files()
 
@@ -237,7 +240,9 @@ def _refused(error: OSError, host: str, number: int) -> str:
     if error.errno == errno.EACCES:
         return f"TCP port {number} needs privileges; use one from 1024 on"
     if error.errno == errno.EADDRNOTAVAIL:
-        return f"{host} is no address of this machine; use localhost, or 0.0.0.0 for all networks"
+        return (
+            f"{host} is not an address of this machine; use localhost, or 0.0.0.0 for all networks"
+        )
     return f"TCP port {number} of {host} cannot be opened: {error.strerror}"
 
 

@@ -86,7 +86,7 @@ def plan(
         hint = f"do you mean {near[0]!r}? " if near else ""
         raise Failure(f"fault {kind!r} is unknown; {hint}known are: {', '.join(KINDS)}")
     if not 0 <= rate <= 1:
-        raise Failure(f"fault {kind}: rate {rate:g} is no probability; use 0 to 1")
+        raise Failure(f"fault {kind}: rate {rate:g} is not a probability; use 0 to 1")
     if amount is not None and not known.unit:
         raise Failure(f"fault {kind} has no amount; write {kind}={rate:g}")
     if (

@@ -7,7 +7,7 @@ from math import cos, fmod, inf, isfinite, pi, radians, sin
 from typing import Any
 
 from .replay import Replay
-from .state import Motion, MotionError, Plane, State, rotation
+from .state import PLACES, Motion, MotionError, Plane, State, is_place, rotation
 from .track import Track
 from .waypoints import Waypoint
 
@@ -22,7 +22,7 @@ class Standing:
         self, latitude: float = LATITUDE, longitude: float = LONGITUDE, height: float = HEIGHT, *,
         heading: float = 0.0, pitch: float = 0.0, roll: float = 0.0,
     ) -> None:  # fmt: skip
-        _place("standing", latitude, longitude)
+        _place("standing", latitude, longitude, height)
         q, m = rotation(radians(roll), radians(pitch), radians(heading))
         zero = (0.0, 0.0, 0.0)
         self._state = State(radians(latitude), radians(longitude), height, zero, zero, q, m, zero)
@@ -39,9 +39,9 @@ class Circle:
         height: float = HEIGHT,
     ) -> None:  # fmt: skip
         for name, value in (("radius", radius), ("speed", speed)):
-            if not (isfinite(value) and value > 0):
-                raise MotionError(f"circle: {name}={value:g} must be above 0")
-        _place("circle", latitude, longitude)
+            if not 0 < value <= 1e6:
+                raise MotionError(f"circle: {name}={value:g} must be above 0, and at most 1e6")
+        _place("circle", latitude, longitude, height)
         self._radius, self._speed = radius, speed
         self._period = 2 * pi * radius / speed
         self._plane = Plane(radians(latitude), radians(longitude), height)
@@ -52,11 +52,10 @@ class Circle:
         return self._plane.state(r * c, r * s, 0.0, (-s, c), self._speed, 0.0, 1 / r)
 
 
-def _place(motion: str, latitude: float, longitude: float) -> None:
-    if not (abs(latitude) <= 89 and abs(longitude) <= 360):
+def _place(motion: str, latitude: float, longitude: float, height: float) -> None:
+    if not is_place(latitude, longitude, height):
         raise MotionError(
-            f"{motion}: latitude {latitude:g}, longitude {longitude:g} is no place; "
-            "use degrees, with a latitude of -89 to 89"
+            f"{motion}: latitude {latitude:g}, longitude {longitude:g}, height {height:g} is not a place; {PLACES}"
         )
 
 
@@ -96,14 +95,14 @@ _REQUIRED = {"track": "file", "replay": "file"}
 
 
 def parse_motion(text: str) -> Motion:
-    """A motion by name, perhaps with options. Raises MotionError.
+    """A motion by name, with options if need be. Raises MotionError.
 
     >>> parse_motion("circle:radius=20,speed=5").at(0).velocity[1]
     5.0
     """
     name, _, rest = text.partition(":")
     if name not in MOTIONS:
-        raise MotionError(f"'{name}' is no motion; use one of {', '.join(MOTIONS)}")
+        raise MotionError(f"'{name}' is not a motion; use one of {', '.join(MOTIONS)}")
     motion, options = MOTIONS[name]
     given: dict[str, Any] = {}
     for part in rest.split(",") if rest else ():

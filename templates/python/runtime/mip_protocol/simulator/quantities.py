@@ -107,7 +107,7 @@ _TIME: dict[str, Function] = {
     "external.delta": lambda w, out: w.now - out.previous,
     "ticks.count": lambda w, out: _ticks(w.now - w.booted, out),
     "ticks.delta": lambda w, out: _ticks(w.now, out) - _ticks(out.previous, out) & 0xFFFFFFFF,
-    "event.trigger": lambda w, _: w.trigger,
+    "event.trigger": lambda w, _: 0,
 }
 
 _SENSORS: dict[str, Function] = {

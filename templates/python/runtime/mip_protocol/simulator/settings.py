@@ -22,7 +22,7 @@ from ..profile import Device
 from . import views
 from ._facts import COMMANDS, DIFFERENCES
 from .checks import NOTHING, SAME
-from .codes import DEFAULT, LOAD, READ, SAVE, SETS, WRITE
+from .codes import DEFAULT, LOAD, READ, SAVE, SETS
 
 Key = tuple[int, ...]
 Place = tuple[str, Key]
@@ -95,8 +95,10 @@ class Settings:
         self._storage = storage
         self._current: dict[Place, Command] = {}
         self._saved: dict[Place, Command] = {}
-        if storage is not None and storage.exists():
-            self._saved = _stored(storage, profile)
+        if storage is not None:
+            if storage.exists():
+                self._saved = _stored(storage, profile)
+            self._replace(storage, None)  # not only when a host saves something
         self.restart()
 
     def restart(self) -> None:
@@ -153,7 +155,7 @@ class Settings:
                 default = behavior.initial.get(p.name, p.default)
             if p.attribute not in given:
                 values = differs.get(f"{kind.NAME}.{p.name}", SAME).values
-                given[p.attribute] = _filled(p, given, default, values)
+                given[p.attribute] = filled(p, given, default, values)
         return _write(kind, given)
 
     def _as(self, kind: type[Command], kept: Command, asked: Command) -> Command:
@@ -187,12 +189,22 @@ class Settings:
             for (name, key), value in sorted(self._saved.items(), key=lambda item: item[0])
         ]
         text = json.dumps({"device": self._profile.id, "settings": kept}, indent=1)
-        new = self._storage.with_name(self._storage.name + ".new")
+        self._replace(self._storage, text + "\n")
+
+    @staticmethod
+    def _replace(storage: Path, text: str | None) -> None:
+        """Writes the file, whole or not at all; without a text, finds out whether it could. Raises Failure."""
+        new = storage.with_name(storage.name + ".new")
         try:
-            new.write_text(text + "\n", "utf-8")
-            os.replace(new, self._storage)
+            new.write_text(text or "", "utf-8")
+            if text is None:
+                new.unlink()
+            else:
+                os.replace(new, storage)
         except OSError as error:
-            raise Failure(f"{self._storage} cannot be written: {error.strerror}") from None
+            raise Failure(
+                f"{storage} cannot be written: {error.strerror}; name another file"
+            ) from None
 
 
 def arguments(command: Command) -> dict[str, Any]:
@@ -211,13 +223,13 @@ def _write(kind: type[Command], given: dict[str, Any]) -> Command:
     return kind.decode(cast(Any, kind)(function=function, **given).encode())
 
 
-def _filled(
+def filled(
     p: Parameter, record: dict[str, Any], default: Any = None, only: frozenset[int] | None = None
 ) -> Any:
     """The value of a parameter that nothing else gives."""
     if p.kind == "switch":
         case = p.cases.get(record.get(p.tag, 0))
-        return None if case is None else _filled(case, record, case.default)
+        return None if case is None else filled(case, record, case.default)
     if default is not None and not (only and default not in only):
         length = (
             p.length
@@ -233,7 +245,7 @@ def _filled(
         members: dict[str, Any] = {}
         if not isinstance(p.length, str):
             for member in _held(p.type):
-                members[member.attribute] = _filled(member, members, member.default)
+                members[member.attribute] = filled(member, members, member.default)
         one: Any = None if isinstance(p.length, str) else p.type(**members)
     else:
         one = _number(p, only)
@@ -287,9 +299,10 @@ __all__ = [
     "Key",
     "Place",
     "Settings",
-    "WRITE",
     "arguments",
+    "asking",
     "command_type",
+    "filled",
     "home",
     "is_setting",
     "keys",

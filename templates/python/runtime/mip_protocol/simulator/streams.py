@@ -6,11 +6,10 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from ..packet import MAX_PAYLOAD, PacketBuilder, RawField
+from .earth import SECOND
 
 #: Descriptors of shared fields, which are repeated in continuation packets.
 SHARED = 0xD0
-
-SECOND = 1_000_000_000
 
 
 class Stream:
@@ -36,7 +35,8 @@ class Stream:
     def _advance(self) -> None:
         tick = self._tick
         self._tick = min(d * (tick // d + 1) for d in self._decimations)
-        self.next = self._origin + self._tick * SECOND * self._denominator // self._numerator
+        # Rounded up: a stream that starts at the time of a tick goes on with the next one.
+        self.next = self._origin - -self._tick * SECOND * self._denominator // self._numerator
 
     def skip(self, until: int) -> None:
         """Sends nothing until then."""

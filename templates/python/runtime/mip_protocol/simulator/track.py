@@ -87,7 +87,7 @@ class _Lap:
 
 
 class Track:
-    """Starts at rest at the first waypoint. Stops at the last one and stays, or goes round for ever (`loop`).
+    """Starts at rest at the first waypoint. Stops at the last one and stays, or goes round forever (`loop`).
 
     Corners are rounded with a radius of `corner` metres, or less between short legs; the climb between two
     waypoints begins and ends level. No acceleration along or across the path or upwards exceeds `acceleration`.

@@ -17,6 +17,7 @@ from .facts import FieldValues, Value
 from .names import named
 from .quantities import INTERVALS, NOISE, QUANTITIES, Function
 from .replay import Replay
+from .settings import filled
 from .world import Output, World
 
 #: Takes an item and gives the numbers of one parameter.
@@ -29,6 +30,9 @@ _LETTERS = {
 }  # fmt: skip
 _NOTHING = FieldValues()
 
+#: The largest float of four bytes.
+LARGEST = (2 - 2**-23) * 2.0**127
+
 #: What clocks show: a log is not replayed for fields that show nothing else.
 _CLOCKS = ("gps.", "utc.", "reference.", "external.", "ticks.", "event.")
 
@@ -39,6 +43,9 @@ def encoder(kind: type[Field], profile: Device, world: World, set: int | None = 
     `set` is that of the packets, where the field is shared by all sets.
     """
     set = kind.SET if set is None else set
+    if not all(_packs(p) for p, _ in _flat(kind)):
+        unchanging = _defaults(kind)
+        return lambda: [unchanging]
     source = VALUES.get(kind.NAME, _NOTHING)
     simulated = _encoder(kind, profile, world, set, source)
     motion = world.motion
@@ -46,6 +53,21 @@ def encoder(kind: type[Field], profile: Device, world: World, set: int | None = 
         return simulated
     descriptor = kind.DESCRIPTOR
     return lambda: motion.recorded(set, descriptor, world.time) or simulated()
+
+
+def _packs(p: Parameter) -> bool:
+    """Is it made of a known number of numbers?"""
+    known = p.kind in ("scalar", "constant", "array") and isinstance(p.length, (int, type(None)))
+    return known and p.scalar in _LETTERS
+
+
+def _defaults(kind: type[Field]) -> bytes:
+    """The data of a field that has texts, or arrays that are counted or hold structures."""
+    given: dict[str, Any] = {}
+    for p in reflection.PARAMETERS[kind]:
+        if p.kind not in ("constant", "counter"):
+            given[p.attribute] = filled(p, given, p.default)
+    return kind(**given).encode()
 
 
 def _recorded(source: FieldValues) -> bool:
@@ -57,7 +79,7 @@ def _encoder(
     kind: type[Field], profile: Device, world: World, set: int, source: FieldValues
 ) -> Encoder:
     readers, layout = _readers(kind, profile, world, source)
-    pack = struct.Struct(">" + layout).pack
+    pack = _packer(layout)
     if source.for_each:
         items = QUANTITIES[source.for_each]
         return lambda: [pack(*_joined(readers, item)) for item in items(world, None)]
@@ -80,6 +102,18 @@ def _encoder(
     return encode
 
 
+def _packer(layout: str) -> Callable[..., bytes]:
+    pack = struct.Struct(">" + layout).pack
+
+    def packed(*numbers: Any) -> bytes:
+        try:
+            return pack(*numbers)
+        except OverflowError:  # a setting can lead beyond what a float of four bytes holds
+            return pack(*(min(max(x, -LARGEST), LARGEST) for x in numbers))
+
+    return packed
+
+
 def _joined(readers: list[Reader], item: Any) -> tuple[Any, ...]:
     found: tuple[Any, ...] = ()
     for read in readers:
@@ -96,11 +130,7 @@ def _readers(
     constants: tuple[Any, ...] = ()
     layout = ""
     for p, path in _flat(kind):
-        if p.kind not in ("scalar", "constant", "array") or not isinstance(
-            p.length, (int, type(None))
-        ):
-            raise TypeError(f"{kind.NAME}.{path}: a {p.kind} cannot be simulated in a data field")
-        count = len(p.elements) * (p.length or 1) if p.elements else p.length or 1
+        count = (p.length if isinstance(p.length, int) else 1) * (len(p.elements) or 1)
         letter = _LETTERS[p.scalar]
         layout += letter * count
         type_ = profile.readings.get(f"{kind.NAME}.{path}") or p.type

@@ -9,7 +9,7 @@ from .. import reflection
 from ._facts import COMMANDS
 from .checks import data_sets
 from .codes import WRITE
-from .settings import command_type, home
+from .settings import command_type, home, keys
 from .streams import Stream
 
 if TYPE_CHECKING:
@@ -71,17 +71,29 @@ def _stream(
     return Stream(base, items, fire, device.booted, begin)
 
 
+def _keeper(device: VirtualDevice, set: int) -> Any:
+    """The command that keeps the message format of a set."""
+    for name, behavior in COMMANDS.items():
+        if behavior.effect == "format" and device.knows(name):
+            kind = home(command_type(name))
+            if COMMANDS[kind.NAME].arguments["set"] == set or keys(kind):
+                return kind
+    return None
+
+
 def factory(device: VirtualDevice, keep: bool) -> None:
     """Message formats with the first fields of each set, in place of the present ones or behind them."""
-    names = (name for name, b in COMMANDS.items() if b.effect == "format" and device.knows(name))
-    kind: Any = home(command_type(next(names)))
-    at = {name: str(given) for name, given in COMMANDS[kind.NAME].arguments.items()}
-    entry = next(p.type for p in reflection.PARAMETERS[kind] if p.attribute == at["fields"])
     for set in sorted(data_sets(device.profile)):
+        kind = _keeper(device, set)
+        if kind is None:
+            continue
+        at = COMMANDS[kind.NAME].arguments
+        entry = next(p.type for p in reflection.PARAMETERS[kind] if p.attribute == at["fields"])
         decimation = max(1, round(rate(device, set) / FACTORY_RATE))
         own = sorted(x for s, x in device.known if s == set)[:FACTORY_FIELDS]
         wanted = [*(of_set(device, set) if keep else ()), *((x, decimation) for x in own)]
-        given = {at["set"]: set, at["fields"]: tuple(entry(*pair) for pair in wanted)}
+        given: dict[str, Any] = {str(at["fields"]): tuple(entry(*pair) for pair in wanted)}
+        given |= {name: set for name in keys(kind)}
         device.settings.write(kind(function=WRITE, **given))
 
 

@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from .rotations import Matrix, of_euler, of_quaternion, to_euler, to_quaternion, transposed
+from .earth import Matrix
+from .rotations import of_euler, of_quaternion, to_euler, to_quaternion, transposed
 
 Values = dict[str, Any]  # by argument of the effect
 
