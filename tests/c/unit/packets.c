@@ -110,6 +110,43 @@ static void parser(void) {
     CHECK(!mip_parser_next(&p, &data, &size, &packet));
 }
 
+/* A packet is copied only if the end of the caller's bytes cuts it; noise does not change that. */
+static void in_place(void) {
+    static const uint8_t stream[] = "\x75\x65\x01\xFF\x75\x65\x01\x02\x02\x01\xE0\xC6"
+                                    "\x75\x65\x01\x02\x02\x01\xE0\xC6";
+    const size_t whole = sizeof(stream) - 1;
+    struct mip_parser p;
+    struct mip_packet packet;
+    for (size_t cut = 1; cut < whole; cut++) {
+        const uint8_t *data = stream;
+        size_t size = cut;
+        mip_parser_init(&p);
+        CHECK(!mip_parser_next(&p, &data, &size, &packet)); /* a false start holds all back */
+        data = stream + cut;
+        size = whole - cut;
+        CHECK(!mip_parser_next(&p, &data, &size, &packet) && size == 0);
+        CHECK(mip_parser_flush(&p, &packet) && mip_parser_flush(&p, &packet) && p.skipped == 4);
+    }
+    for (size_t cut = 4; cut <= whole; cut++) {
+        const uint8_t *data = stream + 4;
+        size_t size = cut - 4;
+        size_t found = 0;
+        mip_parser_init(&p);
+        for (int part = 0; part < 2; part++) {
+            while (mip_parser_next(&p, &data, &size, &packet)) {
+                const bool is_cut = 4 + 8 * found < cut && cut < 12 + 8 * found;
+                CHECK(is_packet(packet, PING, 8));
+                CHECK((packet.bytes == stream + 4 + 8 * found) != is_cut);
+                CHECK((packet.bytes == p.buffer) == is_cut);
+                found++;
+            }
+            data = stream + cut;
+            size = whole - cut;
+        }
+        CHECK(found == 2 && p.skipped == 0);
+    }
+}
+
 static void names(void) {
     CHECK(strcmp(mip_error_name(MIP_OK), "ok") == 0);
     CHECK(strcmp(mip_error_name(MIP_ERROR_FIELD_LENGTH), "field_length") == 0);
@@ -123,6 +160,7 @@ int main(void) {
     builder();
     walk();
     parser();
+    in_place();
     names();
     return 0;
 }

@@ -48,7 +48,8 @@ static struct sums joined(struct sums first, struct sums second, size_t size) {
 /** Four lanes of 16 bits, each with eight that count. */
 #define LANES UINT64_C(0x00FF00FF00FF00FF)
 
-/** The sum of the lanes, each times its weight; the weight of the lowest lane is the highest one. */
+/** The sum of the lanes, each times its weight; the weight of the lowest lane is the highest one.
+ */
 static uint32_t weighted(uint64_t lanes, uint64_t weights) {
     return (uint32_t)((lanes * weights) >> 48);
 }
@@ -129,8 +130,8 @@ static struct sums vectors(const uint8_t *bytes, size_t size) {
     }
     /* The last sixteen bytes once more, without those that are done. */
     const __m128i mask = _mm_loadu_si128((const __m128i *)(const void *)(masks + rest));
-    const __m128i v = _mm_and_si128(
-        mask, _mm_loadu_si128((const __m128i *)(const void *)(bytes + (size - 16))));
+    const __m128i v =
+        _mm_and_si128(mask, _mm_loadu_si128((const __m128i *)(const void *)(bytes + (size - 16))));
     const uint32_t done = total(a);
     b = _mm_add_epi32(_mm_add_epi32(b, products(v)), _mm_slli_epi32(before, 4));
     const struct sums s = {done + total(_mm_sad_epu8(v, zero)), total(b) + done * (uint32_t)rest};

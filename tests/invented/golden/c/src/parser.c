@@ -28,7 +28,8 @@ static size_t candidate(const uint8_t *bytes, size_t size) {
 /** Is this candidate, which is complete, a packet? Its header has been looked at. */
 static bool is_packet(const uint8_t *bytes, size_t size, struct mip_packet *packet) {
     const uint8_t *end = bytes + (size - MIP_CHECKSUM_SIZE);
-    if (mip_checksum(bytes, size - MIP_CHECKSUM_SIZE) != (uint16_t)(end[0] << 8 | end[1])) {
+    const uint16_t sum = mip_checksum(bytes, size - MIP_CHECKSUM_SIZE);
+    if (end[0] != sum >> 8 || end[1] != (sum & 0xFFU)) {
         return false;
     }
     packet->bytes = bytes;
