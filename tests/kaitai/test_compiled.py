@@ -201,8 +201,7 @@ def test_the_programs_of_the_readme(language: str, spec: str, tmp_path: Path) ->
     folder = compiled(file(spec).parent, spec, language)
     (tmp_path / "log.bin").write_bytes(b"noise" + b"".join(e.packet for e in of.examples))
     fields = [f for e in of.examples for f in e.fields]
-    for path in folder.iterdir():
-        (tmp_path / path.name).write_bytes(path.read_bytes())
+    shutil.copytree(folder, tmp_path, dirs_exist_ok=True)
     script = tmp_path / ("program.py" if language == "python" else "program.cjs")
     script.write_text(program(spec, language), "utf-8")
     if language == "javascript":
