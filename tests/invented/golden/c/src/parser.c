@@ -44,111 +44,82 @@ static void drop(struct mip_parser *parser, size_t size) {
     memmove(parser->buffer, parser->buffer + size, parser->length);
 }
 
-/** Removes the first byte of the buffer, and those up to the next that may start a packet. */
+/** The first byte, and those up to the next that may start a packet. */
+static size_t garbage(const uint8_t *bytes, size_t size) {
+    const uint8_t *sync = (const uint8_t *)memchr(bytes + 1, MIP_SYNC_1, size - 1);
+    return sync == NULL ? size : (size_t)(sync - bytes);
+}
+
 static void skip(struct mip_parser *parser) {
-    size_t count = 1;
-    while (count < parser->length && parser->buffer[count] != MIP_SYNC_1) {
-        count++;
-    }
+    const size_t count = garbage(parser->buffer, parser->length);
     parser->skipped += (uint32_t)count;
     drop(parser, count);
 }
 
-/** Moves bytes into the buffer. */
-static void take(struct mip_parser *parser, const uint8_t **data, size_t *size, size_t count) {
-    memcpy(parser->buffer + parser->length, *data, count);
-    parser->length = (uint16_t)(parser->length + count);
-    *data += count;
-    *size -= count;
-}
-
-/** Gives back bytes behind the first `kept` of the buffer, if all of them have just been taken. */
-static void give_back(struct mip_parser *parser, const uint8_t **data, size_t *size, size_t kept,
-                      const uint8_t *begin) {
-    const size_t count = parser->length - kept;
-    if (count <= (size_t)(*data - begin)) {
-        parser->length = (uint16_t)kept;
-        *data -= count;
-        *size += count;
-    }
-}
-
-/** Finds a packet in the caller's bytes; a candidate that they cut goes into the buffer. */
-static bool find(struct mip_parser *parser, const uint8_t **data, size_t *size,
-                 struct mip_packet *packet) {
-    const uint8_t *at = *data;
-    size_t left = *size;
-    while (left > 0) {
-        if (*at != MIP_SYNC_1) {
-            const uint8_t *sync = (const uint8_t *)memchr(at, MIP_SYNC_1, left);
-            if (sync == NULL) {
-                at += left;
-                left = 0;
-                break;
-            }
-            left -= (size_t)(sync - at);
-            at = sync;
-        }
-        const size_t goal = candidate(at, left);
-        if (goal > left) {
-            break;
-        }
-        if (goal > 0 && is_packet(at, goal, packet)) {
-            parser->skipped += (uint32_t)(at - *data);
-            *data = at + goal;
-            *size = left - goal;
-            return true;
-        }
-        at++;
-        left--;
-    }
-    parser->skipped += (uint32_t)(at - *data);
-    *data = at;
-    *size = left;
-    if (left > 0) {
-        parser->missing = (uint16_t)(candidate(at, left) - left);
-        take(parser, data, size, left);
-    }
-    return false;
-}
-
 bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                      struct mip_packet *packet) {
-    const uint8_t *begin = *data;
+    const uint8_t *at = *data;
+    size_t left = *size;
+    size_t wanted = parser->missing;
+    bool found = false;
     if (parser->done > 0) { /* the packet of the last call */
         drop(parser, parser->done);
         parser->done = 0;
-    } else if (*size < parser->missing) {
-        parser->missing = (uint16_t)(parser->missing - *size);
-        if (*size > 0) {
-            take(parser, data, size, *size);
-        }
-        return false;
+        wanted = 0;
     }
-    while (parser->length > 0) {
-        const size_t goal = candidate(parser->buffer, parser->length);
-        if (goal > parser->length) {
-            const size_t missing = goal - parser->length;
-            if (*size < missing) {
-                parser->missing = (uint16_t)(missing - *size);
-                if (*size > 0) {
-                    take(parser, data, size, *size);
-                }
-                return false;
+    for (;;) {
+        if (wanted > 0) { /* into the buffer */
+            const size_t count = left < wanted ? left : wanted;
+            if (count > 0) {
+                memcpy(parser->buffer + parser->length, at, count);
+                parser->length = (uint16_t)(parser->length + count);
+                at += count;
+                left -= count;
+                wanted -= count;
             }
-            take(parser, data, size, missing);
-        } else if (goal > 0 && is_packet(parser->buffer, goal, packet)) {
-            give_back(parser, data, size, goal, begin);
-            parser->done = (uint16_t)goal;
-            parser->missing = 0;
-            return true;
+            if (wanted > 0) {
+                break;
+            }
+        }
+        const bool buffered = parser->length > 0;
+        const uint8_t *bytes = buffered ? parser->buffer : at;
+        const size_t known = buffered ? parser->length : left;
+        if (known == 0) {
+            break;
+        }
+        const size_t goal = candidate(bytes, known);
+        if (goal > known) { /* the end of the caller's bytes cuts it */
+            wanted = buffered ? goal - known : known;
+            continue;
+        }
+        found = goal > 0 && is_packet(bytes, goal, packet);
+        const size_t count = found ? goal : garbage(bytes, known);
+        parser->skipped += found ? 0 : (uint32_t)count;
+        if (buffered) {
+            if (found) {
+                parser->done = (uint16_t)count;
+            } else {
+                drop(parser, count);
+            }
+            /* What is behind and has just been copied is found again where it was. */
+            const size_t behind = parser->length - parser->done;
+            if (behind > 0 && behind <= *size - left) {
+                parser->length = parser->done;
+                at -= behind;
+                left += behind;
+            }
         } else {
-            skip(parser);
-            give_back(parser, data, size, 0, begin);
+            at += count;
+            left -= count;
+        }
+        if (found) {
+            break;
         }
     }
-    parser->missing = 0;
-    return find(parser, data, size, packet);
+    parser->missing = (uint16_t)wanted;
+    *data = at;
+    *size = left;
+    return found;
 }
 
 bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet) {
