@@ -25,10 +25,12 @@ def needs(items: Iterable[pytest.Item]) -> Iterator[str]:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """What waits for cargo anyway, as it uses one target folder, waits in one process and not in all."""
+    """What waits for cargo anyway, as it uses one target folder, waits in one process and not in all; it takes longest,
+    so it begins first."""
     for item in items:
         if item.path.parent.name == "rust":
             item.add_marker(pytest.mark.xdist_group("cargo"))
+    items.sort(key=lambda item: item.path.parent.name != "rust")
 
 
 def pytest_deselected(items: list[pytest.Item]) -> None:
