@@ -20,7 +20,10 @@ TURN = 0.02
 #: for which clients may read what is left.
 LATE = 1.0
 #: Seconds of the clock by which data may be late, so that they come together at high rates.
-GRAIN = 0.002
+GRAIN = 0.004
+
+#: Simulated nanoseconds after which what the device has sent is taken from it.
+SLICE = SECOND // 100
 #: Clients of one TCP port.
 CLIENTS = 64
 
@@ -205,17 +208,22 @@ class Server:
     def _advance(self) -> None:
         """Brings the device to the present, and what it sends to the clients."""
         device, turn = self._device, self._clock() + TURN
+        target = self._target()
         while self._clock() < turn:
-            now, following, target = device.now, device.next, self._target()
-            if following is not None and following <= target:
-                free = self._free
-                device.advance(max(following - now, 1) / SECOND)
-                if free:
-                    self._origin = self._clock() - self._simulated(device.now)
-                self._pump()
-            else:
+            now, following = device.now, device.next
+            if following is None or following > target:
                 device.advance(max(target - now, 0) / SECOND if target < math.inf else 0.0)
                 break
+            if self._free:
+                device.advance(max(following - now, 1) / SECOND)
+                self._origin = self._clock() - self._simulated(device.now)
+                self._pump()
+                target = self._target()
+            else:  # all that is due by now, in pieces
+                until = min(target, max(following, now + SLICE))
+                device.advance(max(until - now, 1) / SECOND)
+                for channel in self._channels:
+                    channel.collect()
         self._pump()
         self._slip()
 

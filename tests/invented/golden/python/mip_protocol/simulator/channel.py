@@ -14,6 +14,8 @@ from .endpoints import Scramble
 CAPACITY = 32768
 #: A line that was idle may send this much at once, in seconds of its baud rate.
 BURST = 0.005
+#: Bytes that are written at once.
+AT_ONCE = 4096
 
 
 class Link(Protocol):
@@ -104,7 +106,7 @@ class Channel:
         """
         rate = self._baud / 10 * self._pace if self._baud else 0.0  # 8N1: ten bits for a byte
         while self._queue:
-            chunk = memoryview(self._queue[0])[self._started :]
+            chunk = memoryview(self._front())[self._started :]
             if rate:
                 self._free = max(self._free, now - BURST)
                 allowed = int((now - self._free) * rate)
@@ -119,10 +121,22 @@ class Channel:
                 self._free += done / rate
             self._size -= done
             self._started += done
-            if self._started == len(self._queue[0]):
-                self._queue.popleft()
-                self._started = 0
+            while self._queue and self._started >= len(self._queue[0]):
+                self._started -= len(self._queue.popleft())
         return math.inf
+
+    def _front(self) -> bytes:
+        """What is written next: the first chunk, with those behind it as far as they are small."""
+        if len(self._queue) == 1:
+            return self._queue[0]
+        front: list[bytes] = []
+        size = 0
+        for chunk in self._queue:
+            size += len(chunk)
+            if front and size > AT_ONCE:
+                break
+            front.append(chunk)
+        return b"".join(front)
 
     def receive(self) -> bool:
         """Passes on what the client has sent; False if it is gone."""
