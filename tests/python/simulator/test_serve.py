@@ -22,7 +22,7 @@ from mip_protocol import Parser, __main__, base, devices, mip_3dm, registry, typ
 from mip_protocol.devices import Device
 from mip_protocol.field import Command, Data, Response
 from mip_protocol.simulator.channel import CAPACITY, Channel
-from mip_protocol.simulator.command import _start
+from mip_protocol.simulator.command import start_time
 from mip_protocol.simulator.device import VirtualDevice
 from mip_protocol.simulator.endpoints import Endpoint, pty_at, tcp_at
 from mip_protocol.simulator.faults import Faults
@@ -643,7 +643,7 @@ def test_start_in_gps_time() -> None:
     moments = {(1980, 1, 6): 0, (2000, 1, 1): 1042 * 7 + 6, (2024, 5, 5): 2313 * 7}
     leaps = {(1980, 1, 6): 0, (2000, 1, 1): 13, (2024, 5, 5): 18}
     for day, days in moments.items():
-        found = _start(datetime(*day).isoformat())
+        found = start_time(datetime(*day).isoformat())
         assert found == (days * 86400 + leaps[day]) * 10**9
 
 

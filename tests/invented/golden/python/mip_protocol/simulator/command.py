@@ -82,7 +82,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     add(
         "--start",
-        type=_start,
+        type=start_time,
         metavar="TIME",
         help="simulated time at the start: ISO 8601, UTC, or `now` "
         "(default: 2024-01-06T23:59:42, or that of a replayed log)",
@@ -247,7 +247,7 @@ def _number(text: str, least: float, most: float, what: str) -> float:
     return value
 
 
-def _start(text: str) -> int:
+def start_time(text: str) -> int:
     """Nanoseconds since the GPS epoch."""
     try:
         when = (
