@@ -75,7 +75,7 @@ PARTS = {
         (("tests/kaitai",), ("tests/conformance", "-k", "kaitai")),
     ),
     "docs": Part(
-        ("generated/c/include/mip/*.h", "generated/python/mip_protocol/*.py", "generated/rust/src/**/*.rs",
+        ("generated/c/src/mip/*.h", "generated/python/mip_protocol/*.py", "generated/rust/src/**/*.rs",
          "generated/markdown/docs/**/*.md"),
         (),
         (("tests/docs", "tests/c/test_c_docs.py", "tests/python/test_python_docs.py", "tests/rust/test_rust_docs.py"),),

@@ -48,8 +48,8 @@ def stream() -> bytes:
 def programs() -> dict[str, list[str]]:
     """Name -> command, built for speed."""
     c, rust = ROOT / "generated/c", ROOT / "generated/rust"
-    flags = ["-std=gnu99", "-O2", f"-I{c}/include"]
-    sources = [str(p) for p in sorted((c / "src").glob("*.c"))]
+    flags = ["-std=gnu99", "-O2", f"-I{c}/src"]
+    sources = [str(p) for p in sorted((c / "src/mip").glob("*.c"))]
     subprocess.run(["cc", *flags, str(HERE / "bench.c"), *sources, "-o", str(BUILD / "bench-c")], check=True)
     crate = BUILD / "rust"
     (crate / "src").mkdir(parents=True, exist_ok=True)

@@ -19,11 +19,11 @@ if [ "${MIP_SANITIZE:-0}" = 1 ]; then
 fi
 
 # Everything that the program is made of, so that nothing is built twice.
-stamp=$(cat "$here"/driver/* "$generated"/src/*.c "$generated"/include/mip/*.h | cksum)
+stamp=$(cat "$here"/driver/* "$generated"/src/mip/* | cksum)
 stamp="$CC $flags $generated $stamp"
 if [ ! -x "$program" ] || [ "$(cat "$program.stamp" 2>/dev/null)" != "$stamp" ]; then
     # shellcheck disable=SC2086
-    "$CC" $flags -I"$generated/include" "$here"/driver/*.c "$generated"/src/*.c -o "$program"
+    "$CC" $flags -I"$generated/src" "$here"/driver/*.c "$generated"/src/mip/*.c -o "$program"
     printf '%s\n' "$stamp" >"$program.stamp"
 fi
 printf '%s\n' "$program"

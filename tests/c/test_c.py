@@ -33,7 +33,7 @@ def folder(spec: str) -> Path:
 
 
 def sources(spec: str) -> list[str]:
-    return [str(p) for p in sorted((folder(spec) / "src").glob("*.c"))]
+    return [str(p) for p in sorted((folder(spec) / "src/mip").glob("*.c"))]
 
 
 def run(*command: str | Path, **environment: str) -> str:
@@ -52,7 +52,7 @@ def written(path: Path, of: m.Model, checks: list[str]) -> Path:
 
 
 def include(spec: str) -> str:
-    return f"-I{folder(spec)}/include"
+    return f"-I{folder(spec)}/src"
 
 
 def build(tmp: Path, compiler: str, spec: str, program: Path, *flags: str) -> Path:
@@ -94,7 +94,7 @@ def test_the_sources_are_cpp_too(compiler: str, spec: str) -> None:
 @both
 @pytest.mark.parametrize("compiler", ["cc", CPP])
 def test_each_header_stands_alone(compiler: str, spec: str, tmp_path: Path) -> None:
-    for header in sorted((folder(spec) / "include/mip").glob("*.h")):
+    for header in sorted((folder(spec) / "src/mip").glob("*.h")):
         program = tmp_path / f"{header.stem}.{'cpp' if compiler == 'g++' else 'c'}"
         program.write_text(f'#include "mip/{header.name}"\n#include "mip/{header.name}"\nint unused;\n')
         run(need(compiler), *WARNINGS, include(spec), "-fsyntax-only", program)
@@ -114,7 +114,7 @@ def test_freestanding_on_small_machines(machine: str, spec: str, tmp_path: Path)
 @both
 def test_only_the_promised_headers(spec: str) -> None:
     allowed = {"<stdbool.h>", "<stddef.h>", "<stdint.h>", "<string.h>"}
-    for path in [*folder(spec).glob("include/mip/*.h"), *folder(spec).glob("src/*.c")]:
+    for path in [*folder(spec).glob("src/mip/*.h"), *folder(spec).glob("src/mip/*.c")]:
         text = path.read_text("utf-8")
         vectors = {"<arm_neon.h>", "<emmintrin.h>"} if path.name == "checksum.c" else set()  # of compilers
         assert set(re.findall(r"#include (<.*>)", text)) <= allowed | vectors, path
@@ -143,12 +143,12 @@ def test_lines_are_short(spec: str) -> None:
 
 
 def test_files_of_two_versions_do_not_mix(tmp_path: Path) -> None:
-    shutil.copytree(folder("invented") / "include", tmp_path / "include")
-    constants = tmp_path / "include/mip/constants.h"
+    shutil.copytree(folder("invented") / "src", tmp_path / "src")
+    constants = tmp_path / "src/mip/constants.h"
     constants.write_text(re.sub(r"(#define MIP_VERSION_NUMBER) \d+", r"\1 1", constants.read_text()))
     (tmp_path / "user.c").write_text('#include "mip/tools.h"\n')
     done = subprocess.run(
-        [need("cc"), f"-I{tmp_path}/include", "-fsyntax-only", str(tmp_path / "user.c")],
+        [need("cc"), f"-I{tmp_path}/src", "-fsyntax-only", str(tmp_path / "user.c")],
         capture_output=True, text=True,
     )  # fmt: skip
     assert done.returncode != 0 and "are not of one version" in done.stderr
@@ -158,7 +158,7 @@ def test_names_of_the_core_are_taken() -> None:
     """language.yaml knows all of them, so that no name of a specification becomes one."""
     found, constants = set(), set()
     for header in ("constants", "core", "client", "registry", "reflect", "profile"):
-        text = (folder("real") / f"include/mip/{header}.h").read_text("utf-8")
+        text = (folder("real") / f"src/mip/{header}.h").read_text("utf-8")
         text = re.sub(r"/\*.*?\*/|#include[^\n]*", "", text, flags=re.S)
         found |= set(re.findall(r"\bmip_(\w+)", text)) - {"ack_code"}
         constants |= set(re.findall(r"^(?:#define| {3}) MIP_(\w+)", text, re.M)) - {f"{header.upper()}_H"}
@@ -517,14 +517,14 @@ def vendored(tmp_path: Path) -> Path:
 def test_folder_alone_builds(vendored: Path, tmp_path: Path) -> None:
     for name in ("README.md", "LICENSE", "CMakeLists.txt"):
         assert (vendored / name).is_file()
-    run("sh", "-c", f"cd {vendored} && {need('cc')} -Iinclude taste.c src/*.c -o {tmp_path}/taste")
+    run("sh", "-c", f"cd {vendored} && {need('cc')} -Isrc taste.c src/mip/*.c -o {tmp_path}/taste")
     taste(run(tmp_path / "taste"))
 
 
 @both
 def test_cmake_builds_every_source(spec: str) -> None:
     lists = [folder(spec) / "CMakeLists.txt", folder(spec) / "cmake/generated.cmake"]
-    named = [name for path in lists for name in re.findall(r"^  src/(\w+\.c)$", path.read_text("utf-8"), re.M)]
+    named = [name for path in lists for name in re.findall(r"^  src/mip/(\w+\.c)$", path.read_text("utf-8"), re.M)]
     assert sorted(named) == sorted(Path(source).name for source in sources(spec))
 
 
@@ -589,5 +589,5 @@ def test_awkward_names_and_shapes(compiler: str, tmp_path: Path) -> None:
     assert cli.main(["generate", "--spec", str(spec), "--out", str(tmp_path / "out"), "--target", "c"]) == 0
     where = tmp_path / "out/c"
     language = ["-std=c++11", "-x", "c++"] if compiler == "g++" else ["-std=c99"]
-    for source in sorted((where / "src").glob("*.c")):
-        run(need(compiler), *language, *WARNINGS, f"-I{where}/include", "-fsyntax-only", source)
+    for source in sorted((where / "src/mip").glob("*.c")):
+        run(need(compiler), *language, *WARNINGS, f"-I{where}/src", "-fsyntax-only", source)

@@ -63,8 +63,8 @@ def declared(statement: str) -> str:
 @cache
 def comments(spec: str) -> dict[str, str]:
     found: dict[str, str] = {}
-    for path in sorted((SPECS[spec][1] / "c/include/mip").glob("*.h")):
-        if not (ROOT / "templates/c/runtime/include/mip" / path.name).exists():
+    for path in sorted((SPECS[spec][1] / "c/src/mip").glob("*.h")):
+        if not (ROOT / "templates/c/runtime/src/mip" / path.name).exists():
             found |= documented(path.read_text("utf-8"))
     return found
 

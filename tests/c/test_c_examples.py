@@ -38,7 +38,7 @@ static void check(const char *id, struct mip_builder *b, const char *hex) {
 @pytest.mark.parametrize("spec", sorted(SPECS))
 def test_examples_built_by_hand(spec: str, tmp_path: Path) -> None:
     of, folder = model(spec), SPECS[spec][1] / "c"
-    lines = [f'#include "mip/{p.name}"' for p in sorted((folder / "include/mip").glob("*.h"))]
+    lines = [f'#include "mip/{p.name}"' for p in sorted((folder / "src/mip").glob("*.h"))]
     lines += [PRELUDE, "int main(void) {", "uint8_t buffer[MIP_MAX_PACKET];", "struct mip_builder b;",
               "(void)f32; (void)f64;"]  # fmt: skip
     for e in of.examples:
@@ -51,9 +51,9 @@ def test_examples_built_by_hand(spec: str, tmp_path: Path) -> None:
     program = tmp_path / "examples.c"
     program.write_text("\n".join(lines))
     out = tmp_path / "examples"
-    sources = [str(p) for p in sorted((folder / "src").glob("*.c"))]
+    sources = [str(p) for p in sorted((folder / "src/mip").glob("*.c"))]
     flags = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-fsanitize=address,undefined"]
-    subprocess.run([need("cc"), *flags, f"-I{folder}/include", str(program), *sources, "-o", str(out)], check=True)
+    subprocess.run([need("cc"), *flags, f"-I{folder}/src", str(program), *sources, "-o", str(out)], check=True)
     done = subprocess.run([str(out)], capture_output=True, text=True)
     assert done.returncode == 0 and done.stdout == f"{len(of.examples)} examples\n", done.stdout + done.stderr
 

@@ -54,7 +54,7 @@ def test_what_the_new_specification_generates_is_usable(tmp_path: Path) -> None:
     assert cli.main(["new", str(tmp_path / "spec")]) == 0
     assert mipgen("generate", cwd=tmp_path).returncode == 0
     c = tmp_path / "generated/c"
-    sources = map(str, sorted((c / "src").glob("*.c")))
+    sources = map(str, sorted((c / "src/mip").glob("*.c")))
     flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only", f"-I{c / 'include'}"]
     subprocess.run([need("cc"), *flags, *sources], check=True)
     code = """if True:
@@ -204,7 +204,7 @@ def test_nothing_changed(work: Path) -> None:
     assert first.stdout == second.stdout and " 0 changed" in first.stdout
 
 
-@pytest.mark.parametrize("path", ["c/src/core.c", "python/.manifest", "markdown/README.md"])
+@pytest.mark.parametrize("path", ["c/src/mip/core.c", "python/.manifest", "markdown/README.md"])
 def test_an_output_that_was_changed_or_is_gone_is_written_again(work: Path, path: str) -> None:
     file = work / "generated" / path
     status = file.stat()

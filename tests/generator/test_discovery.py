@@ -68,15 +68,15 @@ def test_a_target_may_have_modules_and_files_beside_it(folder: Path) -> None:
 def test_templates_and_runtime_of_ours_are_replaced_and_joined(tmp_path: Path) -> None:
     folder = tmp_path / "targets"
     write(folder / "c/README.md.j2", "C of {{ model.protocol.name }}\n")
-    write(folder / "c/runtime/src/error.c", "int   error;\n")
+    write(folder / "c/runtime/src/mip/error.c", "int   error;\n")
     write(folder / "c/runtime/Makefile", "all:\n")
     assert generate(folder, "--target", "c") == 0
     golden = {p.relative_to(GOLDEN / "c").as_posix() for p in (GOLDEN / "c").rglob("*") if p.is_file()}
     there = {p.relative_to(tmp_path / "out/c").as_posix() for p in (tmp_path / "out/c").rglob("*") if p.is_file()}
     assert there == golden | {"Makefile"}
     assert made(folder, "c/README.md") == "C of MIP\n"
-    assert made(folder, "c/src/error.c") == "int error;\n"
-    for path in golden - {"README.md", "src/error.c", ".manifest"}:
+    assert made(folder, "c/src/mip/error.c") == "int error;\n"
+    for path in golden - {"README.md", "src/mip/error.c", ".manifest"}:
         assert (tmp_path / "out/c" / path).read_bytes() == (GOLDEN / "c" / path).read_bytes(), path
 
 

@@ -131,7 +131,7 @@ def test_counts_agree(first: Path) -> None:
 
     each = len(own) + 1  # and the acknowledge field
     assert count(r"^    DESCRIPTOR = ", "python", "*.py") == each
-    assert count(r"^mip_error mip_\w+_decode\(\s*struct mip_", "c/include/mip", "*.h") == each
+    assert count(r"^mip_error mip_\w+_decode\(\s*struct mip_", "c/src/mip", "*.h") == each
     assert count(r"^field! \{", "rust/src/", "*.rs") == each
     assert count(r"^    -orig-id: ", "kaitai", "mip.ksy") == each
     anchors = "|".join(re.escape(f'<a id="{f.full_name}">') for f in all_fields(of))

@@ -34,7 +34,7 @@ def test_paths() -> None:
 
 def test_the_way_of_a_fact() -> None:
     """The example is what the outputs have."""
-    c = (ROOT / "generated/c/include/mip/base.h").read_text("utf-8")
+    c = (ROOT / "generated/c/src/mip/base.h").read_text("utf-8")
     python = (ROOT / "generated/python/mip_protocol/base.py").read_text("utf-8")
     rust = (ROOT / "generated/rust/src/sets/base.rs").read_text("utf-8")
     markdown = (ROOT / "generated/markdown/docs/sets/base.md").read_text("utf-8")

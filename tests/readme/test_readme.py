@@ -36,11 +36,11 @@ def run(*command: str | Path, **environment: str) -> str:
 def test_c(tmp_path: Path) -> None:
     source = (ROOT / "generated/c/taste.c").read_text("utf-8")
     assert source.partition("*/\n")[2].rstrip() == block("c").rstrip()
-    sources = sorted((ROOT / "generated/c/src").glob("*.c"))
+    sources = sorted((ROOT / "generated/c/src/mip").glob("*.c"))
     run(
         need("cc"),
         "-std=c99",
-        f"-I{ROOT}/generated/c/include",
+        f"-I{ROOT}/generated/c/src",
         ROOT / "generated/c/taste.c",
         *sources,
         "-o",
@@ -122,8 +122,8 @@ def test_own_fields(tmp_path: Path) -> None:
     out = tmp_path / "with_my_fields"
     code = "from mip_protocol import sensor; print(sensor.AmbientLight.SET, sensor.AmbientLight.DESCRIPTOR)"
     assert run(sys.executable, "-c", code, PYTHONPATH=str(out / "python")) == "128 122\n"
-    assert "struct mip_sensor_ambient_light {" in (out / "c/include/mip/sensor.h").read_text()
-    run(need("cc"), "-std=c99", f"-I{out}/c/include", "-fsyntax-only", *sorted((out / "c/src").glob("*.c")))
+    assert "struct mip_sensor_ambient_light {" in (out / "c/src/mip/sensor.h").read_text()
+    run(need("cc"), "-std=c99", f"-I{out}/c/src", "-fsyntax-only", *sorted((out / "c/src/mip").glob("*.c")))
 
 
 def test_a_part(tmp_path: Path) -> None:
@@ -136,7 +136,7 @@ def test_a_part(tmp_path: Path) -> None:
     mipgen(tmp_path, few)
     out = tmp_path / "few"
     assert sorted(p.stem for p in (out / "markdown/docs/sets").iterdir()) == ["3dm", "base"]
-    run(need("cc"), "-std=c99", f"-I{out}/c/include", "-fsyntax-only", *sorted((out / "c/src").glob("*.c")))
+    run(need("cc"), "-std=c99", f"-I{out}/c/src", "-fsyntax-only", *sorted((out / "c/src/mip").glob("*.c")))
 
 
 def test_differences(tmp_path: Path) -> None:

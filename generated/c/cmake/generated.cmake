@@ -1,21 +1,21 @@
 # Version and generated sources of the mip library, for CMakeLists.txt.
 set(MIP_VERSION 0.1.0)
 set(MIP_GENERATED_SOURCES
-  src/3dm.c
-  src/aiding.c
-  src/base.c
-  src/devices.c
-  src/filter.c
-  src/filter_data.c
-  src/gnss.c
-  src/gnss_1.c
-  src/protocol.c
-  src/reflection.c
-  src/registry.c
-  src/rtk.c
-  src/sensor.c
-  src/shared.c
-  src/system.c
-  src/system_data.c
-  src/types.c
+  src/mip/3dm.c
+  src/mip/aiding.c
+  src/mip/base.c
+  src/mip/devices.c
+  src/mip/filter.c
+  src/mip/filter_data.c
+  src/mip/gnss.c
+  src/mip/gnss_1.c
+  src/mip/protocol.c
+  src/mip/reflection.c
+  src/mip/registry.c
+  src/mip/rtk.c
+  src/mip/sensor.c
+  src/mip/shared.c
+  src/mip/system.c
+  src/mip/system_data.c
+  src/mip/types.c
 )

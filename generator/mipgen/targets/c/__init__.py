@@ -21,16 +21,16 @@ FORMATTER = formatting.CLANG_FORMAT
 
 def files(model: m.Model) -> Iterator[File]:
     made = ["devices", "protocol", "reflection", "registry", "types"]
-    yield File("include/mip/constants.h", "constants.h.j2", {"max_field_data": m.MAX_FIELD_DATA})
+    yield File("src/mip/constants.h", "constants.h.j2", {"max_field_data": m.MAX_FIELD_DATA})
     for name in ("devices", "protocol", "types"):
-        yield File(f"include/mip/{name}.h", f"{name}.h.j2")
+        yield File(f"src/mip/{name}.h", f"{name}.h.j2")
     for name in made:
-        yield File(f"src/{name}.c", f"{name}.c.j2")
+        yield File(f"src/mip/{name}.c", f"{name}.c.j2")
     for s in model.sets:
-        yield File(f"include/mip/{names.module(s.name)}.h", "set.h.j2", {"set": s})
+        yield File(f"src/mip/{names.module(s.name)}.h", "set.h.j2", {"set": s})
         if has_code(s):
             made.append(names.module(s.name))
-            yield File(f"src/{names.module(s.name)}.c", "set.c.j2", {"set": s})
+            yield File(f"src/mip/{names.module(s.name)}.c", "set.c.j2", {"set": s})
     yield File("cmake/generated.cmake", "generated.cmake.j2", {"sources": sorted(made)})
     taste = model.taste("taste.c")
     if taste:

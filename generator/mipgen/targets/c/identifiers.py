@@ -17,7 +17,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
         yield from _type(t)
     yield from _field(model.protocol.acknowledge)
     for s in model.sets:
-        yield Identifier("include/mip", module(s.name), f"set {s.name}", s.position)
+        yield Identifier("src/mip", module(s.name), f"set {s.name}", s.position)
         yield Identifier("C", f"{macro(f'mip_{s.name}')}_SET", f"set {s.name}", s.position)
         for t in s.types:
             yield from _type(t)

@@ -1,14 +1,14 @@
 # Version and generated sources of the mip library, for CMakeLists.txt.
 set(MIP_VERSION 0.1.0)
 set(MIP_GENERATED_SOURCES
-  src/3d.c
-  src/devices.c
-  src/measurements.c
-  src/more.c
-  src/protocol.c
-  src/reflection.c
-  src/registry.c
-  src/shared.c
-  src/tools.c
-  src/types.c
+  src/mip/3d.c
+  src/mip/devices.c
+  src/mip/measurements.c
+  src/mip/more.c
+  src/mip/protocol.c
+  src/mip/reflection.c
+  src/mip/registry.c
+  src/mip/shared.c
+  src/mip/tools.c
+  src/mip/types.c
 )
