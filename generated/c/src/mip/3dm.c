@@ -3139,8 +3139,7 @@ struct mip_3dm_device_settings mip_3dm_device_settings_default(void) {
 static const uint8_t required_sensor_to_vehicle_transform_euler[] = {0, 3, 0, 0, 0, 0};
 
 static void read_sensor_to_vehicle_transform_euler(struct mip_reader *r, void *value) {
-    struct mip_3dm_sensor_to_vehicle_transform_euler *v =
-        (struct mip_3dm_sensor_to_vehicle_transform_euler *)value;
+    struct mip_3dm_sensor_to_vehicle_euler *v = (struct mip_3dm_sensor_to_vehicle_euler *)value;
     mip_read_u8(r, &v->function, 1);
     mip_read_required(r, v->function, required_sensor_to_vehicle_transform_euler,
                       sizeof(required_sensor_to_vehicle_transform_euler));
@@ -3154,8 +3153,8 @@ static void read_sensor_to_vehicle_transform_euler(struct mip_reader *r, void *v
 }
 
 static void write_sensor_to_vehicle_transform_euler(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_euler *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_euler *)value;
+    const struct mip_3dm_sensor_to_vehicle_euler *v =
+        (const struct mip_3dm_sensor_to_vehicle_euler *)value;
     mip_write_u8(w, &v->function, 1);
     mip_write_required(w, v->function, required_sensor_to_vehicle_transform_euler,
                        sizeof(required_sensor_to_vehicle_transform_euler), v->present);
@@ -3168,23 +3167,22 @@ static void write_sensor_to_vehicle_transform_euler(struct mip_writer *w, const 
 }
 
 static bool asked_sensor_to_vehicle_transform_euler_1(const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_euler *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_euler *)value;
+    const struct mip_3dm_sensor_to_vehicle_euler *v =
+        (const struct mip_3dm_sensor_to_vehicle_euler *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
 static const struct mip_response responses_sensor_to_vehicle_transform_euler[] = {
-    {&mip_3dm_sensor_to_vehicle_transform_euler_response_codec,
-     asked_sensor_to_vehicle_transform_euler_1},
+    {&mip_3dm_sensor_to_vehicle_euler_response_codec, asked_sensor_to_vehicle_transform_euler_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_euler_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_DESCRIPTOR,
+    MIP_3DM_SENSOR_TO_VEHICLE_EULER_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler),
+    sizeof(struct mip_3dm_sensor_to_vehicle_euler),
     0, /* time-out */
     read_sensor_to_vehicle_transform_euler,
     write_sensor_to_vehicle_transform_euler,
@@ -3193,21 +3191,22 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec = {
     NULL,
 };
 
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_euler *value, const struct mip_field *field) {
+mip_error mip_3dm_sensor_to_vehicle_euler_decode(struct mip_3dm_sensor_to_vehicle_euler *value,
+                                                 const struct mip_field *field) {
     return mip_decode_field(field, read_sensor_to_vehicle_transform_euler, value, sizeof(*value),
                             NULL);
 }
 
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_euler *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_DESCRIPTOR,
+mip_error mip_3dm_sensor_to_vehicle_euler_encode(
+    const struct mip_3dm_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_TO_VEHICLE_EULER_DESCRIPTOR,
                             write_sensor_to_vehicle_transform_euler, value);
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_write(float roll, float pitch, float yaw) {
-    struct mip_3dm_sensor_to_vehicle_transform_euler v;
+struct mip_3dm_sensor_to_vehicle_euler mip_3dm_sensor_to_vehicle_euler_write(float roll,
+                                                                             float pitch,
+                                                                             float yaw) {
+    struct mip_3dm_sensor_to_vehicle_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.roll = roll;
@@ -3216,41 +3215,37 @@ mip_3dm_sensor_to_vehicle_transform_euler_write(float roll, float pitch, float y
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_read(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_euler v;
+struct mip_3dm_sensor_to_vehicle_euler mip_3dm_sensor_to_vehicle_euler_read(void) {
+    struct mip_3dm_sensor_to_vehicle_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_save(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_euler v;
+struct mip_3dm_sensor_to_vehicle_euler mip_3dm_sensor_to_vehicle_euler_save(void) {
+    struct mip_3dm_sensor_to_vehicle_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_load(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_euler v;
+struct mip_3dm_sensor_to_vehicle_euler mip_3dm_sensor_to_vehicle_euler_load(void) {
+    struct mip_3dm_sensor_to_vehicle_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_default(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_euler v;
+struct mip_3dm_sensor_to_vehicle_euler mip_3dm_sensor_to_vehicle_euler_default(void) {
+    struct mip_3dm_sensor_to_vehicle_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
 static void read_sensor_to_vehicle_transform_euler_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_sensor_to_vehicle_transform_euler_response *v =
-        (struct mip_3dm_sensor_to_vehicle_transform_euler_response *)value;
+    struct mip_3dm_sensor_to_vehicle_euler_response *v =
+        (struct mip_3dm_sensor_to_vehicle_euler_response *)value;
     mip_read_float(r, &v->roll, 1);
     mip_read_float(r, &v->pitch, 1);
     mip_read_float(r, &v->yaw, 1);
@@ -3258,18 +3253,18 @@ static void read_sensor_to_vehicle_transform_euler_response(struct mip_reader *r
 
 static void write_sensor_to_vehicle_transform_euler_response(struct mip_writer *w,
                                                              const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_euler_response *)value;
+    const struct mip_3dm_sensor_to_vehicle_euler_response *v =
+        (const struct mip_3dm_sensor_to_vehicle_euler_response *)value;
     mip_write_float(w, &v->roll, 1);
     mip_write_float(w, &v->pitch, 1);
     mip_write_float(w, &v->yaw, 1);
 }
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_euler_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_DESCRIPTOR,
+    MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler_response),
+    sizeof(struct mip_3dm_sensor_to_vehicle_euler_response),
     0, /* time-out */
     read_sensor_to_vehicle_transform_euler_response,
     write_sensor_to_vehicle_transform_euler_response,
@@ -3278,18 +3273,15 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec 
     NULL,
 };
 
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
-    const struct mip_field *field) {
+mip_error mip_3dm_sensor_to_vehicle_euler_response_decode(
+    struct mip_3dm_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
     return mip_decode_field(field, read_sensor_to_vehicle_transform_euler_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_DESCRIPTOR,
+mip_error mip_3dm_sensor_to_vehicle_euler_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE_DESCRIPTOR,
                             write_sensor_to_vehicle_transform_euler_response, value);
 }
 
@@ -3297,8 +3289,8 @@ mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
 static const uint8_t required_sensor_to_vehicle_transform_quaternion[] = {0, 1, 0, 0, 0, 0};
 
 static void read_sensor_to_vehicle_transform_quaternion(struct mip_reader *r, void *value) {
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *v =
-        (struct mip_3dm_sensor_to_vehicle_transform_quaternion *)value;
+    struct mip_3dm_sensor_to_vehicle_quaternion *v =
+        (struct mip_3dm_sensor_to_vehicle_quaternion *)value;
     mip_read_u8(r, &v->function, 1);
     mip_read_required(r, v->function, required_sensor_to_vehicle_transform_quaternion,
                       sizeof(required_sensor_to_vehicle_transform_quaternion));
@@ -3308,8 +3300,8 @@ static void read_sensor_to_vehicle_transform_quaternion(struct mip_reader *r, vo
 }
 
 static void write_sensor_to_vehicle_transform_quaternion(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_quaternion *)value;
+    const struct mip_3dm_sensor_to_vehicle_quaternion *v =
+        (const struct mip_3dm_sensor_to_vehicle_quaternion *)value;
     mip_write_u8(w, &v->function, 1);
     mip_write_required(w, v->function, required_sensor_to_vehicle_transform_quaternion,
                        sizeof(required_sensor_to_vehicle_transform_quaternion), v->present);
@@ -3318,23 +3310,23 @@ static void write_sensor_to_vehicle_transform_quaternion(struct mip_writer *w, c
 }
 
 static bool asked_sensor_to_vehicle_transform_quaternion_1(const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_quaternion *)value;
+    const struct mip_3dm_sensor_to_vehicle_quaternion *v =
+        (const struct mip_3dm_sensor_to_vehicle_quaternion *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
 static const struct mip_response responses_sensor_to_vehicle_transform_quaternion[] = {
-    {&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec,
+    {&mip_3dm_sensor_to_vehicle_quaternion_response_codec,
      asked_sensor_to_vehicle_transform_quaternion_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_DESCRIPTOR,
+    MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion),
+    sizeof(struct mip_3dm_sensor_to_vehicle_quaternion),
     0, /* time-out */
     read_sensor_to_vehicle_transform_quaternion,
     write_sensor_to_vehicle_transform_quaternion,
@@ -3343,56 +3335,50 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec = {
     NULL,
 };
 
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *value, const struct mip_field *field) {
+mip_error mip_3dm_sensor_to_vehicle_quaternion_decode(
+    struct mip_3dm_sensor_to_vehicle_quaternion *value, const struct mip_field *field) {
     return mip_decode_field(field, read_sensor_to_vehicle_transform_quaternion, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_DESCRIPTOR,
+mip_error mip_3dm_sensor_to_vehicle_quaternion_encode(
+    const struct mip_3dm_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_DESCRIPTOR,
                             write_sensor_to_vehicle_transform_quaternion, value);
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_write(const float q[4]) {
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion v;
+struct mip_3dm_sensor_to_vehicle_quaternion
+mip_3dm_sensor_to_vehicle_quaternion_write(const float q[4]) {
+    struct mip_3dm_sensor_to_vehicle_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(v.q, q, sizeof(v.q));
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_read(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion v;
+struct mip_3dm_sensor_to_vehicle_quaternion mip_3dm_sensor_to_vehicle_quaternion_read(void) {
+    struct mip_3dm_sensor_to_vehicle_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_save(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion v;
+struct mip_3dm_sensor_to_vehicle_quaternion mip_3dm_sensor_to_vehicle_quaternion_save(void) {
+    struct mip_3dm_sensor_to_vehicle_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_load(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion v;
+struct mip_3dm_sensor_to_vehicle_quaternion mip_3dm_sensor_to_vehicle_quaternion_load(void) {
+    struct mip_3dm_sensor_to_vehicle_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_default(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion v;
+struct mip_3dm_sensor_to_vehicle_quaternion mip_3dm_sensor_to_vehicle_quaternion_default(void) {
+    struct mip_3dm_sensor_to_vehicle_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
@@ -3400,23 +3386,23 @@ mip_3dm_sensor_to_vehicle_transform_quaternion_default(void) {
 
 static void read_sensor_to_vehicle_transform_quaternion_response(struct mip_reader *r,
                                                                  void *value) {
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *v =
-        (struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *)value;
+    struct mip_3dm_sensor_to_vehicle_quaternion_response *v =
+        (struct mip_3dm_sensor_to_vehicle_quaternion_response *)value;
     mip_read_float(r, v->q, 4);
 }
 
 static void write_sensor_to_vehicle_transform_quaternion_response(struct mip_writer *w,
                                                                   const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *)value;
+    const struct mip_3dm_sensor_to_vehicle_quaternion_response *v =
+        (const struct mip_3dm_sensor_to_vehicle_quaternion_response *)value;
     mip_write_float(w, v->q, 4);
 }
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_DESCRIPTOR,
+    MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response),
+    sizeof(struct mip_3dm_sensor_to_vehicle_quaternion_response),
     0, /* time-out */
     read_sensor_to_vehicle_transform_quaternion_response,
     write_sensor_to_vehicle_transform_quaternion_response,
@@ -3425,18 +3411,16 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_c
     NULL,
 };
 
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
-    const struct mip_field *field) {
+mip_error mip_3dm_sensor_to_vehicle_quaternion_response_decode(
+    struct mip_3dm_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
     return mip_decode_field(field, read_sensor_to_vehicle_transform_quaternion_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
+mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_DESCRIPTOR,
                             write_sensor_to_vehicle_transform_quaternion_response, value);
 }
 
@@ -3444,8 +3428,7 @@ mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
 static const uint8_t required_sensor_to_vehicle_transform_dcm[] = {0, 1, 0, 0, 0, 0};
 
 static void read_sensor_to_vehicle_transform_dcm(struct mip_reader *r, void *value) {
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *v =
-        (struct mip_3dm_sensor_to_vehicle_transform_dcm *)value;
+    struct mip_3dm_sensor_to_vehicle_dcm *v = (struct mip_3dm_sensor_to_vehicle_dcm *)value;
     mip_read_u8(r, &v->function, 1);
     mip_read_required(r, v->function, required_sensor_to_vehicle_transform_dcm,
                       sizeof(required_sensor_to_vehicle_transform_dcm));
@@ -3455,8 +3438,8 @@ static void read_sensor_to_vehicle_transform_dcm(struct mip_reader *r, void *val
 }
 
 static void write_sensor_to_vehicle_transform_dcm(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_dcm *)value;
+    const struct mip_3dm_sensor_to_vehicle_dcm *v =
+        (const struct mip_3dm_sensor_to_vehicle_dcm *)value;
     mip_write_u8(w, &v->function, 1);
     mip_write_required(w, v->function, required_sensor_to_vehicle_transform_dcm,
                        sizeof(required_sensor_to_vehicle_transform_dcm), v->present);
@@ -3465,23 +3448,22 @@ static void write_sensor_to_vehicle_transform_dcm(struct mip_writer *w, const vo
 }
 
 static bool asked_sensor_to_vehicle_transform_dcm_1(const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_dcm *)value;
+    const struct mip_3dm_sensor_to_vehicle_dcm *v =
+        (const struct mip_3dm_sensor_to_vehicle_dcm *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
 static const struct mip_response responses_sensor_to_vehicle_transform_dcm[] = {
-    {&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec,
-     asked_sensor_to_vehicle_transform_dcm_1},
+    {&mip_3dm_sensor_to_vehicle_dcm_response_codec, asked_sensor_to_vehicle_transform_dcm_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_DESCRIPTOR,
+    MIP_3DM_SENSOR_TO_VEHICLE_DCM_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm),
+    sizeof(struct mip_3dm_sensor_to_vehicle_dcm),
     0, /* time-out */
     read_sensor_to_vehicle_transform_dcm,
     write_sensor_to_vehicle_transform_dcm,
@@ -3490,74 +3472,72 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec = {
     NULL,
 };
 
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *value, const struct mip_field *field) {
+mip_error mip_3dm_sensor_to_vehicle_dcm_decode(struct mip_3dm_sensor_to_vehicle_dcm *value,
+                                               const struct mip_field *field) {
     return mip_decode_field(field, read_sensor_to_vehicle_transform_dcm, value, sizeof(*value),
                             NULL);
 }
 
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_DESCRIPTOR,
+mip_error mip_3dm_sensor_to_vehicle_dcm_encode(const struct mip_3dm_sensor_to_vehicle_dcm *value,
+                                               struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_TO_VEHICLE_DCM_DESCRIPTOR,
                             write_sensor_to_vehicle_transform_dcm, value);
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_dcm
-mip_3dm_sensor_to_vehicle_transform_dcm_write(const float dcm[9]) {
-    struct mip_3dm_sensor_to_vehicle_transform_dcm v;
+struct mip_3dm_sensor_to_vehicle_dcm mip_3dm_sensor_to_vehicle_dcm_write(const float dcm[9]) {
+    struct mip_3dm_sensor_to_vehicle_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(v.dcm, dcm, sizeof(v.dcm));
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_read(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_dcm v;
+struct mip_3dm_sensor_to_vehicle_dcm mip_3dm_sensor_to_vehicle_dcm_read(void) {
+    struct mip_3dm_sensor_to_vehicle_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_save(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_dcm v;
+struct mip_3dm_sensor_to_vehicle_dcm mip_3dm_sensor_to_vehicle_dcm_save(void) {
+    struct mip_3dm_sensor_to_vehicle_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_load(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_dcm v;
+struct mip_3dm_sensor_to_vehicle_dcm mip_3dm_sensor_to_vehicle_dcm_load(void) {
+    struct mip_3dm_sensor_to_vehicle_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_dcm
-mip_3dm_sensor_to_vehicle_transform_dcm_default(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_dcm v;
+struct mip_3dm_sensor_to_vehicle_dcm mip_3dm_sensor_to_vehicle_dcm_default(void) {
+    struct mip_3dm_sensor_to_vehicle_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
 static void read_sensor_to_vehicle_transform_dcm_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *v =
-        (struct mip_3dm_sensor_to_vehicle_transform_dcm_response *)value;
+    struct mip_3dm_sensor_to_vehicle_dcm_response *v =
+        (struct mip_3dm_sensor_to_vehicle_dcm_response *)value;
     mip_read_float(r, v->dcm, 9);
 }
 
 static void write_sensor_to_vehicle_transform_dcm_response(struct mip_writer *w,
                                                            const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *)value;
+    const struct mip_3dm_sensor_to_vehicle_dcm_response *v =
+        (const struct mip_3dm_sensor_to_vehicle_dcm_response *)value;
     mip_write_float(w, v->dcm, 9);
 }
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec = {
+const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_DESCRIPTOR,
+    MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm_response),
+    sizeof(struct mip_3dm_sensor_to_vehicle_dcm_response),
     0, /* time-out */
     read_sensor_to_vehicle_transform_dcm_response,
     write_sensor_to_vehicle_transform_dcm_response,
@@ -3566,17 +3546,15 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec = 
     NULL,
 };
 
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field) {
+mip_error mip_3dm_sensor_to_vehicle_dcm_response_decode(
+    struct mip_3dm_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
     return mip_decode_field(field, read_sensor_to_vehicle_transform_dcm_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_DESCRIPTOR,
+mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE_DESCRIPTOR,
                             write_sensor_to_vehicle_transform_dcm_response, value);
 }
 
@@ -5603,7 +5581,7 @@ static bool asked_device_status_2(const void *value) {
 
 static const struct mip_response responses_device_status[] = {
     {&mip_3dm_device_status_basic_response_codec, asked_device_status_1},
-    {&mip_3dm_device_status_basic_without_state_response_codec, asked_device_status_1},
+    {&mip_3dm_device_status_basic_stateless_response_codec, asked_device_status_1},
     {&mip_3dm_device_status_diagnostic_response_codec, asked_device_status_2},
     {&mip_3dm_device_status_diagnostic_gnss_response_codec, asked_device_status_2},
     {&mip_3dm_device_status_diagnostic_gq4_45_response_codec, asked_device_status_2},
@@ -5701,8 +5679,8 @@ mip_error mip_3dm_device_status_basic_response_encode(
 }
 
 static void read_device_status_basic_without_state_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_device_status_basic_without_state_response *v =
-        (struct mip_3dm_device_status_basic_without_state_response *)value;
+    struct mip_3dm_device_status_basic_stateless_response *v =
+        (struct mip_3dm_device_status_basic_stateless_response *)value;
     mip_read_u16(r, &v->model_number, 1);
     mip_read_constant(r, 1, 1);
     mip_read_u32(r, &v->status_flags, 1);
@@ -5711,8 +5689,8 @@ static void read_device_status_basic_without_state_response(struct mip_reader *r
 
 static void write_device_status_basic_without_state_response(struct mip_writer *w,
                                                              const void *value) {
-    const struct mip_3dm_device_status_basic_without_state_response *v =
-        (const struct mip_3dm_device_status_basic_without_state_response *)value;
+    const struct mip_3dm_device_status_basic_stateless_response *v =
+        (const struct mip_3dm_device_status_basic_stateless_response *)value;
     mip_write_u16(w, &v->model_number, 1);
     mip_write_constant(w, 1, 1);
     mip_write_u32(w, &v->status_flags, 1);
@@ -5729,11 +5707,11 @@ static const struct mip_layout layout_device_status_basic_without_state_response
     constants_device_status_basic_without_state_response,
 };
 
-const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec = {
+const struct mip_codec mip_3dm_device_status_basic_stateless_response_codec = {
     0x0C, /* descriptor set */
-    MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_DESCRIPTOR,
+    MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_3dm_device_status_basic_without_state_response),
+    sizeof(struct mip_3dm_device_status_basic_stateless_response),
     0, /* time-out */
     read_device_status_basic_without_state_response,
     write_device_status_basic_without_state_response,
@@ -5742,18 +5720,17 @@ const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec 
     &layout_device_status_basic_without_state_response,
 };
 
-mip_error mip_3dm_device_status_basic_without_state_response_decode(
-    struct mip_3dm_device_status_basic_without_state_response *value,
-    const struct mip_field *field) {
+mip_error mip_3dm_device_status_basic_stateless_response_decode(
+    struct mip_3dm_device_status_basic_stateless_response *value, const struct mip_field *field) {
     return mip_decode_field(field, read_device_status_basic_without_state_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_3dm_device_status_basic_without_state_response_encode(
-    const struct mip_3dm_device_status_basic_without_state_response *value,
+mip_error mip_3dm_device_status_basic_stateless_response_encode(
+    const struct mip_3dm_device_status_basic_stateless_response *value,
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_DESCRIPTOR,
+                            MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE_DESCRIPTOR,
                             write_device_status_basic_without_state_response, value);
 }
 

@@ -2000,8 +2000,10 @@ struct mip_3dm_device_settings mip_3dm_device_settings_default(void);
  *
  * Mounting of the sensor in the vehicle as Euler angles.
  *
+ * In full: 3dm.sensor_to_vehicle_transform_euler.
+ *
  * Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and default.
- * Answered by mip_3dm_sensor_to_vehicle_transform_euler_response. Supported by 3DM-CV7-GNSS/INS and
+ * Answered by mip_3dm_sensor_to_vehicle_euler_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GQ7-GNSS/INS.
  *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
@@ -2021,7 +2023,7 @@ struct mip_3dm_device_settings mip_3dm_device_settings_default(void);
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
-struct mip_3dm_sensor_to_vehicle_transform_euler {
+struct mip_3dm_sensor_to_vehicle_euler {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2034,39 +2036,38 @@ struct mip_3dm_sensor_to_vehicle_transform_euler {
     float yaw;
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_DESCRIPTOR 0x31
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_NAME "3dm.sensor_to_vehicle_transform_euler"
+#define MIP_3DM_SENSOR_TO_VEHICLE_EULER_DESCRIPTOR 0x31
+#define MIP_3DM_SENSOR_TO_VEHICLE_EULER_NAME "3dm.sensor_to_vehicle_transform_euler"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec;
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_euler *value, const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_euler *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_euler_codec;
+mip_error mip_3dm_sensor_to_vehicle_euler_decode(struct mip_3dm_sensor_to_vehicle_euler *value,
+                                                 const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_euler_encode(
+    const struct mip_3dm_sensor_to_vehicle_euler *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_write(float roll, float pitch, float yaw);
+struct mip_3dm_sensor_to_vehicle_euler mip_3dm_sensor_to_vehicle_euler_write(float roll,
+                                                                             float pitch,
+                                                                             float yaw);
 /** Send the current setting back in a response. */
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_read(void);
+struct mip_3dm_sensor_to_vehicle_euler mip_3dm_sensor_to_vehicle_euler_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_save(void);
+struct mip_3dm_sensor_to_vehicle_euler mip_3dm_sensor_to_vehicle_euler_save(void);
 /** Load the saved setting. */
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_load(void);
+struct mip_3dm_sensor_to_vehicle_euler mip_3dm_sensor_to_vehicle_euler_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_default(void);
+struct mip_3dm_sensor_to_vehicle_euler mip_3dm_sensor_to_vehicle_euler_default(void);
 
 /**
  * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
  *
- * Also called `sensor_2_vehicle_transform_euler_response`. Answers
- * mip_3dm_sensor_to_vehicle_transform_euler. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * In full: 3dm.sensor_to_vehicle_transform_euler_response.
+ *
+ * Also called `sensor_2_vehicle_transform_euler_response`. Answers mip_3dm_sensor_to_vehicle_euler.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
-struct mip_3dm_sensor_to_vehicle_transform_euler_response {
+struct mip_3dm_sensor_to_vehicle_euler_response {
     /** Rotation about the x axis. Unit: rad. */
     float roll;
     /** Rotation about the y axis. Unit: rad. */
@@ -2075,38 +2076,38 @@ struct mip_3dm_sensor_to_vehicle_transform_euler_response {
     float yaw;
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_DESCRIPTOR 0xB1
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_NAME \
+#define MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE_DESCRIPTOR 0xB1
+#define MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_euler_response"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec;
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
-    const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_euler_response_codec;
+mip_error mip_3dm_sensor_to_vehicle_euler_response_decode(
+    struct mip_3dm_sensor_to_vehicle_euler_response *value, const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_euler_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_euler_response *value, struct mip_builder *builder);
 
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: command (0x0C,0x32).
  *
  * Mounting of the sensor in the vehicle as a quaternion.
  *
+ * In full: 3dm.sensor_to_vehicle_transform_quaternion.
+ *
  * Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
- * default. Answered by mip_3dm_sensor_to_vehicle_transform_quaternion_response. Supported by
+ * default. Answered by mip_3dm_sensor_to_vehicle_quaternion_response. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
  *
  * `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This
- * is the inverse of the quaternion that mip_filter_sensor_to_vehicle_rotation_quaternion takes.
+ * is the inverse of the quaternion that mip_filter_sensor_to_vehicle_quaternion takes.
  *
  * A change resets the low-pass filters, the complementary filter and the estimation filter.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
-struct mip_3dm_sensor_to_vehicle_transform_quaternion {
+struct mip_3dm_sensor_to_vehicle_quaternion {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2118,41 +2119,37 @@ struct mip_3dm_sensor_to_vehicle_transform_quaternion {
     float q[4];
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_DESCRIPTOR 0x32
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_NAME \
-    "3dm.sensor_to_vehicle_transform_quaternion"
+#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_DESCRIPTOR 0x32
+#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_NAME "3dm.sensor_to_vehicle_transform_quaternion"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec;
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *value, const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_codec;
+mip_error mip_3dm_sensor_to_vehicle_quaternion_decode(
+    struct mip_3dm_sensor_to_vehicle_quaternion *value, const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_quaternion_encode(
+    const struct mip_3dm_sensor_to_vehicle_quaternion *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_write(const float q[4]);
+struct mip_3dm_sensor_to_vehicle_quaternion
+mip_3dm_sensor_to_vehicle_quaternion_write(const float q[4]);
 /** Send the current setting back in a response. */
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_read(void);
+struct mip_3dm_sensor_to_vehicle_quaternion mip_3dm_sensor_to_vehicle_quaternion_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_save(void);
+struct mip_3dm_sensor_to_vehicle_quaternion mip_3dm_sensor_to_vehicle_quaternion_save(void);
 /** Load the saved setting. */
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_load(void);
+struct mip_3dm_sensor_to_vehicle_quaternion mip_3dm_sensor_to_vehicle_quaternion_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_default(void);
+struct mip_3dm_sensor_to_vehicle_quaternion mip_3dm_sensor_to_vehicle_quaternion_default(void);
 
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion response: response (0x0C,0xB2).
  *
+ * In full: 3dm.sensor_to_vehicle_transform_quaternion_response.
+ *
  * Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
- * mip_3dm_sensor_to_vehicle_transform_quaternion. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_sensor_to_vehicle_quaternion. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
-struct mip_3dm_sensor_to_vehicle_transform_quaternion_response {
+struct mip_3dm_sensor_to_vehicle_quaternion_response {
     /**
      * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
      * w, x, y, z. Unit: 1.
@@ -2160,37 +2157,37 @@ struct mip_3dm_sensor_to_vehicle_transform_quaternion_response {
     float q[4];
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_NAME \
+#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
+#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_quaternion_response"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec;
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
-    const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_response_codec;
+mip_error mip_3dm_sensor_to_vehicle_quaternion_response_decode(
+    struct mip_3dm_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_quaternion_response *value, struct mip_builder *builder);
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: command (0x0C,0x33).
  *
  * Mounting of the sensor in the vehicle as a direction cosine matrix.
  *
+ * In full: 3dm.sensor_to_vehicle_transform_dcm.
+ *
  * Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and default.
- * Answered by mip_3dm_sensor_to_vehicle_transform_dcm_response. Supported by 3DM-CV7-GNSS/INS.
+ * Answered by mip_3dm_sensor_to_vehicle_dcm_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
  *
  * `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
- * mip_filter_sensor_to_vehicle_rotation_dcm takes.
+ * mip_filter_sensor_to_vehicle_dcm takes.
  *
  * A change resets the low-pass filters, the complementary filter and the estimation filter.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
-struct mip_3dm_sensor_to_vehicle_transform_dcm {
+struct mip_3dm_sensor_to_vehicle_dcm {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2202,36 +2199,36 @@ struct mip_3dm_sensor_to_vehicle_transform_dcm {
     float dcm[9];
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_DESCRIPTOR 0x33
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_NAME "3dm.sensor_to_vehicle_transform_dcm"
+#define MIP_3DM_SENSOR_TO_VEHICLE_DCM_DESCRIPTOR 0x33
+#define MIP_3DM_SENSOR_TO_VEHICLE_DCM_NAME "3dm.sensor_to_vehicle_transform_dcm"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec;
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *value, const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm *value, struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_codec;
+mip_error mip_3dm_sensor_to_vehicle_dcm_decode(struct mip_3dm_sensor_to_vehicle_dcm *value,
+                                               const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_dcm_encode(const struct mip_3dm_sensor_to_vehicle_dcm *value,
+                                               struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_sensor_to_vehicle_transform_dcm
-mip_3dm_sensor_to_vehicle_transform_dcm_write(const float dcm[9]);
+struct mip_3dm_sensor_to_vehicle_dcm mip_3dm_sensor_to_vehicle_dcm_write(const float dcm[9]);
 /** Send the current setting back in a response. */
-struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_read(void);
+struct mip_3dm_sensor_to_vehicle_dcm mip_3dm_sensor_to_vehicle_dcm_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_save(void);
+struct mip_3dm_sensor_to_vehicle_dcm mip_3dm_sensor_to_vehicle_dcm_save(void);
 /** Load the saved setting. */
-struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_load(void);
+struct mip_3dm_sensor_to_vehicle_dcm mip_3dm_sensor_to_vehicle_dcm_load(void);
 /** Load the factory default setting. */
-struct mip_3dm_sensor_to_vehicle_transform_dcm
-mip_3dm_sensor_to_vehicle_transform_dcm_default(void);
+struct mip_3dm_sensor_to_vehicle_dcm mip_3dm_sensor_to_vehicle_dcm_default(void);
 
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response: response (0x0C,0xB3).
  *
- * Also called `sensor_2_vehicle_transform_dcm_response`. Answers
- * mip_3dm_sensor_to_vehicle_transform_dcm. Supported by 3DM-CV7-GNSS/INS.
+ * In full: 3dm.sensor_to_vehicle_transform_dcm_response.
+ *
+ * Also called `sensor_2_vehicle_transform_dcm_response`. Answers mip_3dm_sensor_to_vehicle_dcm.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
-struct mip_3dm_sensor_to_vehicle_transform_dcm_response {
+struct mip_3dm_sensor_to_vehicle_dcm_response {
     /**
      * The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
      * 1.
@@ -2239,16 +2236,14 @@ struct mip_3dm_sensor_to_vehicle_transform_dcm_response {
     float dcm[9];
 };
 
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_DESCRIPTOR 0xB3
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_NAME \
-    "3dm.sensor_to_vehicle_transform_dcm_response"
+#define MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE_DESCRIPTOR 0xB3
+#define MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE_NAME "3dm.sensor_to_vehicle_transform_dcm_response"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec;
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_response_codec;
+mip_error mip_3dm_sensor_to_vehicle_dcm_response_decode(
+    struct mip_3dm_sensor_to_vehicle_dcm_response *value, const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder);
 
 /**
  * Accelerometer Bias Configuration: command (0x0C,0x37).
@@ -3382,7 +3377,7 @@ mip_error mip_3dm_low_pass_filter_response_encode(
  * Asks for the state of the device, in short or with counters.
  *
  * For advanced use. Answered by mip_3dm_device_status_basic_response,
- * mip_3dm_device_status_basic_without_state_response, mip_3dm_device_status_diagnostic_response,
+ * mip_3dm_device_status_basic_stateless_response, mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * or mip_3dm_device_status_diagnostic_imu_response. Supported by 3DM-GQ4-45, 3DM-GX5-15,
@@ -3426,10 +3421,10 @@ mip_3dm_device_status_make(uint16_t model_number, mip_3dm_device_status_selector
  *
  * State and timer.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_without_state_response by
- * the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported
- * by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
- * supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
+ * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_stateless_response by the
+ * size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported
+ * by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
  * 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and
  * 3DM-GX5-25.
  *
@@ -3466,6 +3461,8 @@ mip_error mip_3dm_device_status_basic_response_encode(
  *
  * Timer alone.
  *
+ * In full: 3dm.device_status_basic_without_state_response.
+ *
  * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_response by the size of its
  * data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by 3DM-GQ4-45,
  * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
@@ -3483,7 +3480,7 @@ mip_error mip_3dm_device_status_basic_response_encode(
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
  * - mscl: Device Status (0x0C,0x64)
  */
-struct mip_3dm_device_status_basic_without_state_response {
+struct mip_3dm_device_status_basic_stateless_response {
     /** Model number of the device. */
     uint16_t model_number;
     /** Reserved. */
@@ -3492,16 +3489,15 @@ struct mip_3dm_device_status_basic_without_state_response {
     uint32_t system_timer;
 };
 
-#define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_DESCRIPTOR 0x90
-#define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_NAME \
+#define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE_DESCRIPTOR 0x90
+#define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE_NAME \
     "3dm.device_status_basic_without_state_response"
 
-extern const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec;
-mip_error mip_3dm_device_status_basic_without_state_response_decode(
-    struct mip_3dm_device_status_basic_without_state_response *value,
-    const struct mip_field *field);
-mip_error mip_3dm_device_status_basic_without_state_response_encode(
-    const struct mip_3dm_device_status_basic_without_state_response *value,
+extern const struct mip_codec mip_3dm_device_status_basic_stateless_response_codec;
+mip_error mip_3dm_device_status_basic_stateless_response_decode(
+    struct mip_3dm_device_status_basic_stateless_response *value, const struct mip_field *field);
+mip_error mip_3dm_device_status_basic_stateless_response_encode(
+    const struct mip_3dm_device_status_basic_stateless_response *value,
     struct mip_builder *builder);
 
 /**

@@ -274,8 +274,8 @@ mip_error mip_filter_vehicle_dynamics_mode_response_encode(
 static const uint8_t required_sensor_to_vehicle_rotation_euler[] = {0, 3, 0, 0, 0, 0};
 
 static void read_sensor_to_vehicle_rotation_euler(struct mip_reader *r, void *value) {
-    struct mip_filter_sensor_to_vehicle_rotation_euler *v =
-        (struct mip_filter_sensor_to_vehicle_rotation_euler *)value;
+    struct mip_filter_sensor_to_vehicle_euler *v =
+        (struct mip_filter_sensor_to_vehicle_euler *)value;
     mip_read_u8(r, &v->function, 1);
     mip_read_required(r, v->function, required_sensor_to_vehicle_rotation_euler,
                       sizeof(required_sensor_to_vehicle_rotation_euler));
@@ -289,8 +289,8 @@ static void read_sensor_to_vehicle_rotation_euler(struct mip_reader *r, void *va
 }
 
 static void write_sensor_to_vehicle_rotation_euler(struct mip_writer *w, const void *value) {
-    const struct mip_filter_sensor_to_vehicle_rotation_euler *v =
-        (const struct mip_filter_sensor_to_vehicle_rotation_euler *)value;
+    const struct mip_filter_sensor_to_vehicle_euler *v =
+        (const struct mip_filter_sensor_to_vehicle_euler *)value;
     mip_write_u8(w, &v->function, 1);
     mip_write_required(w, v->function, required_sensor_to_vehicle_rotation_euler,
                        sizeof(required_sensor_to_vehicle_rotation_euler), v->present);
@@ -303,23 +303,22 @@ static void write_sensor_to_vehicle_rotation_euler(struct mip_writer *w, const v
 }
 
 static bool asked_sensor_to_vehicle_rotation_euler_1(const void *value) {
-    const struct mip_filter_sensor_to_vehicle_rotation_euler *v =
-        (const struct mip_filter_sensor_to_vehicle_rotation_euler *)value;
+    const struct mip_filter_sensor_to_vehicle_euler *v =
+        (const struct mip_filter_sensor_to_vehicle_euler *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
 static const struct mip_response responses_sensor_to_vehicle_rotation_euler[] = {
-    {&mip_filter_sensor_to_vehicle_rotation_euler_response_codec,
-     asked_sensor_to_vehicle_rotation_euler_1},
+    {&mip_filter_sensor_to_vehicle_euler_response_codec, asked_sensor_to_vehicle_rotation_euler_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec = {
+const struct mip_codec mip_filter_sensor_to_vehicle_euler_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_DESCRIPTOR,
+    MIP_FILTER_SENSOR_TO_VEHICLE_EULER_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler),
+    sizeof(struct mip_filter_sensor_to_vehicle_euler),
     0, /* time-out */
     read_sensor_to_vehicle_rotation_euler,
     write_sensor_to_vehicle_rotation_euler,
@@ -328,21 +327,22 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec = {
     NULL,
 };
 
-mip_error mip_filter_sensor_to_vehicle_rotation_euler_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_euler *value, const struct mip_field *field) {
+mip_error mip_filter_sensor_to_vehicle_euler_decode(
+    struct mip_filter_sensor_to_vehicle_euler *value, const struct mip_field *field) {
     return mip_decode_field(field, read_sensor_to_vehicle_rotation_euler, value, sizeof(*value),
                             NULL);
 }
 
-mip_error mip_filter_sensor_to_vehicle_rotation_euler_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_euler *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_DESCRIPTOR,
+mip_error mip_filter_sensor_to_vehicle_euler_encode(
+    const struct mip_filter_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SENSOR_TO_VEHICLE_EULER_DESCRIPTOR,
                             write_sensor_to_vehicle_rotation_euler, value);
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_euler
-mip_filter_sensor_to_vehicle_rotation_euler_write(float roll, float pitch, float yaw) {
-    struct mip_filter_sensor_to_vehicle_rotation_euler v;
+struct mip_filter_sensor_to_vehicle_euler mip_filter_sensor_to_vehicle_euler_write(float roll,
+                                                                                   float pitch,
+                                                                                   float yaw) {
+    struct mip_filter_sensor_to_vehicle_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.roll = roll;
@@ -351,41 +351,37 @@ mip_filter_sensor_to_vehicle_rotation_euler_write(float roll, float pitch, float
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_euler
-mip_filter_sensor_to_vehicle_rotation_euler_read(void) {
-    struct mip_filter_sensor_to_vehicle_rotation_euler v;
+struct mip_filter_sensor_to_vehicle_euler mip_filter_sensor_to_vehicle_euler_read(void) {
+    struct mip_filter_sensor_to_vehicle_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_euler
-mip_filter_sensor_to_vehicle_rotation_euler_save(void) {
-    struct mip_filter_sensor_to_vehicle_rotation_euler v;
+struct mip_filter_sensor_to_vehicle_euler mip_filter_sensor_to_vehicle_euler_save(void) {
+    struct mip_filter_sensor_to_vehicle_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_euler
-mip_filter_sensor_to_vehicle_rotation_euler_load(void) {
-    struct mip_filter_sensor_to_vehicle_rotation_euler v;
+struct mip_filter_sensor_to_vehicle_euler mip_filter_sensor_to_vehicle_euler_load(void) {
+    struct mip_filter_sensor_to_vehicle_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_euler
-mip_filter_sensor_to_vehicle_rotation_euler_default(void) {
-    struct mip_filter_sensor_to_vehicle_rotation_euler v;
+struct mip_filter_sensor_to_vehicle_euler mip_filter_sensor_to_vehicle_euler_default(void) {
+    struct mip_filter_sensor_to_vehicle_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
 static void read_sensor_to_vehicle_rotation_euler_response(struct mip_reader *r, void *value) {
-    struct mip_filter_sensor_to_vehicle_rotation_euler_response *v =
-        (struct mip_filter_sensor_to_vehicle_rotation_euler_response *)value;
+    struct mip_filter_sensor_to_vehicle_euler_response *v =
+        (struct mip_filter_sensor_to_vehicle_euler_response *)value;
     mip_read_float(r, &v->roll, 1);
     mip_read_float(r, &v->pitch, 1);
     mip_read_float(r, &v->yaw, 1);
@@ -393,18 +389,18 @@ static void read_sensor_to_vehicle_rotation_euler_response(struct mip_reader *r,
 
 static void write_sensor_to_vehicle_rotation_euler_response(struct mip_writer *w,
                                                             const void *value) {
-    const struct mip_filter_sensor_to_vehicle_rotation_euler_response *v =
-        (const struct mip_filter_sensor_to_vehicle_rotation_euler_response *)value;
+    const struct mip_filter_sensor_to_vehicle_euler_response *v =
+        (const struct mip_filter_sensor_to_vehicle_euler_response *)value;
     mip_write_float(w, &v->roll, 1);
     mip_write_float(w, &v->pitch, 1);
     mip_write_float(w, &v->yaw, 1);
 }
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_codec = {
+const struct mip_codec mip_filter_sensor_to_vehicle_euler_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler_response),
+    sizeof(struct mip_filter_sensor_to_vehicle_euler_response),
     0, /* time-out */
     read_sensor_to_vehicle_rotation_euler_response,
     write_sensor_to_vehicle_rotation_euler_response,
@@ -413,18 +409,15 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_code
     NULL,
 };
 
-mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
-    const struct mip_field *field) {
+mip_error mip_filter_sensor_to_vehicle_euler_response_decode(
+    struct mip_filter_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
     return mip_decode_field(field, read_sensor_to_vehicle_rotation_euler_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_DESCRIPTOR,
+mip_error mip_filter_sensor_to_vehicle_euler_response_encode(
+    const struct mip_filter_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE_DESCRIPTOR,
                             write_sensor_to_vehicle_rotation_euler_response, value);
 }
 
@@ -3497,8 +3490,8 @@ mip_error mip_filter_magnetic_declination_source_response_encode(
 static const uint8_t required_accel_magnitude_error_adaptive_measurement[] = {0, 1, 0, 0, 0, 0};
 
 static void read_accel_magnitude_error_adaptive_measurement(struct mip_reader *r, void *value) {
-    struct mip_filter_accel_magnitude_error_adaptive_measurement *v =
-        (struct mip_filter_accel_magnitude_error_adaptive_measurement *)value;
+    struct mip_filter_accel_magnitude_adaptive *v =
+        (struct mip_filter_accel_magnitude_adaptive *)value;
     mip_read_u8(r, &v->function, 1);
     mip_read_required(r, v->function, required_accel_magnitude_error_adaptive_measurement,
                       sizeof(required_accel_magnitude_error_adaptive_measurement));
@@ -3521,8 +3514,8 @@ static void read_accel_magnitude_error_adaptive_measurement(struct mip_reader *r
 
 static void write_accel_magnitude_error_adaptive_measurement(struct mip_writer *w,
                                                              const void *value) {
-    const struct mip_filter_accel_magnitude_error_adaptive_measurement *v =
-        (const struct mip_filter_accel_magnitude_error_adaptive_measurement *)value;
+    const struct mip_filter_accel_magnitude_adaptive *v =
+        (const struct mip_filter_accel_magnitude_adaptive *)value;
     mip_write_u8(w, &v->function, 1);
     mip_write_required(w, v->function, required_accel_magnitude_error_adaptive_measurement,
                        sizeof(required_accel_magnitude_error_adaptive_measurement), v->present);
@@ -3543,23 +3536,23 @@ static void write_accel_magnitude_error_adaptive_measurement(struct mip_writer *
 }
 
 static bool asked_accel_magnitude_error_adaptive_measurement_1(const void *value) {
-    const struct mip_filter_accel_magnitude_error_adaptive_measurement *v =
-        (const struct mip_filter_accel_magnitude_error_adaptive_measurement *)value;
+    const struct mip_filter_accel_magnitude_adaptive *v =
+        (const struct mip_filter_accel_magnitude_adaptive *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
 static const struct mip_response responses_accel_magnitude_error_adaptive_measurement[] = {
-    {&mip_filter_accel_magnitude_error_adaptive_measurement_response_codec,
+    {&mip_filter_accel_magnitude_adaptive_response_codec,
      asked_accel_magnitude_error_adaptive_measurement_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_codec = {
+const struct mip_codec mip_filter_accel_magnitude_adaptive_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+    MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement),
+    sizeof(struct mip_filter_accel_magnitude_adaptive),
     0, /* time-out */
     read_accel_magnitude_error_adaptive_measurement,
     write_accel_magnitude_error_adaptive_measurement,
@@ -3568,58 +3561,50 @@ const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_cod
     NULL,
 };
 
-mip_error mip_filter_accel_magnitude_error_adaptive_measurement_decode(
-    struct mip_filter_accel_magnitude_error_adaptive_measurement *value,
-    const struct mip_field *field) {
+mip_error mip_filter_accel_magnitude_adaptive_decode(
+    struct mip_filter_accel_magnitude_adaptive *value, const struct mip_field *field) {
     return mip_decode_field(field, read_accel_magnitude_error_adaptive_measurement, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_accel_magnitude_error_adaptive_measurement_encode(
-    const struct mip_filter_accel_magnitude_error_adaptive_measurement *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+mip_error mip_filter_accel_magnitude_adaptive_encode(
+    const struct mip_filter_accel_magnitude_adaptive *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_DESCRIPTOR,
                             write_accel_magnitude_error_adaptive_measurement, value);
 }
 
-struct mip_filter_accel_magnitude_error_adaptive_measurement
-mip_filter_accel_magnitude_error_adaptive_measurement_write(
+struct mip_filter_accel_magnitude_adaptive mip_filter_accel_magnitude_adaptive_write(
     mip_filter_adaptive_measurement_selector adaptive_measurement) {
-    struct mip_filter_accel_magnitude_error_adaptive_measurement v;
+    struct mip_filter_accel_magnitude_adaptive v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.adaptive_measurement = adaptive_measurement;
     return v;
 }
 
-struct mip_filter_accel_magnitude_error_adaptive_measurement
-mip_filter_accel_magnitude_error_adaptive_measurement_read(void) {
-    struct mip_filter_accel_magnitude_error_adaptive_measurement v;
+struct mip_filter_accel_magnitude_adaptive mip_filter_accel_magnitude_adaptive_read(void) {
+    struct mip_filter_accel_magnitude_adaptive v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_accel_magnitude_error_adaptive_measurement
-mip_filter_accel_magnitude_error_adaptive_measurement_save(void) {
-    struct mip_filter_accel_magnitude_error_adaptive_measurement v;
+struct mip_filter_accel_magnitude_adaptive mip_filter_accel_magnitude_adaptive_save(void) {
+    struct mip_filter_accel_magnitude_adaptive v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_accel_magnitude_error_adaptive_measurement
-mip_filter_accel_magnitude_error_adaptive_measurement_load(void) {
-    struct mip_filter_accel_magnitude_error_adaptive_measurement v;
+struct mip_filter_accel_magnitude_adaptive mip_filter_accel_magnitude_adaptive_load(void) {
+    struct mip_filter_accel_magnitude_adaptive v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_accel_magnitude_error_adaptive_measurement
-mip_filter_accel_magnitude_error_adaptive_measurement_default(void) {
-    struct mip_filter_accel_magnitude_error_adaptive_measurement v;
+struct mip_filter_accel_magnitude_adaptive mip_filter_accel_magnitude_adaptive_default(void) {
+    struct mip_filter_accel_magnitude_adaptive v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
@@ -3627,8 +3612,8 @@ mip_filter_accel_magnitude_error_adaptive_measurement_default(void) {
 
 static void read_accel_magnitude_error_adaptive_measurement_response(struct mip_reader *r,
                                                                      void *value) {
-    struct mip_filter_accel_magnitude_error_adaptive_measurement_response *v =
-        (struct mip_filter_accel_magnitude_error_adaptive_measurement_response *)value;
+    struct mip_filter_accel_magnitude_adaptive_response *v =
+        (struct mip_filter_accel_magnitude_adaptive_response *)value;
     mip_read_u8(r, &v->adaptive_measurement, 1);
     mip_read_float(r, &v->frequency, 1);
     mip_read_float(r, &v->low_limit, 1);
@@ -3640,8 +3625,8 @@ static void read_accel_magnitude_error_adaptive_measurement_response(struct mip_
 
 static void write_accel_magnitude_error_adaptive_measurement_response(struct mip_writer *w,
                                                                       const void *value) {
-    const struct mip_filter_accel_magnitude_error_adaptive_measurement_response *v =
-        (const struct mip_filter_accel_magnitude_error_adaptive_measurement_response *)value;
+    const struct mip_filter_accel_magnitude_adaptive_response *v =
+        (const struct mip_filter_accel_magnitude_adaptive_response *)value;
     mip_write_u8(w, &v->adaptive_measurement, 1);
     mip_write_float(w, &v->frequency, 1);
     mip_write_float(w, &v->low_limit, 1);
@@ -3651,11 +3636,11 @@ static void write_accel_magnitude_error_adaptive_measurement_response(struct mip
     mip_write_float(w, &v->minimum_uncertainty, 1);
 }
 
-const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_response_codec = {
+const struct mip_codec mip_filter_accel_magnitude_adaptive_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement_response),
+    sizeof(struct mip_filter_accel_magnitude_adaptive_response),
     0, /* time-out */
     read_accel_magnitude_error_adaptive_measurement_response,
     write_accel_magnitude_error_adaptive_measurement_response,
@@ -3664,27 +3649,23 @@ const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_res
     NULL,
 };
 
-mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_decode(
-    struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
-    const struct mip_field *field) {
+mip_error mip_filter_accel_magnitude_adaptive_response_decode(
+    struct mip_filter_accel_magnitude_adaptive_response *value, const struct mip_field *field) {
     return mip_decode_field(field, read_accel_magnitude_error_adaptive_measurement_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_encode(
-    const struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(
-        builder, 0x0D, MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
-        write_accel_magnitude_error_adaptive_measurement_response, value);
+mip_error mip_filter_accel_magnitude_adaptive_response_encode(
+    const struct mip_filter_accel_magnitude_adaptive_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR,
+                            write_accel_magnitude_error_adaptive_measurement_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
 static const uint8_t required_mag_magnitude_error_adaptive_measurement[] = {0, 7, 0, 0, 0, 0};
 
 static void read_mag_magnitude_error_adaptive_measurement(struct mip_reader *r, void *value) {
-    struct mip_filter_mag_magnitude_error_adaptive_measurement *v =
-        (struct mip_filter_mag_magnitude_error_adaptive_measurement *)value;
+    struct mip_filter_mag_magnitude_adaptive *v = (struct mip_filter_mag_magnitude_adaptive *)value;
     mip_read_u8(r, &v->function, 1);
     mip_read_required(r, v->function, required_mag_magnitude_error_adaptive_measurement,
                       sizeof(required_mag_magnitude_error_adaptive_measurement));
@@ -3707,8 +3688,8 @@ static void read_mag_magnitude_error_adaptive_measurement(struct mip_reader *r, 
 
 static void write_mag_magnitude_error_adaptive_measurement(struct mip_writer *w,
                                                            const void *value) {
-    const struct mip_filter_mag_magnitude_error_adaptive_measurement *v =
-        (const struct mip_filter_mag_magnitude_error_adaptive_measurement *)value;
+    const struct mip_filter_mag_magnitude_adaptive *v =
+        (const struct mip_filter_mag_magnitude_adaptive *)value;
     mip_write_u8(w, &v->function, 1);
     mip_write_required(w, v->function, required_mag_magnitude_error_adaptive_measurement,
                        sizeof(required_mag_magnitude_error_adaptive_measurement), v->present);
@@ -3729,23 +3710,23 @@ static void write_mag_magnitude_error_adaptive_measurement(struct mip_writer *w,
 }
 
 static bool asked_mag_magnitude_error_adaptive_measurement_1(const void *value) {
-    const struct mip_filter_mag_magnitude_error_adaptive_measurement *v =
-        (const struct mip_filter_mag_magnitude_error_adaptive_measurement *)value;
+    const struct mip_filter_mag_magnitude_adaptive *v =
+        (const struct mip_filter_mag_magnitude_adaptive *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
 static const struct mip_response responses_mag_magnitude_error_adaptive_measurement[] = {
-    {&mip_filter_mag_magnitude_error_adaptive_measurement_response_codec,
+    {&mip_filter_mag_magnitude_adaptive_response_codec,
      asked_mag_magnitude_error_adaptive_measurement_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec = {
+const struct mip_codec mip_filter_mag_magnitude_adaptive_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+    MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement),
+    sizeof(struct mip_filter_mag_magnitude_adaptive),
     0, /* time-out */
     read_mag_magnitude_error_adaptive_measurement,
     write_mag_magnitude_error_adaptive_measurement,
@@ -3754,27 +3735,23 @@ const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec
     NULL,
 };
 
-mip_error mip_filter_mag_magnitude_error_adaptive_measurement_decode(
-    struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
-    const struct mip_field *field) {
+mip_error mip_filter_mag_magnitude_adaptive_decode(struct mip_filter_mag_magnitude_adaptive *value,
+                                                   const struct mip_field *field) {
     return mip_decode_field(field, read_mag_magnitude_error_adaptive_measurement, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_mag_magnitude_error_adaptive_measurement_encode(
-    const struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+mip_error mip_filter_mag_magnitude_adaptive_encode(
+    const struct mip_filter_mag_magnitude_adaptive *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_DESCRIPTOR,
                             write_mag_magnitude_error_adaptive_measurement, value);
 }
 
-struct mip_filter_mag_magnitude_error_adaptive_measurement
-mip_filter_mag_magnitude_error_adaptive_measurement_write(
+struct mip_filter_mag_magnitude_adaptive mip_filter_mag_magnitude_adaptive_write(
     mip_filter_adaptive_measurement_selector adaptive_measurement, float frequency, float low_limit,
     float high_limit, float low_limit_uncertainty, float high_limit_uncertainty,
     float minimum_uncertainty) {
-    struct mip_filter_mag_magnitude_error_adaptive_measurement v;
+    struct mip_filter_mag_magnitude_adaptive v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.adaptive_measurement = adaptive_measurement;
@@ -3787,33 +3764,29 @@ mip_filter_mag_magnitude_error_adaptive_measurement_write(
     return v;
 }
 
-struct mip_filter_mag_magnitude_error_adaptive_measurement
-mip_filter_mag_magnitude_error_adaptive_measurement_read(void) {
-    struct mip_filter_mag_magnitude_error_adaptive_measurement v;
+struct mip_filter_mag_magnitude_adaptive mip_filter_mag_magnitude_adaptive_read(void) {
+    struct mip_filter_mag_magnitude_adaptive v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_mag_magnitude_error_adaptive_measurement
-mip_filter_mag_magnitude_error_adaptive_measurement_save(void) {
-    struct mip_filter_mag_magnitude_error_adaptive_measurement v;
+struct mip_filter_mag_magnitude_adaptive mip_filter_mag_magnitude_adaptive_save(void) {
+    struct mip_filter_mag_magnitude_adaptive v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_mag_magnitude_error_adaptive_measurement
-mip_filter_mag_magnitude_error_adaptive_measurement_load(void) {
-    struct mip_filter_mag_magnitude_error_adaptive_measurement v;
+struct mip_filter_mag_magnitude_adaptive mip_filter_mag_magnitude_adaptive_load(void) {
+    struct mip_filter_mag_magnitude_adaptive v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_mag_magnitude_error_adaptive_measurement
-mip_filter_mag_magnitude_error_adaptive_measurement_default(void) {
-    struct mip_filter_mag_magnitude_error_adaptive_measurement v;
+struct mip_filter_mag_magnitude_adaptive mip_filter_mag_magnitude_adaptive_default(void) {
+    struct mip_filter_mag_magnitude_adaptive v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
@@ -3821,8 +3794,8 @@ mip_filter_mag_magnitude_error_adaptive_measurement_default(void) {
 
 static void read_mag_magnitude_error_adaptive_measurement_response(struct mip_reader *r,
                                                                    void *value) {
-    struct mip_filter_mag_magnitude_error_adaptive_measurement_response *v =
-        (struct mip_filter_mag_magnitude_error_adaptive_measurement_response *)value;
+    struct mip_filter_mag_magnitude_adaptive_response *v =
+        (struct mip_filter_mag_magnitude_adaptive_response *)value;
     mip_read_u8(r, &v->adaptive_measurement, 1);
     mip_read_float(r, &v->frequency, 1);
     mip_read_float(r, &v->low_limit, 1);
@@ -3834,8 +3807,8 @@ static void read_mag_magnitude_error_adaptive_measurement_response(struct mip_re
 
 static void write_mag_magnitude_error_adaptive_measurement_response(struct mip_writer *w,
                                                                     const void *value) {
-    const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *v =
-        (const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *)value;
+    const struct mip_filter_mag_magnitude_adaptive_response *v =
+        (const struct mip_filter_mag_magnitude_adaptive_response *)value;
     mip_write_u8(w, &v->adaptive_measurement, 1);
     mip_write_float(w, &v->frequency, 1);
     mip_write_float(w, &v->low_limit, 1);
@@ -3845,11 +3818,11 @@ static void write_mag_magnitude_error_adaptive_measurement_response(struct mip_w
     mip_write_float(w, &v->minimum_uncertainty, 1);
 }
 
-const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_response_codec = {
+const struct mip_codec mip_filter_mag_magnitude_adaptive_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement_response),
+    sizeof(struct mip_filter_mag_magnitude_adaptive_response),
     0, /* time-out */
     read_mag_magnitude_error_adaptive_measurement_response,
     write_mag_magnitude_error_adaptive_measurement_response,
@@ -3858,18 +3831,15 @@ const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_respo
     NULL,
 };
 
-mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_decode(
-    struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
-    const struct mip_field *field) {
+mip_error mip_filter_mag_magnitude_adaptive_response_decode(
+    struct mip_filter_mag_magnitude_adaptive_response *value, const struct mip_field *field) {
     return mip_decode_field(field, read_mag_magnitude_error_adaptive_measurement_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode(
-    const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+mip_error mip_filter_mag_magnitude_adaptive_response_encode(
+    const struct mip_filter_mag_magnitude_adaptive_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR,
                             write_mag_magnitude_error_adaptive_measurement_response, value);
 }
 
@@ -3877,8 +3847,7 @@ mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode(
 static const uint8_t required_mag_dip_angle_error_adaptive_measurement[] = {0, 5, 0, 0, 0, 0};
 
 static void read_mag_dip_angle_error_adaptive_measurement(struct mip_reader *r, void *value) {
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement *v =
-        (struct mip_filter_mag_dip_angle_error_adaptive_measurement *)value;
+    struct mip_filter_mag_dip_angle_adaptive *v = (struct mip_filter_mag_dip_angle_adaptive *)value;
     mip_read_u8(r, &v->function, 1);
     mip_read_required(r, v->function, required_mag_dip_angle_error_adaptive_measurement,
                       sizeof(required_mag_dip_angle_error_adaptive_measurement));
@@ -3897,8 +3866,8 @@ static void read_mag_dip_angle_error_adaptive_measurement(struct mip_reader *r, 
 
 static void write_mag_dip_angle_error_adaptive_measurement(struct mip_writer *w,
                                                            const void *value) {
-    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *v =
-        (const struct mip_filter_mag_dip_angle_error_adaptive_measurement *)value;
+    const struct mip_filter_mag_dip_angle_adaptive *v =
+        (const struct mip_filter_mag_dip_angle_adaptive *)value;
     mip_write_u8(w, &v->function, 1);
     mip_write_required(w, v->function, required_mag_dip_angle_error_adaptive_measurement,
                        sizeof(required_mag_dip_angle_error_adaptive_measurement), v->present);
@@ -3915,23 +3884,23 @@ static void write_mag_dip_angle_error_adaptive_measurement(struct mip_writer *w,
 }
 
 static bool asked_mag_dip_angle_error_adaptive_measurement_1(const void *value) {
-    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *v =
-        (const struct mip_filter_mag_dip_angle_error_adaptive_measurement *)value;
+    const struct mip_filter_mag_dip_angle_adaptive *v =
+        (const struct mip_filter_mag_dip_angle_adaptive *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
 static const struct mip_response responses_mag_dip_angle_error_adaptive_measurement[] = {
-    {&mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec,
+    {&mip_filter_mag_dip_angle_adaptive_response_codec,
      asked_mag_dip_angle_error_adaptive_measurement_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec = {
+const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+    MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement),
+    sizeof(struct mip_filter_mag_dip_angle_adaptive),
     0, /* time-out */
     read_mag_dip_angle_error_adaptive_measurement,
     write_mag_dip_angle_error_adaptive_measurement,
@@ -3940,27 +3909,22 @@ const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec
     NULL,
 };
 
-mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_decode(
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
-    const struct mip_field *field) {
+mip_error mip_filter_mag_dip_angle_adaptive_decode(struct mip_filter_mag_dip_angle_adaptive *value,
+                                                   const struct mip_field *field) {
     return mip_decode_field(field, read_mag_dip_angle_error_adaptive_measurement, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_encode(
-    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+mip_error mip_filter_mag_dip_angle_adaptive_encode(
+    const struct mip_filter_mag_dip_angle_adaptive *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_DESCRIPTOR,
                             write_mag_dip_angle_error_adaptive_measurement, value);
 }
 
-struct mip_filter_mag_dip_angle_error_adaptive_measurement
-mip_filter_mag_dip_angle_error_adaptive_measurement_write(mip_bool enable, float frequency,
-                                                          float high_limit,
-                                                          float high_limit_uncertainty,
-                                                          float minimum_uncertainty) {
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement v;
+struct mip_filter_mag_dip_angle_adaptive
+mip_filter_mag_dip_angle_adaptive_write(mip_bool enable, float frequency, float high_limit,
+                                        float high_limit_uncertainty, float minimum_uncertainty) {
+    struct mip_filter_mag_dip_angle_adaptive v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.enable = enable;
@@ -3971,33 +3935,29 @@ mip_filter_mag_dip_angle_error_adaptive_measurement_write(mip_bool enable, float
     return v;
 }
 
-struct mip_filter_mag_dip_angle_error_adaptive_measurement
-mip_filter_mag_dip_angle_error_adaptive_measurement_read(void) {
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement v;
+struct mip_filter_mag_dip_angle_adaptive mip_filter_mag_dip_angle_adaptive_read(void) {
+    struct mip_filter_mag_dip_angle_adaptive v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_mag_dip_angle_error_adaptive_measurement
-mip_filter_mag_dip_angle_error_adaptive_measurement_save(void) {
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement v;
+struct mip_filter_mag_dip_angle_adaptive mip_filter_mag_dip_angle_adaptive_save(void) {
+    struct mip_filter_mag_dip_angle_adaptive v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_mag_dip_angle_error_adaptive_measurement
-mip_filter_mag_dip_angle_error_adaptive_measurement_load(void) {
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement v;
+struct mip_filter_mag_dip_angle_adaptive mip_filter_mag_dip_angle_adaptive_load(void) {
+    struct mip_filter_mag_dip_angle_adaptive v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_mag_dip_angle_error_adaptive_measurement
-mip_filter_mag_dip_angle_error_adaptive_measurement_default(void) {
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement v;
+struct mip_filter_mag_dip_angle_adaptive mip_filter_mag_dip_angle_adaptive_default(void) {
+    struct mip_filter_mag_dip_angle_adaptive v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
@@ -4005,8 +3965,8 @@ mip_filter_mag_dip_angle_error_adaptive_measurement_default(void) {
 
 static void read_mag_dip_angle_error_adaptive_measurement_response(struct mip_reader *r,
                                                                    void *value) {
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *v =
-        (struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *)value;
+    struct mip_filter_mag_dip_angle_adaptive_response *v =
+        (struct mip_filter_mag_dip_angle_adaptive_response *)value;
     mip_read_bool(r, &v->enable, 1);
     mip_read_float(r, &v->frequency, 1);
     mip_read_float(r, &v->high_limit, 1);
@@ -4016,8 +3976,8 @@ static void read_mag_dip_angle_error_adaptive_measurement_response(struct mip_re
 
 static void write_mag_dip_angle_error_adaptive_measurement_response(struct mip_writer *w,
                                                                     const void *value) {
-    const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *v =
-        (const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *)value;
+    const struct mip_filter_mag_dip_angle_adaptive_response *v =
+        (const struct mip_filter_mag_dip_angle_adaptive_response *)value;
     mip_write_bool(w, &v->enable, 1);
     mip_write_float(w, &v->frequency, 1);
     mip_write_float(w, &v->high_limit, 1);
@@ -4025,11 +3985,11 @@ static void write_mag_dip_angle_error_adaptive_measurement_response(struct mip_w
     mip_write_float(w, &v->minimum_uncertainty, 1);
 }
 
-const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec = {
+const struct mip_codec mip_filter_mag_dip_angle_adaptive_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response),
+    sizeof(struct mip_filter_mag_dip_angle_adaptive_response),
     0, /* time-out */
     read_mag_dip_angle_error_adaptive_measurement_response,
     write_mag_dip_angle_error_adaptive_measurement_response,
@@ -4038,18 +3998,15 @@ const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_respo
     NULL,
 };
 
-mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_decode(
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
-    const struct mip_field *field) {
+mip_error mip_filter_mag_dip_angle_adaptive_response_decode(
+    struct mip_filter_mag_dip_angle_adaptive_response *value, const struct mip_field *field) {
     return mip_decode_field(field, read_mag_dip_angle_error_adaptive_measurement_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode(
-    const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+mip_error mip_filter_mag_dip_angle_adaptive_response_encode(
+    const struct mip_filter_mag_dip_angle_adaptive_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE_DESCRIPTOR,
                             write_mag_dip_angle_error_adaptive_measurement_response, value);
 }
 
@@ -4603,8 +4560,7 @@ mip_error mip_filter_magnetic_magnitude_source_response_encode(
 static const uint8_t required_sensor_to_vehicle_rotation_dcm[] = {0, 1, 0, 0, 0, 0};
 
 static void read_sensor_to_vehicle_rotation_dcm(struct mip_reader *r, void *value) {
-    struct mip_filter_sensor_to_vehicle_rotation_dcm *v =
-        (struct mip_filter_sensor_to_vehicle_rotation_dcm *)value;
+    struct mip_filter_sensor_to_vehicle_dcm *v = (struct mip_filter_sensor_to_vehicle_dcm *)value;
     mip_read_u8(r, &v->function, 1);
     mip_read_required(r, v->function, required_sensor_to_vehicle_rotation_dcm,
                       sizeof(required_sensor_to_vehicle_rotation_dcm));
@@ -4614,8 +4570,8 @@ static void read_sensor_to_vehicle_rotation_dcm(struct mip_reader *r, void *valu
 }
 
 static void write_sensor_to_vehicle_rotation_dcm(struct mip_writer *w, const void *value) {
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm *v =
-        (const struct mip_filter_sensor_to_vehicle_rotation_dcm *)value;
+    const struct mip_filter_sensor_to_vehicle_dcm *v =
+        (const struct mip_filter_sensor_to_vehicle_dcm *)value;
     mip_write_u8(w, &v->function, 1);
     mip_write_required(w, v->function, required_sensor_to_vehicle_rotation_dcm,
                        sizeof(required_sensor_to_vehicle_rotation_dcm), v->present);
@@ -4624,23 +4580,22 @@ static void write_sensor_to_vehicle_rotation_dcm(struct mip_writer *w, const voi
 }
 
 static bool asked_sensor_to_vehicle_rotation_dcm_1(const void *value) {
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm *v =
-        (const struct mip_filter_sensor_to_vehicle_rotation_dcm *)value;
+    const struct mip_filter_sensor_to_vehicle_dcm *v =
+        (const struct mip_filter_sensor_to_vehicle_dcm *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
 static const struct mip_response responses_sensor_to_vehicle_rotation_dcm[] = {
-    {&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec,
-     asked_sensor_to_vehicle_rotation_dcm_1},
+    {&mip_filter_sensor_to_vehicle_dcm_response_codec, asked_sensor_to_vehicle_rotation_dcm_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec = {
+const struct mip_codec mip_filter_sensor_to_vehicle_dcm_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR,
+    MIP_FILTER_SENSOR_TO_VEHICLE_DCM_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm),
+    sizeof(struct mip_filter_sensor_to_vehicle_dcm),
     0, /* time-out */
     read_sensor_to_vehicle_rotation_dcm,
     write_sensor_to_vehicle_rotation_dcm,
@@ -4649,76 +4604,71 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec = {
     NULL,
 };
 
-mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm *value, const struct mip_field *field) {
+mip_error mip_filter_sensor_to_vehicle_dcm_decode(struct mip_filter_sensor_to_vehicle_dcm *value,
+                                                  const struct mip_field *field) {
     return mip_decode_field(field, read_sensor_to_vehicle_rotation_dcm, value, sizeof(*value),
                             NULL);
 }
 
-mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR,
+mip_error mip_filter_sensor_to_vehicle_dcm_encode(
+    const struct mip_filter_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SENSOR_TO_VEHICLE_DCM_DESCRIPTOR,
                             write_sensor_to_vehicle_rotation_dcm, value);
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_dcm
-mip_filter_sensor_to_vehicle_rotation_dcm_write(const float dcm[9]) {
-    struct mip_filter_sensor_to_vehicle_rotation_dcm v;
+struct mip_filter_sensor_to_vehicle_dcm mip_filter_sensor_to_vehicle_dcm_write(const float dcm[9]) {
+    struct mip_filter_sensor_to_vehicle_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(v.dcm, dcm, sizeof(v.dcm));
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_dcm
-mip_filter_sensor_to_vehicle_rotation_dcm_read(void) {
-    struct mip_filter_sensor_to_vehicle_rotation_dcm v;
+struct mip_filter_sensor_to_vehicle_dcm mip_filter_sensor_to_vehicle_dcm_read(void) {
+    struct mip_filter_sensor_to_vehicle_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_dcm
-mip_filter_sensor_to_vehicle_rotation_dcm_save(void) {
-    struct mip_filter_sensor_to_vehicle_rotation_dcm v;
+struct mip_filter_sensor_to_vehicle_dcm mip_filter_sensor_to_vehicle_dcm_save(void) {
+    struct mip_filter_sensor_to_vehicle_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_dcm
-mip_filter_sensor_to_vehicle_rotation_dcm_load(void) {
-    struct mip_filter_sensor_to_vehicle_rotation_dcm v;
+struct mip_filter_sensor_to_vehicle_dcm mip_filter_sensor_to_vehicle_dcm_load(void) {
+    struct mip_filter_sensor_to_vehicle_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_dcm
-mip_filter_sensor_to_vehicle_rotation_dcm_default(void) {
-    struct mip_filter_sensor_to_vehicle_rotation_dcm v;
+struct mip_filter_sensor_to_vehicle_dcm mip_filter_sensor_to_vehicle_dcm_default(void) {
+    struct mip_filter_sensor_to_vehicle_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
 static void read_sensor_to_vehicle_rotation_dcm_response(struct mip_reader *r, void *value) {
-    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *v =
-        (struct mip_filter_sensor_to_vehicle_rotation_dcm_response *)value;
+    struct mip_filter_sensor_to_vehicle_dcm_response *v =
+        (struct mip_filter_sensor_to_vehicle_dcm_response *)value;
     mip_read_float(r, v->dcm, 9);
 }
 
 static void write_sensor_to_vehicle_rotation_dcm_response(struct mip_writer *w, const void *value) {
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *v =
-        (const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *)value;
+    const struct mip_filter_sensor_to_vehicle_dcm_response *v =
+        (const struct mip_filter_sensor_to_vehicle_dcm_response *)value;
     mip_write_float(w, v->dcm, 9);
 }
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec = {
+const struct mip_codec mip_filter_sensor_to_vehicle_dcm_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm_response),
+    sizeof(struct mip_filter_sensor_to_vehicle_dcm_response),
     0, /* time-out */
     read_sensor_to_vehicle_rotation_dcm_response,
     write_sensor_to_vehicle_rotation_dcm_response,
@@ -4727,18 +4677,15 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec 
     NULL,
 };
 
-mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
-    const struct mip_field *field) {
+mip_error mip_filter_sensor_to_vehicle_dcm_response_decode(
+    struct mip_filter_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
     return mip_decode_field(field, read_sensor_to_vehicle_rotation_dcm_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR,
+mip_error mip_filter_sensor_to_vehicle_dcm_response_encode(
+    const struct mip_filter_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE_DESCRIPTOR,
                             write_sensor_to_vehicle_rotation_dcm_response, value);
 }
 
@@ -4746,8 +4693,8 @@ mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
 static const uint8_t required_sensor_to_vehicle_rotation_quaternion[] = {0, 1, 0, 0, 0, 0};
 
 static void read_sensor_to_vehicle_rotation_quaternion(struct mip_reader *r, void *value) {
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion *v =
-        (struct mip_filter_sensor_to_vehicle_rotation_quaternion *)value;
+    struct mip_filter_sensor_to_vehicle_quaternion *v =
+        (struct mip_filter_sensor_to_vehicle_quaternion *)value;
     mip_read_u8(r, &v->function, 1);
     mip_read_required(r, v->function, required_sensor_to_vehicle_rotation_quaternion,
                       sizeof(required_sensor_to_vehicle_rotation_quaternion));
@@ -4757,8 +4704,8 @@ static void read_sensor_to_vehicle_rotation_quaternion(struct mip_reader *r, voi
 }
 
 static void write_sensor_to_vehicle_rotation_quaternion(struct mip_writer *w, const void *value) {
-    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *v =
-        (const struct mip_filter_sensor_to_vehicle_rotation_quaternion *)value;
+    const struct mip_filter_sensor_to_vehicle_quaternion *v =
+        (const struct mip_filter_sensor_to_vehicle_quaternion *)value;
     mip_write_u8(w, &v->function, 1);
     mip_write_required(w, v->function, required_sensor_to_vehicle_rotation_quaternion,
                        sizeof(required_sensor_to_vehicle_rotation_quaternion), v->present);
@@ -4767,23 +4714,23 @@ static void write_sensor_to_vehicle_rotation_quaternion(struct mip_writer *w, co
 }
 
 static bool asked_sensor_to_vehicle_rotation_quaternion_1(const void *value) {
-    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *v =
-        (const struct mip_filter_sensor_to_vehicle_rotation_quaternion *)value;
+    const struct mip_filter_sensor_to_vehicle_quaternion *v =
+        (const struct mip_filter_sensor_to_vehicle_quaternion *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
 static const struct mip_response responses_sensor_to_vehicle_rotation_quaternion[] = {
-    {&mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec,
+    {&mip_filter_sensor_to_vehicle_quaternion_response_codec,
      asked_sensor_to_vehicle_rotation_quaternion_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec = {
+const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_DESCRIPTOR,
+    MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion),
+    sizeof(struct mip_filter_sensor_to_vehicle_quaternion),
     0, /* time-out */
     read_sensor_to_vehicle_rotation_quaternion,
     write_sensor_to_vehicle_rotation_quaternion,
@@ -4792,79 +4739,74 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec = 
     NULL,
 };
 
-mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion *value, const struct mip_field *field) {
+mip_error mip_filter_sensor_to_vehicle_quaternion_decode(
+    struct mip_filter_sensor_to_vehicle_quaternion *value, const struct mip_field *field) {
     return mip_decode_field(field, read_sensor_to_vehicle_rotation_quaternion, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_DESCRIPTOR,
+mip_error mip_filter_sensor_to_vehicle_quaternion_encode(
+    const struct mip_filter_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_DESCRIPTOR,
                             write_sensor_to_vehicle_rotation_quaternion, value);
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_write(const float q[4]) {
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
+struct mip_filter_sensor_to_vehicle_quaternion
+mip_filter_sensor_to_vehicle_quaternion_write(const float q[4]) {
+    struct mip_filter_sensor_to_vehicle_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(v.q, q, sizeof(v.q));
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_read(void) {
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
+struct mip_filter_sensor_to_vehicle_quaternion mip_filter_sensor_to_vehicle_quaternion_read(void) {
+    struct mip_filter_sensor_to_vehicle_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_save(void) {
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
+struct mip_filter_sensor_to_vehicle_quaternion mip_filter_sensor_to_vehicle_quaternion_save(void) {
+    struct mip_filter_sensor_to_vehicle_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_load(void) {
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
+struct mip_filter_sensor_to_vehicle_quaternion mip_filter_sensor_to_vehicle_quaternion_load(void) {
+    struct mip_filter_sensor_to_vehicle_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_default(void) {
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
+struct mip_filter_sensor_to_vehicle_quaternion
+mip_filter_sensor_to_vehicle_quaternion_default(void) {
+    struct mip_filter_sensor_to_vehicle_quaternion v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
 static void read_sensor_to_vehicle_rotation_quaternion_response(struct mip_reader *r, void *value) {
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *v =
-        (struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *)value;
+    struct mip_filter_sensor_to_vehicle_quaternion_response *v =
+        (struct mip_filter_sensor_to_vehicle_quaternion_response *)value;
     mip_read_float(r, v->q, 4);
 }
 
 static void write_sensor_to_vehicle_rotation_quaternion_response(struct mip_writer *w,
                                                                  const void *value) {
-    const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *v =
-        (const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *)value;
+    const struct mip_filter_sensor_to_vehicle_quaternion_response *v =
+        (const struct mip_filter_sensor_to_vehicle_quaternion_response *)value;
     mip_write_float(w, v->q, 4);
 }
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec = {
+const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response),
+    sizeof(struct mip_filter_sensor_to_vehicle_quaternion_response),
     0, /* time-out */
     read_sensor_to_vehicle_rotation_quaternion_response,
     write_sensor_to_vehicle_rotation_quaternion_response,
@@ -4873,18 +4815,17 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_response
     NULL,
 };
 
-mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
-    const struct mip_field *field) {
+mip_error mip_filter_sensor_to_vehicle_quaternion_response_decode(
+    struct mip_filter_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
     return mip_decode_field(field, read_sensor_to_vehicle_rotation_quaternion_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode(
+    const struct mip_filter_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_DESCRIPTOR,
+                            MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_DESCRIPTOR,
                             write_sensor_to_vehicle_rotation_quaternion_response, value);
 }
 
@@ -6150,8 +6091,8 @@ mip_error mip_filter_speed_lever_arm_response_encode(
 static const uint8_t required_vertical_gyro_constraint_control[] = {0, 1, 0, 0, 0, 0};
 
 static void read_vertical_gyro_constraint_control(struct mip_reader *r, void *value) {
-    struct mip_filter_vertical_gyro_constraint_control *v =
-        (struct mip_filter_vertical_gyro_constraint_control *)value;
+    struct mip_filter_vertical_gyro_constraint *v =
+        (struct mip_filter_vertical_gyro_constraint *)value;
     mip_read_u8(r, &v->function, 1);
     mip_read_required(r, v->function, required_vertical_gyro_constraint_control,
                       sizeof(required_vertical_gyro_constraint_control));
@@ -6161,8 +6102,8 @@ static void read_vertical_gyro_constraint_control(struct mip_reader *r, void *va
 }
 
 static void write_vertical_gyro_constraint_control(struct mip_writer *w, const void *value) {
-    const struct mip_filter_vertical_gyro_constraint_control *v =
-        (const struct mip_filter_vertical_gyro_constraint_control *)value;
+    const struct mip_filter_vertical_gyro_constraint *v =
+        (const struct mip_filter_vertical_gyro_constraint *)value;
     mip_write_u8(w, &v->function, 1);
     mip_write_required(w, v->function, required_vertical_gyro_constraint_control,
                        sizeof(required_vertical_gyro_constraint_control), v->present);
@@ -6171,23 +6112,22 @@ static void write_vertical_gyro_constraint_control(struct mip_writer *w, const v
 }
 
 static bool asked_vertical_gyro_constraint_control_1(const void *value) {
-    const struct mip_filter_vertical_gyro_constraint_control *v =
-        (const struct mip_filter_vertical_gyro_constraint_control *)value;
+    const struct mip_filter_vertical_gyro_constraint *v =
+        (const struct mip_filter_vertical_gyro_constraint *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
 static const struct mip_response responses_vertical_gyro_constraint_control[] = {
-    {&mip_filter_vertical_gyro_constraint_control_response_codec,
-     asked_vertical_gyro_constraint_control_1},
+    {&mip_filter_vertical_gyro_constraint_response_codec, asked_vertical_gyro_constraint_control_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec = {
+const struct mip_codec mip_filter_vertical_gyro_constraint_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR,
+    MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_vertical_gyro_constraint_control),
+    sizeof(struct mip_filter_vertical_gyro_constraint),
     0, /* time-out */
     read_vertical_gyro_constraint_control,
     write_vertical_gyro_constraint_control,
@@ -6196,77 +6136,73 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec = {
     NULL,
 };
 
-mip_error mip_filter_vertical_gyro_constraint_control_decode(
-    struct mip_filter_vertical_gyro_constraint_control *value, const struct mip_field *field) {
+mip_error mip_filter_vertical_gyro_constraint_decode(
+    struct mip_filter_vertical_gyro_constraint *value, const struct mip_field *field) {
     return mip_decode_field(field, read_vertical_gyro_constraint_control, value, sizeof(*value),
                             NULL);
 }
 
-mip_error mip_filter_vertical_gyro_constraint_control_encode(
-    const struct mip_filter_vertical_gyro_constraint_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR,
+mip_error mip_filter_vertical_gyro_constraint_encode(
+    const struct mip_filter_vertical_gyro_constraint *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_DESCRIPTOR,
                             write_vertical_gyro_constraint_control, value);
 }
 
-struct mip_filter_vertical_gyro_constraint_control
-mip_filter_vertical_gyro_constraint_control_write(uint8_t enable) {
-    struct mip_filter_vertical_gyro_constraint_control v;
+struct mip_filter_vertical_gyro_constraint
+mip_filter_vertical_gyro_constraint_write(uint8_t enable) {
+    struct mip_filter_vertical_gyro_constraint v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.enable = enable;
     return v;
 }
 
-struct mip_filter_vertical_gyro_constraint_control
-mip_filter_vertical_gyro_constraint_control_read(void) {
-    struct mip_filter_vertical_gyro_constraint_control v;
+struct mip_filter_vertical_gyro_constraint mip_filter_vertical_gyro_constraint_read(void) {
+    struct mip_filter_vertical_gyro_constraint v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_vertical_gyro_constraint_control
-mip_filter_vertical_gyro_constraint_control_save(void) {
-    struct mip_filter_vertical_gyro_constraint_control v;
+struct mip_filter_vertical_gyro_constraint mip_filter_vertical_gyro_constraint_save(void) {
+    struct mip_filter_vertical_gyro_constraint v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_vertical_gyro_constraint_control
-mip_filter_vertical_gyro_constraint_control_load(void) {
-    struct mip_filter_vertical_gyro_constraint_control v;
+struct mip_filter_vertical_gyro_constraint mip_filter_vertical_gyro_constraint_load(void) {
+    struct mip_filter_vertical_gyro_constraint v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_vertical_gyro_constraint_control
-mip_filter_vertical_gyro_constraint_control_default(void) {
-    struct mip_filter_vertical_gyro_constraint_control v;
+struct mip_filter_vertical_gyro_constraint mip_filter_vertical_gyro_constraint_default(void) {
+    struct mip_filter_vertical_gyro_constraint v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
 static void read_vertical_gyro_constraint_control_response(struct mip_reader *r, void *value) {
-    struct mip_filter_vertical_gyro_constraint_control_response *v =
-        (struct mip_filter_vertical_gyro_constraint_control_response *)value;
+    struct mip_filter_vertical_gyro_constraint_response *v =
+        (struct mip_filter_vertical_gyro_constraint_response *)value;
     mip_read_u8(r, &v->enable, 1);
 }
 
 static void write_vertical_gyro_constraint_control_response(struct mip_writer *w,
                                                             const void *value) {
-    const struct mip_filter_vertical_gyro_constraint_control_response *v =
-        (const struct mip_filter_vertical_gyro_constraint_control_response *)value;
+    const struct mip_filter_vertical_gyro_constraint_response *v =
+        (const struct mip_filter_vertical_gyro_constraint_response *)value;
     mip_write_u8(w, &v->enable, 1);
 }
 
-const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec = {
+const struct mip_codec mip_filter_vertical_gyro_constraint_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_vertical_gyro_constraint_control_response),
+    sizeof(struct mip_filter_vertical_gyro_constraint_response),
     0, /* time-out */
     read_vertical_gyro_constraint_control_response,
     write_vertical_gyro_constraint_control_response,
@@ -6275,18 +6211,15 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_code
     NULL,
 };
 
-mip_error mip_filter_vertical_gyro_constraint_control_response_decode(
-    struct mip_filter_vertical_gyro_constraint_control_response *value,
-    const struct mip_field *field) {
+mip_error mip_filter_vertical_gyro_constraint_response_decode(
+    struct mip_filter_vertical_gyro_constraint_response *value, const struct mip_field *field) {
     return mip_decode_field(field, read_vertical_gyro_constraint_control_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_vertical_gyro_constraint_control_response_encode(
-    const struct mip_filter_vertical_gyro_constraint_control_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
+mip_error mip_filter_vertical_gyro_constraint_response_encode(
+    const struct mip_filter_vertical_gyro_constraint_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE_DESCRIPTOR,
                             write_vertical_gyro_constraint_control_response, value);
 }
 
@@ -6294,8 +6227,8 @@ mip_error mip_filter_vertical_gyro_constraint_control_response_encode(
 static const uint8_t required_wheeled_vehicle_constraint_control[] = {0, 1, 0, 0, 0, 0};
 
 static void read_wheeled_vehicle_constraint_control(struct mip_reader *r, void *value) {
-    struct mip_filter_wheeled_vehicle_constraint_control *v =
-        (struct mip_filter_wheeled_vehicle_constraint_control *)value;
+    struct mip_filter_wheeled_vehicle_constraint *v =
+        (struct mip_filter_wheeled_vehicle_constraint *)value;
     mip_read_u8(r, &v->function, 1);
     mip_read_required(r, v->function, required_wheeled_vehicle_constraint_control,
                       sizeof(required_wheeled_vehicle_constraint_control));
@@ -6305,8 +6238,8 @@ static void read_wheeled_vehicle_constraint_control(struct mip_reader *r, void *
 }
 
 static void write_wheeled_vehicle_constraint_control(struct mip_writer *w, const void *value) {
-    const struct mip_filter_wheeled_vehicle_constraint_control *v =
-        (const struct mip_filter_wheeled_vehicle_constraint_control *)value;
+    const struct mip_filter_wheeled_vehicle_constraint *v =
+        (const struct mip_filter_wheeled_vehicle_constraint *)value;
     mip_write_u8(w, &v->function, 1);
     mip_write_required(w, v->function, required_wheeled_vehicle_constraint_control,
                        sizeof(required_wheeled_vehicle_constraint_control), v->present);
@@ -6315,23 +6248,23 @@ static void write_wheeled_vehicle_constraint_control(struct mip_writer *w, const
 }
 
 static bool asked_wheeled_vehicle_constraint_control_1(const void *value) {
-    const struct mip_filter_wheeled_vehicle_constraint_control *v =
-        (const struct mip_filter_wheeled_vehicle_constraint_control *)value;
+    const struct mip_filter_wheeled_vehicle_constraint *v =
+        (const struct mip_filter_wheeled_vehicle_constraint *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
 static const struct mip_response responses_wheeled_vehicle_constraint_control[] = {
-    {&mip_filter_wheeled_vehicle_constraint_control_response_codec,
+    {&mip_filter_wheeled_vehicle_constraint_response_codec,
      asked_wheeled_vehicle_constraint_control_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
+const struct mip_codec mip_filter_wheeled_vehicle_constraint_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR,
+    MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint_control),
+    sizeof(struct mip_filter_wheeled_vehicle_constraint),
     0, /* time-out */
     read_wheeled_vehicle_constraint_control,
     write_wheeled_vehicle_constraint_control,
@@ -6340,78 +6273,73 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
     NULL,
 };
 
-mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
-    struct mip_filter_wheeled_vehicle_constraint_control *value, const struct mip_field *field) {
+mip_error mip_filter_wheeled_vehicle_constraint_decode(
+    struct mip_filter_wheeled_vehicle_constraint *value, const struct mip_field *field) {
     return mip_decode_field(field, read_wheeled_vehicle_constraint_control, value, sizeof(*value),
                             NULL);
 }
 
-mip_error mip_filter_wheeled_vehicle_constraint_control_encode(
-    const struct mip_filter_wheeled_vehicle_constraint_control *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR,
+mip_error mip_filter_wheeled_vehicle_constraint_encode(
+    const struct mip_filter_wheeled_vehicle_constraint *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_DESCRIPTOR,
                             write_wheeled_vehicle_constraint_control, value);
 }
 
-struct mip_filter_wheeled_vehicle_constraint_control
-mip_filter_wheeled_vehicle_constraint_control_write(uint8_t enable) {
-    struct mip_filter_wheeled_vehicle_constraint_control v;
+struct mip_filter_wheeled_vehicle_constraint
+mip_filter_wheeled_vehicle_constraint_write(uint8_t enable) {
+    struct mip_filter_wheeled_vehicle_constraint v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.enable = enable;
     return v;
 }
 
-struct mip_filter_wheeled_vehicle_constraint_control
-mip_filter_wheeled_vehicle_constraint_control_read(void) {
-    struct mip_filter_wheeled_vehicle_constraint_control v;
+struct mip_filter_wheeled_vehicle_constraint mip_filter_wheeled_vehicle_constraint_read(void) {
+    struct mip_filter_wheeled_vehicle_constraint v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_wheeled_vehicle_constraint_control
-mip_filter_wheeled_vehicle_constraint_control_save(void) {
-    struct mip_filter_wheeled_vehicle_constraint_control v;
+struct mip_filter_wheeled_vehicle_constraint mip_filter_wheeled_vehicle_constraint_save(void) {
+    struct mip_filter_wheeled_vehicle_constraint v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_wheeled_vehicle_constraint_control
-mip_filter_wheeled_vehicle_constraint_control_load(void) {
-    struct mip_filter_wheeled_vehicle_constraint_control v;
+struct mip_filter_wheeled_vehicle_constraint mip_filter_wheeled_vehicle_constraint_load(void) {
+    struct mip_filter_wheeled_vehicle_constraint v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_wheeled_vehicle_constraint_control
-mip_filter_wheeled_vehicle_constraint_control_default(void) {
-    struct mip_filter_wheeled_vehicle_constraint_control v;
+struct mip_filter_wheeled_vehicle_constraint mip_filter_wheeled_vehicle_constraint_default(void) {
+    struct mip_filter_wheeled_vehicle_constraint v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
 static void read_wheeled_vehicle_constraint_control_response(struct mip_reader *r, void *value) {
-    struct mip_filter_wheeled_vehicle_constraint_control_response *v =
-        (struct mip_filter_wheeled_vehicle_constraint_control_response *)value;
+    struct mip_filter_wheeled_vehicle_constraint_response *v =
+        (struct mip_filter_wheeled_vehicle_constraint_response *)value;
     mip_read_u8(r, &v->enable, 1);
 }
 
 static void write_wheeled_vehicle_constraint_control_response(struct mip_writer *w,
                                                               const void *value) {
-    const struct mip_filter_wheeled_vehicle_constraint_control_response *v =
-        (const struct mip_filter_wheeled_vehicle_constraint_control_response *)value;
+    const struct mip_filter_wheeled_vehicle_constraint_response *v =
+        (const struct mip_filter_wheeled_vehicle_constraint_response *)value;
     mip_write_u8(w, &v->enable, 1);
 }
 
-const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec = {
+const struct mip_codec mip_filter_wheeled_vehicle_constraint_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response),
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_response),
     0, /* time-out */
     read_wheeled_vehicle_constraint_control_response,
     write_wheeled_vehicle_constraint_control_response,
@@ -6420,18 +6348,17 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_co
     NULL,
 };
 
-mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode(
-    struct mip_filter_wheeled_vehicle_constraint_control_response *value,
-    const struct mip_field *field) {
+mip_error mip_filter_wheeled_vehicle_constraint_response_decode(
+    struct mip_filter_wheeled_vehicle_constraint_response *value, const struct mip_field *field) {
     return mip_decode_field(field, read_wheeled_vehicle_constraint_control_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
-    const struct mip_filter_wheeled_vehicle_constraint_control_response *value,
+mip_error mip_filter_wheeled_vehicle_constraint_response_encode(
+    const struct mip_filter_wheeled_vehicle_constraint_response *value,
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
+                            MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE_DESCRIPTOR,
                             write_wheeled_vehicle_constraint_control_response, value);
 }
 
@@ -6439,8 +6366,8 @@ mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
 static const uint8_t required_gnss_antenna_calibration_control[] = {0, 2, 0, 0, 0, 0};
 
 static void read_gnss_antenna_calibration_control(struct mip_reader *r, void *value) {
-    struct mip_filter_gnss_antenna_calibration_control *v =
-        (struct mip_filter_gnss_antenna_calibration_control *)value;
+    struct mip_filter_gnss_antenna_calibration *v =
+        (struct mip_filter_gnss_antenna_calibration *)value;
     mip_read_u8(r, &v->function, 1);
     mip_read_required(r, v->function, required_gnss_antenna_calibration_control,
                       sizeof(required_gnss_antenna_calibration_control));
@@ -6452,8 +6379,8 @@ static void read_gnss_antenna_calibration_control(struct mip_reader *r, void *va
 }
 
 static void write_gnss_antenna_calibration_control(struct mip_writer *w, const void *value) {
-    const struct mip_filter_gnss_antenna_calibration_control *v =
-        (const struct mip_filter_gnss_antenna_calibration_control *)value;
+    const struct mip_filter_gnss_antenna_calibration *v =
+        (const struct mip_filter_gnss_antenna_calibration *)value;
     mip_write_u8(w, &v->function, 1);
     mip_write_required(w, v->function, required_gnss_antenna_calibration_control,
                        sizeof(required_gnss_antenna_calibration_control), v->present);
@@ -6464,23 +6391,22 @@ static void write_gnss_antenna_calibration_control(struct mip_writer *w, const v
 }
 
 static bool asked_gnss_antenna_calibration_control_1(const void *value) {
-    const struct mip_filter_gnss_antenna_calibration_control *v =
-        (const struct mip_filter_gnss_antenna_calibration_control *)value;
+    const struct mip_filter_gnss_antenna_calibration *v =
+        (const struct mip_filter_gnss_antenna_calibration *)value;
 
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
 static const struct mip_response responses_gnss_antenna_calibration_control[] = {
-    {&mip_filter_gnss_antenna_calibration_control_response_codec,
-     asked_gnss_antenna_calibration_control_1},
+    {&mip_filter_gnss_antenna_calibration_response_codec, asked_gnss_antenna_calibration_control_1},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec = {
+const struct mip_codec mip_filter_gnss_antenna_calibration_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_DESCRIPTOR,
+    MIP_FILTER_GNSS_ANTENNA_CALIBRATION_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_filter_gnss_antenna_calibration_control),
+    sizeof(struct mip_filter_gnss_antenna_calibration),
     0, /* time-out */
     read_gnss_antenna_calibration_control,
     write_gnss_antenna_calibration_control,
@@ -6489,21 +6415,21 @@ const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec = {
     NULL,
 };
 
-mip_error mip_filter_gnss_antenna_calibration_control_decode(
-    struct mip_filter_gnss_antenna_calibration_control *value, const struct mip_field *field) {
+mip_error mip_filter_gnss_antenna_calibration_decode(
+    struct mip_filter_gnss_antenna_calibration *value, const struct mip_field *field) {
     return mip_decode_field(field, read_gnss_antenna_calibration_control, value, sizeof(*value),
                             NULL);
 }
 
-mip_error mip_filter_gnss_antenna_calibration_control_encode(
-    const struct mip_filter_gnss_antenna_calibration_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D, MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_DESCRIPTOR,
+mip_error mip_filter_gnss_antenna_calibration_encode(
+    const struct mip_filter_gnss_antenna_calibration *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GNSS_ANTENNA_CALIBRATION_DESCRIPTOR,
                             write_gnss_antenna_calibration_control, value);
 }
 
-struct mip_filter_gnss_antenna_calibration_control
-mip_filter_gnss_antenna_calibration_control_write(uint8_t enable, float max_offset) {
-    struct mip_filter_gnss_antenna_calibration_control v;
+struct mip_filter_gnss_antenna_calibration
+mip_filter_gnss_antenna_calibration_write(uint8_t enable, float max_offset) {
+    struct mip_filter_gnss_antenna_calibration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.enable = enable;
@@ -6511,58 +6437,54 @@ mip_filter_gnss_antenna_calibration_control_write(uint8_t enable, float max_offs
     return v;
 }
 
-struct mip_filter_gnss_antenna_calibration_control
-mip_filter_gnss_antenna_calibration_control_read(void) {
-    struct mip_filter_gnss_antenna_calibration_control v;
+struct mip_filter_gnss_antenna_calibration mip_filter_gnss_antenna_calibration_read(void) {
+    struct mip_filter_gnss_antenna_calibration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
-struct mip_filter_gnss_antenna_calibration_control
-mip_filter_gnss_antenna_calibration_control_save(void) {
-    struct mip_filter_gnss_antenna_calibration_control v;
+struct mip_filter_gnss_antenna_calibration mip_filter_gnss_antenna_calibration_save(void) {
+    struct mip_filter_gnss_antenna_calibration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
     return v;
 }
 
-struct mip_filter_gnss_antenna_calibration_control
-mip_filter_gnss_antenna_calibration_control_load(void) {
-    struct mip_filter_gnss_antenna_calibration_control v;
+struct mip_filter_gnss_antenna_calibration mip_filter_gnss_antenna_calibration_load(void) {
+    struct mip_filter_gnss_antenna_calibration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
     return v;
 }
 
-struct mip_filter_gnss_antenna_calibration_control
-mip_filter_gnss_antenna_calibration_control_default(void) {
-    struct mip_filter_gnss_antenna_calibration_control v;
+struct mip_filter_gnss_antenna_calibration mip_filter_gnss_antenna_calibration_default(void) {
+    struct mip_filter_gnss_antenna_calibration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
 }
 
 static void read_gnss_antenna_calibration_control_response(struct mip_reader *r, void *value) {
-    struct mip_filter_gnss_antenna_calibration_control_response *v =
-        (struct mip_filter_gnss_antenna_calibration_control_response *)value;
+    struct mip_filter_gnss_antenna_calibration_response *v =
+        (struct mip_filter_gnss_antenna_calibration_response *)value;
     mip_read_u8(r, &v->enable, 1);
     mip_read_float(r, &v->max_offset, 1);
 }
 
 static void write_gnss_antenna_calibration_control_response(struct mip_writer *w,
                                                             const void *value) {
-    const struct mip_filter_gnss_antenna_calibration_control_response *v =
-        (const struct mip_filter_gnss_antenna_calibration_control_response *)value;
+    const struct mip_filter_gnss_antenna_calibration_response *v =
+        (const struct mip_filter_gnss_antenna_calibration_response *)value;
     mip_write_u8(w, &v->enable, 1);
     mip_write_float(w, &v->max_offset, 1);
 }
 
-const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_codec = {
+const struct mip_codec mip_filter_gnss_antenna_calibration_response_codec = {
     0x0D, /* descriptor set */
-    MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_filter_gnss_antenna_calibration_control_response),
+    sizeof(struct mip_filter_gnss_antenna_calibration_response),
     0, /* time-out */
     read_gnss_antenna_calibration_control_response,
     write_gnss_antenna_calibration_control_response,
@@ -6571,17 +6493,14 @@ const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_code
     NULL,
 };
 
-mip_error mip_filter_gnss_antenna_calibration_control_response_decode(
-    struct mip_filter_gnss_antenna_calibration_control_response *value,
-    const struct mip_field *field) {
+mip_error mip_filter_gnss_antenna_calibration_response_decode(
+    struct mip_filter_gnss_antenna_calibration_response *value, const struct mip_field *field) {
     return mip_decode_field(field, read_gnss_antenna_calibration_control_response, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_gnss_antenna_calibration_control_response_encode(
-    const struct mip_filter_gnss_antenna_calibration_control_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0D,
-                            MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR,
+mip_error mip_filter_gnss_antenna_calibration_response_encode(
+    const struct mip_filter_gnss_antenna_calibration_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE_DESCRIPTOR,
                             write_gnss_antenna_calibration_control_response, value);
 }

@@ -213,12 +213,15 @@ typedef uint8_t mip_filter_angular_constraint;
 
 /** Which initial conditions the device finds itself and which the user gives. */
 typedef uint8_t mip_filter_initial_condition_source;
-/** Position, velocity and attitude are found. */
-#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_ATTITUDE 0
-/** Position, velocity, pitch and roll are found; the heading is given. */
-#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_PITCH_ROLL 1
-/** Position and velocity are found; the attitude is given. */
-#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY 2
+/** Position, velocity and attitude are found. In full: auto_position_velocity_attitude. */
+#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_ATTITUDE 0
+/**
+ * Position, velocity, pitch and roll are found; the heading is given. In full:
+ * auto_position_velocity_pitch_roll.
+ */
+#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_PITCH_ROLL 1
+/** Position and velocity are found; the attitude is given. In full: auto_position_velocity. */
+#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL 2
 /** Position, velocity and attitude are given. */
 #define MIP_FILTER_INITIAL_CONDITION_SOURCE_MANUAL 3
 
@@ -453,18 +456,20 @@ mip_error mip_filter_vehicle_dynamics_mode_response_encode(
  *
  * Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
  *
+ * In full: filter.sensor_to_vehicle_rotation_euler.
+ *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_rotation_euler_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * mip_filter_sensor_to_vehicle_euler_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
  * vector of the filter.
  *
- * The 3DM-CV7 takes the inverse instead: mip_3dm_sensor_to_vehicle_transform_euler.
+ * The 3DM-CV7 takes the inverse instead: mip_3dm_sensor_to_vehicle_euler.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
-struct mip_filter_sensor_to_vehicle_rotation_euler {
+struct mip_filter_sensor_to_vehicle_euler {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -477,38 +482,37 @@ struct mip_filter_sensor_to_vehicle_rotation_euler {
     float yaw;
 };
 
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_DESCRIPTOR 0x11
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_NAME "filter.sensor_to_vehicle_rotation_euler"
+#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_DESCRIPTOR 0x11
+#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_NAME "filter.sensor_to_vehicle_rotation_euler"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec;
-mip_error mip_filter_sensor_to_vehicle_rotation_euler_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_euler *value, const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_rotation_euler_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_euler *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_sensor_to_vehicle_euler_codec;
+mip_error mip_filter_sensor_to_vehicle_euler_decode(
+    struct mip_filter_sensor_to_vehicle_euler *value, const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_euler_encode(
+    const struct mip_filter_sensor_to_vehicle_euler *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_sensor_to_vehicle_rotation_euler
-mip_filter_sensor_to_vehicle_rotation_euler_write(float roll, float pitch, float yaw);
+struct mip_filter_sensor_to_vehicle_euler mip_filter_sensor_to_vehicle_euler_write(float roll,
+                                                                                   float pitch,
+                                                                                   float yaw);
 /** Send the current setting back in a response. */
-struct mip_filter_sensor_to_vehicle_rotation_euler
-mip_filter_sensor_to_vehicle_rotation_euler_read(void);
+struct mip_filter_sensor_to_vehicle_euler mip_filter_sensor_to_vehicle_euler_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_sensor_to_vehicle_rotation_euler
-mip_filter_sensor_to_vehicle_rotation_euler_save(void);
+struct mip_filter_sensor_to_vehicle_euler mip_filter_sensor_to_vehicle_euler_save(void);
 /** Load the saved setting. */
-struct mip_filter_sensor_to_vehicle_rotation_euler
-mip_filter_sensor_to_vehicle_rotation_euler_load(void);
+struct mip_filter_sensor_to_vehicle_euler mip_filter_sensor_to_vehicle_euler_load(void);
 /** Load the factory default setting. */
-struct mip_filter_sensor_to_vehicle_rotation_euler
-mip_filter_sensor_to_vehicle_rotation_euler_default(void);
+struct mip_filter_sensor_to_vehicle_euler mip_filter_sensor_to_vehicle_euler_default(void);
 
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
- * Answers mip_filter_sensor_to_vehicle_rotation_euler. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * In full: filter.sensor_to_vehicle_rotation_euler_response.
+ *
+ * Answers mip_filter_sensor_to_vehicle_euler. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
-struct mip_filter_sensor_to_vehicle_rotation_euler_response {
+struct mip_filter_sensor_to_vehicle_euler_response {
     /** Roll angle. Unit: rad. */
     float roll;
     /** Pitch angle. Unit: rad. */
@@ -517,17 +521,15 @@ struct mip_filter_sensor_to_vehicle_rotation_euler_response {
     float yaw;
 };
 
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_DESCRIPTOR 0x81
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_NAME \
+#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE_DESCRIPTOR 0x81
+#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_euler_response"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_codec;
-mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_sensor_to_vehicle_euler_response_codec;
+mip_error mip_filter_sensor_to_vehicle_euler_response_decode(
+    struct mip_filter_sensor_to_vehicle_euler_response *value, const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_euler_response_encode(
+    const struct mip_filter_sensor_to_vehicle_euler_response *value, struct mip_builder *builder);
 
 /**
  * Sensor to vehicle offset: command (0x0D,0x12).
@@ -2196,10 +2198,12 @@ mip_error mip_filter_magnetic_declination_source_response_encode(
  *
  * How far the filter trusts gravity measurements whose magnitude is not that of gravity.
  *
+ * In full: filter.accel_magnitude_error_adaptive_measurement.
+ *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_accel_magnitude_error_adaptive_measurement_response. Supported by 3DM-GX5-15 and
- * 3DM-GX5-45. May be supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * mip_filter_accel_magnitude_adaptive_response. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be
+ * supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST.
  *
  * Also called accelerometer magnitude error adaptive measurement.
  *
@@ -2212,7 +2216,7 @@ mip_error mip_filter_magnetic_declination_source_response_encode(
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
-struct mip_filter_accel_magnitude_error_adaptive_measurement {
+struct mip_filter_accel_magnitude_adaptive {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2238,56 +2242,50 @@ struct mip_filter_accel_magnitude_error_adaptive_measurement {
     float minimum_uncertainty;
 };
 
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x44
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
-    "filter.accel_magnitude_error_adaptive_measurement"
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_DESCRIPTOR 0x44
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_NAME "filter.accel_magnitude_error_adaptive_measurement"
 /** The value of `present` if frequency is the last parameter that is there. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_FREQUENCY 2
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_FREQUENCY 2
 /** The value of `present` if low_limit is the last parameter that is there. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_LOW_LIMIT 3
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_LOW_LIMIT 3
 /** The value of `present` if high_limit is the last parameter that is there. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_HIGH_LIMIT 4
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_HIGH_LIMIT 4
 /** The value of `present` if low_limit_uncertainty is the last parameter that is there. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_LOW_LIMIT_UNCERTAINTY 5
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_LOW_LIMIT_UNCERTAINTY 5
 /** The value of `present` if high_limit_uncertainty is the last parameter that is there. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_HIGH_LIMIT_UNCERTAINTY 6
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_HIGH_LIMIT_UNCERTAINTY 6
 /** The value of `present` if minimum_uncertainty is the last parameter that is there. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_MINIMUM_UNCERTAINTY 7
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_MINIMUM_UNCERTAINTY 7
 
-extern const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_codec;
-mip_error mip_filter_accel_magnitude_error_adaptive_measurement_decode(
-    struct mip_filter_accel_magnitude_error_adaptive_measurement *value,
-    const struct mip_field *field);
-mip_error mip_filter_accel_magnitude_error_adaptive_measurement_encode(
-    const struct mip_filter_accel_magnitude_error_adaptive_measurement *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_accel_magnitude_adaptive_codec;
+mip_error mip_filter_accel_magnitude_adaptive_decode(
+    struct mip_filter_accel_magnitude_adaptive *value, const struct mip_field *field);
+mip_error mip_filter_accel_magnitude_adaptive_encode(
+    const struct mip_filter_accel_magnitude_adaptive *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_accel_magnitude_error_adaptive_measurement
-mip_filter_accel_magnitude_error_adaptive_measurement_write(
+struct mip_filter_accel_magnitude_adaptive mip_filter_accel_magnitude_adaptive_write(
     mip_filter_adaptive_measurement_selector adaptive_measurement);
 /** Send the current setting back in a response. */
-struct mip_filter_accel_magnitude_error_adaptive_measurement
-mip_filter_accel_magnitude_error_adaptive_measurement_read(void);
+struct mip_filter_accel_magnitude_adaptive mip_filter_accel_magnitude_adaptive_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_accel_magnitude_error_adaptive_measurement
-mip_filter_accel_magnitude_error_adaptive_measurement_save(void);
+struct mip_filter_accel_magnitude_adaptive mip_filter_accel_magnitude_adaptive_save(void);
 /** Load the saved setting. */
-struct mip_filter_accel_magnitude_error_adaptive_measurement
-mip_filter_accel_magnitude_error_adaptive_measurement_load(void);
+struct mip_filter_accel_magnitude_adaptive mip_filter_accel_magnitude_adaptive_load(void);
 /** Load the factory default setting. */
-struct mip_filter_accel_magnitude_error_adaptive_measurement
-mip_filter_accel_magnitude_error_adaptive_measurement_default(void);
+struct mip_filter_accel_magnitude_adaptive mip_filter_accel_magnitude_adaptive_default(void);
 
 /**
  * Gravity magnitude error adaptive measurement response: response (0x0D,0xB3).
  *
- * Answers mip_filter_accel_magnitude_error_adaptive_measurement. Supported by 3DM-GX5-15 and
- * 3DM-GX5-45. May be supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * In full: filter.accel_magnitude_error_adaptive_measurement_response.
+ *
+ * Answers mip_filter_accel_magnitude_adaptive. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be
+ * supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
-struct mip_filter_accel_magnitude_error_adaptive_measurement_response {
+struct mip_filter_accel_magnitude_adaptive_response {
     /** Kind of adaptation. */
     mip_filter_adaptive_measurement_selector adaptive_measurement;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. */
@@ -2304,29 +2302,28 @@ struct mip_filter_accel_magnitude_error_adaptive_measurement_response {
     float minimum_uncertainty;
 };
 
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB3
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB3
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE_NAME \
     "filter.accel_magnitude_error_adaptive_measurement_response"
 
-extern const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_response_codec;
-mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_decode(
-    struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_encode(
-    const struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_accel_magnitude_adaptive_response_codec;
+mip_error mip_filter_accel_magnitude_adaptive_response_decode(
+    struct mip_filter_accel_magnitude_adaptive_response *value, const struct mip_field *field);
+mip_error mip_filter_accel_magnitude_adaptive_response_encode(
+    const struct mip_filter_accel_magnitude_adaptive_response *value, struct mip_builder *builder);
 
 /**
  * Magnetometer magnitude error adaptive measurement: command (0x0D,0x45).
  *
  * How far the filter trusts a magnetic field whose magnitude is not as expected.
  *
+ * In full: filter.mag_magnitude_error_adaptive_measurement.
+ *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_magnitude_error_adaptive_measurement_response. Supported by 3DM-GX5-45. May be
- * supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK only. Uncertain: Whether the parameters behind
- * the selector may be left out on write, as those of
- * mip_filter_accel_magnitude_error_adaptive_measurement may.
+ * mip_filter_mag_magnitude_adaptive_response. Supported by 3DM-GX5-45. May be supported by
+ * 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Known from the MicroStrain MIP SDK only. Uncertain: Whether the parameters behind the selector
+ * may be left out on write, as those of mip_filter_accel_magnitude_adaptive may.
  *
  * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
  * limits.
@@ -2336,7 +2333,7 @@ mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_encode(
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
-struct mip_filter_mag_magnitude_error_adaptive_measurement {
+struct mip_filter_mag_magnitude_adaptive {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2382,46 +2379,40 @@ struct mip_filter_mag_magnitude_error_adaptive_measurement {
     float minimum_uncertainty;
 };
 
-#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x45
-#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
-    "filter.mag_magnitude_error_adaptive_measurement"
+#define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_DESCRIPTOR 0x45
+#define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_NAME "filter.mag_magnitude_error_adaptive_measurement"
 
-extern const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec;
-mip_error mip_filter_mag_magnitude_error_adaptive_measurement_decode(
-    struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
-    const struct mip_field *field);
-mip_error mip_filter_mag_magnitude_error_adaptive_measurement_encode(
-    const struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_mag_magnitude_adaptive_codec;
+mip_error mip_filter_mag_magnitude_adaptive_decode(struct mip_filter_mag_magnitude_adaptive *value,
+                                                   const struct mip_field *field);
+mip_error mip_filter_mag_magnitude_adaptive_encode(
+    const struct mip_filter_mag_magnitude_adaptive *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_mag_magnitude_error_adaptive_measurement
-mip_filter_mag_magnitude_error_adaptive_measurement_write(
+struct mip_filter_mag_magnitude_adaptive mip_filter_mag_magnitude_adaptive_write(
     mip_filter_adaptive_measurement_selector adaptive_measurement, float frequency, float low_limit,
     float high_limit, float low_limit_uncertainty, float high_limit_uncertainty,
     float minimum_uncertainty);
 /** Send the current setting back in a response. */
-struct mip_filter_mag_magnitude_error_adaptive_measurement
-mip_filter_mag_magnitude_error_adaptive_measurement_read(void);
+struct mip_filter_mag_magnitude_adaptive mip_filter_mag_magnitude_adaptive_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_mag_magnitude_error_adaptive_measurement
-mip_filter_mag_magnitude_error_adaptive_measurement_save(void);
+struct mip_filter_mag_magnitude_adaptive mip_filter_mag_magnitude_adaptive_save(void);
 /** Load the saved setting. */
-struct mip_filter_mag_magnitude_error_adaptive_measurement
-mip_filter_mag_magnitude_error_adaptive_measurement_load(void);
+struct mip_filter_mag_magnitude_adaptive mip_filter_mag_magnitude_adaptive_load(void);
 /** Load the factory default setting. */
-struct mip_filter_mag_magnitude_error_adaptive_measurement
-mip_filter_mag_magnitude_error_adaptive_measurement_default(void);
+struct mip_filter_mag_magnitude_adaptive mip_filter_mag_magnitude_adaptive_default(void);
 
 /**
  * Magnetometer magnitude error adaptive measurement response: response (0x0D,0xB4).
  *
- * Answers mip_filter_mag_magnitude_error_adaptive_measurement. Supported by 3DM-GX5-45. May be
- * supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK only.
+ * In full: filter.mag_magnitude_error_adaptive_measurement_response.
+ *
+ * Answers mip_filter_mag_magnitude_adaptive. Supported by 3DM-GX5-45. May be supported by
+ * 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
-struct mip_filter_mag_magnitude_error_adaptive_measurement_response {
+struct mip_filter_mag_magnitude_adaptive_response {
     /** Kind of adaptation. */
     mip_filter_adaptive_measurement_selector adaptive_measurement;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. */
@@ -2453,36 +2444,36 @@ struct mip_filter_mag_magnitude_error_adaptive_measurement_response {
     float minimum_uncertainty;
 };
 
-#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB4
-#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
+#define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB4
+#define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE_NAME \
     "filter.mag_magnitude_error_adaptive_measurement_response"
 
-extern const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_response_codec;
-mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_decode(
-    struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode(
-    const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_mag_magnitude_adaptive_response_codec;
+mip_error mip_filter_mag_magnitude_adaptive_response_decode(
+    struct mip_filter_mag_magnitude_adaptive_response *value, const struct mip_field *field);
+mip_error mip_filter_mag_magnitude_adaptive_response_encode(
+    const struct mip_filter_mag_magnitude_adaptive_response *value, struct mip_builder *builder);
 
 /**
  * Magnetometer dip angle error adaptive measurement: command (0x0D,0x46).
  *
  * How far the filter trusts a magnetic field whose dip angle is not as expected.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_dip_angle_error_adaptive_measurement_response. Supported by 3DM-GX5-45. Known from
- * the MicroStrain MIP SDK only.
+ * In full: filter.mag_dip_angle_error_adaptive_measurement.
  *
- * It has no effect while mip_filter_accel_magnitude_error_adaptive_measurement or
- * mip_filter_mag_magnitude_error_adaptive_measurement is set to `auto`.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_mag_dip_angle_adaptive_response. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
+ *
+ * It has no effect while mip_filter_accel_magnitude_adaptive or mip_filter_mag_magnitude_adaptive
+ * is set to `auto`.
  *
  * High limits suit high dynamics but let disturbances of the field through; low limits can spoil
  * the heading.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
-struct mip_filter_mag_dip_angle_error_adaptive_measurement {
+struct mip_filter_mag_dip_angle_adaptive {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2508,45 +2499,38 @@ struct mip_filter_mag_dip_angle_error_adaptive_measurement {
     float minimum_uncertainty;
 };
 
-#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x46
-#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
-    "filter.mag_dip_angle_error_adaptive_measurement"
+#define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_DESCRIPTOR 0x46
+#define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_NAME "filter.mag_dip_angle_error_adaptive_measurement"
 
-extern const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec;
-mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_decode(
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
-    const struct mip_field *field);
-mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_encode(
-    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec;
+mip_error mip_filter_mag_dip_angle_adaptive_decode(struct mip_filter_mag_dip_angle_adaptive *value,
+                                                   const struct mip_field *field);
+mip_error mip_filter_mag_dip_angle_adaptive_encode(
+    const struct mip_filter_mag_dip_angle_adaptive *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_mag_dip_angle_error_adaptive_measurement
-mip_filter_mag_dip_angle_error_adaptive_measurement_write(mip_bool enable, float frequency,
-                                                          float high_limit,
-                                                          float high_limit_uncertainty,
-                                                          float minimum_uncertainty);
+struct mip_filter_mag_dip_angle_adaptive
+mip_filter_mag_dip_angle_adaptive_write(mip_bool enable, float frequency, float high_limit,
+                                        float high_limit_uncertainty, float minimum_uncertainty);
 /** Send the current setting back in a response. */
-struct mip_filter_mag_dip_angle_error_adaptive_measurement
-mip_filter_mag_dip_angle_error_adaptive_measurement_read(void);
+struct mip_filter_mag_dip_angle_adaptive mip_filter_mag_dip_angle_adaptive_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_mag_dip_angle_error_adaptive_measurement
-mip_filter_mag_dip_angle_error_adaptive_measurement_save(void);
+struct mip_filter_mag_dip_angle_adaptive mip_filter_mag_dip_angle_adaptive_save(void);
 /** Load the saved setting. */
-struct mip_filter_mag_dip_angle_error_adaptive_measurement
-mip_filter_mag_dip_angle_error_adaptive_measurement_load(void);
+struct mip_filter_mag_dip_angle_adaptive mip_filter_mag_dip_angle_adaptive_load(void);
 /** Load the factory default setting. */
-struct mip_filter_mag_dip_angle_error_adaptive_measurement
-mip_filter_mag_dip_angle_error_adaptive_measurement_default(void);
+struct mip_filter_mag_dip_angle_adaptive mip_filter_mag_dip_angle_adaptive_default(void);
 
 /**
  * Magnetometer dip angle error adaptive measurement response: response (0x0D,0xB5).
  *
- * Answers mip_filter_mag_dip_angle_error_adaptive_measurement. Supported by 3DM-GX5-45. Known from
- * the MicroStrain MIP SDK only.
+ * In full: filter.mag_dip_angle_error_adaptive_measurement_response.
+ *
+ * Answers mip_filter_mag_dip_angle_adaptive. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
-struct mip_filter_mag_dip_angle_error_adaptive_measurement_response {
+struct mip_filter_mag_dip_angle_adaptive_response {
     /** Whether the adaptation is on. */
     mip_bool enable;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. */
@@ -2568,17 +2552,15 @@ struct mip_filter_mag_dip_angle_error_adaptive_measurement_response {
     float minimum_uncertainty;
 };
 
-#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB5
-#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
+#define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB5
+#define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE_NAME \
     "filter.mag_dip_angle_error_adaptive_measurement_response"
 
-extern const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec;
-mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_decode(
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode(
-    const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_mag_dip_angle_adaptive_response_codec;
+mip_error mip_filter_mag_dip_angle_adaptive_response_decode(
+    struct mip_filter_mag_dip_angle_adaptive_response *value, const struct mip_field *field);
+mip_error mip_filter_mag_dip_angle_adaptive_response_encode(
+    const struct mip_filter_mag_dip_angle_adaptive_response *value, struct mip_builder *builder);
 
 /**
  * Altitude aiding: command (0x0D,0x47).
@@ -2792,7 +2774,7 @@ mip_error mip_filter_magnetic_inclination_source_response_encode(
  *
  * Without a good magnitude source, keep automatic magnetometer calibration off.
  *
- * mip_filter_mag_magnitude_error_adaptive_measurement relies on it too.
+ * mip_filter_mag_magnitude_adaptive relies on it too.
  *
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
@@ -2863,11 +2845,13 @@ mip_error mip_filter_magnetic_magnitude_source_response_encode(
  *
  * Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_rotation_dcm_response. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * In full: filter.sensor_to_vehicle_rotation_dcm.
  *
- * It is the inverse of the matrix that mip_3dm_sensor_to_vehicle_transform_dcm takes.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_dcm_response. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
+ *
+ * It is the inverse of the matrix that mip_3dm_sensor_to_vehicle_dcm takes.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
@@ -2879,7 +2863,7 @@ mip_error mip_filter_magnetic_magnitude_source_response_encode(
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
-struct mip_filter_sensor_to_vehicle_rotation_dcm {
+struct mip_filter_sensor_to_vehicle_dcm {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2891,38 +2875,35 @@ struct mip_filter_sensor_to_vehicle_rotation_dcm {
     float dcm[9];
 };
 
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR 0x4E
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_NAME "filter.sensor_to_vehicle_rotation_dcm"
+#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_DESCRIPTOR 0x4E
+#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_NAME "filter.sensor_to_vehicle_rotation_dcm"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec;
-mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm *value, const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_sensor_to_vehicle_dcm_codec;
+mip_error mip_filter_sensor_to_vehicle_dcm_decode(struct mip_filter_sensor_to_vehicle_dcm *value,
+                                                  const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_dcm_encode(
+    const struct mip_filter_sensor_to_vehicle_dcm *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_sensor_to_vehicle_rotation_dcm
-mip_filter_sensor_to_vehicle_rotation_dcm_write(const float dcm[9]);
+struct mip_filter_sensor_to_vehicle_dcm mip_filter_sensor_to_vehicle_dcm_write(const float dcm[9]);
 /** Send the current setting back in a response. */
-struct mip_filter_sensor_to_vehicle_rotation_dcm
-mip_filter_sensor_to_vehicle_rotation_dcm_read(void);
+struct mip_filter_sensor_to_vehicle_dcm mip_filter_sensor_to_vehicle_dcm_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_sensor_to_vehicle_rotation_dcm
-mip_filter_sensor_to_vehicle_rotation_dcm_save(void);
+struct mip_filter_sensor_to_vehicle_dcm mip_filter_sensor_to_vehicle_dcm_save(void);
 /** Load the saved setting. */
-struct mip_filter_sensor_to_vehicle_rotation_dcm
-mip_filter_sensor_to_vehicle_rotation_dcm_load(void);
+struct mip_filter_sensor_to_vehicle_dcm mip_filter_sensor_to_vehicle_dcm_load(void);
 /** Load the factory default setting. */
-struct mip_filter_sensor_to_vehicle_rotation_dcm
-mip_filter_sensor_to_vehicle_rotation_dcm_default(void);
+struct mip_filter_sensor_to_vehicle_dcm mip_filter_sensor_to_vehicle_dcm_default(void);
 
 /**
  * Sensor to vehicle rotation, matrix response: response (0x0D,0xBE).
  *
- * Answers mip_filter_sensor_to_vehicle_rotation_dcm. Known from the MicroStrain MIP SDK only.
+ * In full: filter.sensor_to_vehicle_rotation_dcm_response.
+ *
+ * Answers mip_filter_sensor_to_vehicle_dcm. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
-struct mip_filter_sensor_to_vehicle_rotation_dcm_response {
+struct mip_filter_sensor_to_vehicle_dcm_response {
     /**
      * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
      * Unit: 1.
@@ -2930,28 +2911,28 @@ struct mip_filter_sensor_to_vehicle_rotation_dcm_response {
     float dcm[9];
 };
 
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR 0xBE
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_NAME \
+#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE_DESCRIPTOR 0xBE
+#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_dcm_response"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec;
-mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_sensor_to_vehicle_dcm_response_codec;
+mip_error mip_filter_sensor_to_vehicle_dcm_response_decode(
+    struct mip_filter_sensor_to_vehicle_dcm_response *value, const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_dcm_response_encode(
+    const struct mip_filter_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder);
 
 /**
  * Sensor to vehicle rotation, quaternion: command (0x0D,0x4F).
  *
  * Rotation from the sensor frame to the vehicle frame as a quaternion.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_rotation_quaternion_response. No device profile lists it. Known from
- * the MicroStrain MIP SDK only.
+ * In full: filter.sensor_to_vehicle_rotation_quaternion.
  *
- * It is the inverse of the quaternion that mip_3dm_sensor_to_vehicle_transform_quaternion takes.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_quaternion_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
+ *
+ * It is the inverse of the quaternion that mip_3dm_sensor_to_vehicle_quaternion takes.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
@@ -2961,7 +2942,7 @@ mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
-struct mip_filter_sensor_to_vehicle_rotation_quaternion {
+struct mip_filter_sensor_to_vehicle_quaternion {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -2973,41 +2954,37 @@ struct mip_filter_sensor_to_vehicle_rotation_quaternion {
     float q[4];
 };
 
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_DESCRIPTOR 0x4F
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_NAME \
-    "filter.sensor_to_vehicle_rotation_quaternion"
+#define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_DESCRIPTOR 0x4F
+#define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_NAME "filter.sensor_to_vehicle_rotation_quaternion"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec;
-mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion *value, const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_codec;
+mip_error mip_filter_sensor_to_vehicle_quaternion_decode(
+    struct mip_filter_sensor_to_vehicle_quaternion *value, const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_quaternion_encode(
+    const struct mip_filter_sensor_to_vehicle_quaternion *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_write(const float q[4]);
+struct mip_filter_sensor_to_vehicle_quaternion
+mip_filter_sensor_to_vehicle_quaternion_write(const float q[4]);
 /** Send the current setting back in a response. */
-struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_read(void);
+struct mip_filter_sensor_to_vehicle_quaternion mip_filter_sensor_to_vehicle_quaternion_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_save(void);
+struct mip_filter_sensor_to_vehicle_quaternion mip_filter_sensor_to_vehicle_quaternion_save(void);
 /** Load the saved setting. */
-struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_load(void);
+struct mip_filter_sensor_to_vehicle_quaternion mip_filter_sensor_to_vehicle_quaternion_load(void);
 /** Load the factory default setting. */
-struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_default(void);
+struct mip_filter_sensor_to_vehicle_quaternion
+mip_filter_sensor_to_vehicle_quaternion_default(void);
 
 /**
  * Sensor to vehicle rotation, quaternion response: response (0x0D,0xBF).
  *
- * Answers mip_filter_sensor_to_vehicle_rotation_quaternion. Known from the MicroStrain MIP SDK
- * only.
+ * In full: filter.sensor_to_vehicle_rotation_quaternion_response.
+ *
+ * Answers mip_filter_sensor_to_vehicle_quaternion. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
-struct mip_filter_sensor_to_vehicle_rotation_quaternion_response {
+struct mip_filter_sensor_to_vehicle_quaternion_response {
     /**
      * Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
      * 1.001.
@@ -3015,16 +2992,15 @@ struct mip_filter_sensor_to_vehicle_rotation_quaternion_response {
     float q[4];
 };
 
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_DESCRIPTOR 0xBF
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_NAME \
+#define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_DESCRIPTOR 0xBF
+#define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_quaternion_response"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec;
-mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+extern const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_response_codec;
+mip_error mip_filter_sensor_to_vehicle_quaternion_response_decode(
+    struct mip_filter_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode(
+    const struct mip_filter_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder);
 
 /**
@@ -3714,15 +3690,17 @@ mip_error mip_filter_speed_lever_arm_response_encode(
  *
  * Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
  *
+ * In full: filter.vertical_gyro_constraint_control.
+ *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vertical_gyro_constraint_control_response. No device profile lists it. Known from the
+ * mip_filter_vertical_gyro_constraint_response. No device profile lists it. Known from the
  * MicroStrain MIP SDK only.
  *
  * It takes the linear acceleration as zero.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
-struct mip_filter_vertical_gyro_constraint_control {
+struct mip_filter_vertical_gyro_constraint {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -3731,68 +3709,66 @@ struct mip_filter_vertical_gyro_constraint_control {
     uint8_t enable;
 };
 
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR 0x62
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_NAME "filter.vertical_gyro_constraint_control"
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_DESCRIPTOR 0x62
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_NAME "filter.vertical_gyro_constraint_control"
 
-extern const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec;
-mip_error mip_filter_vertical_gyro_constraint_control_decode(
-    struct mip_filter_vertical_gyro_constraint_control *value, const struct mip_field *field);
-mip_error mip_filter_vertical_gyro_constraint_control_encode(
-    const struct mip_filter_vertical_gyro_constraint_control *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_vertical_gyro_constraint_codec;
+mip_error mip_filter_vertical_gyro_constraint_decode(
+    struct mip_filter_vertical_gyro_constraint *value, const struct mip_field *field);
+mip_error mip_filter_vertical_gyro_constraint_encode(
+    const struct mip_filter_vertical_gyro_constraint *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_vertical_gyro_constraint_control
-mip_filter_vertical_gyro_constraint_control_write(uint8_t enable);
+struct mip_filter_vertical_gyro_constraint
+mip_filter_vertical_gyro_constraint_write(uint8_t enable);
 /** Send the current setting back in a response. */
-struct mip_filter_vertical_gyro_constraint_control
-mip_filter_vertical_gyro_constraint_control_read(void);
+struct mip_filter_vertical_gyro_constraint mip_filter_vertical_gyro_constraint_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_vertical_gyro_constraint_control
-mip_filter_vertical_gyro_constraint_control_save(void);
+struct mip_filter_vertical_gyro_constraint mip_filter_vertical_gyro_constraint_save(void);
 /** Load the saved setting. */
-struct mip_filter_vertical_gyro_constraint_control
-mip_filter_vertical_gyro_constraint_control_load(void);
+struct mip_filter_vertical_gyro_constraint mip_filter_vertical_gyro_constraint_load(void);
 /** Load the factory default setting. */
-struct mip_filter_vertical_gyro_constraint_control
-mip_filter_vertical_gyro_constraint_control_default(void);
+struct mip_filter_vertical_gyro_constraint mip_filter_vertical_gyro_constraint_default(void);
 
 /**
  * Vertical gyro constraint response: response (0x0D,0xE2).
  *
- * Answers mip_filter_vertical_gyro_constraint_control. Known from the MicroStrain MIP SDK only.
+ * In full: filter.vertical_gyro_constraint_control_response.
+ *
+ * Answers mip_filter_vertical_gyro_constraint. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
-struct mip_filter_vertical_gyro_constraint_control_response {
+struct mip_filter_vertical_gyro_constraint_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
 };
 
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR 0xE2
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_NAME \
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE_DESCRIPTOR 0xE2
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE_NAME \
     "filter.vertical_gyro_constraint_control_response"
 
-extern const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec;
-mip_error mip_filter_vertical_gyro_constraint_control_response_decode(
-    struct mip_filter_vertical_gyro_constraint_control_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_vertical_gyro_constraint_control_response_encode(
-    const struct mip_filter_vertical_gyro_constraint_control_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_vertical_gyro_constraint_response_codec;
+mip_error mip_filter_vertical_gyro_constraint_response_decode(
+    struct mip_filter_vertical_gyro_constraint_response *value, const struct mip_field *field);
+mip_error mip_filter_vertical_gyro_constraint_response_encode(
+    const struct mip_filter_vertical_gyro_constraint_response *value, struct mip_builder *builder);
 
 /**
  * Wheeled vehicle constraint: command (0x0D,0x63).
  *
  * Lets the filter assume that the vehicle moves only along its x axis.
  *
+ * In full: filter.wheeled_vehicle_constraint_control.
+ *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_wheeled_vehicle_constraint_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_wheeled_vehicle_constraint_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong for
  * vehicles that move sideways, such as aircraft.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
-struct mip_filter_wheeled_vehicle_constraint_control {
+struct mip_filter_wheeled_vehicle_constraint {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -3801,53 +3777,49 @@ struct mip_filter_wheeled_vehicle_constraint_control {
     uint8_t enable;
 };
 
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR 0x63
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_NAME \
-    "filter.wheeled_vehicle_constraint_control"
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_DESCRIPTOR 0x63
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_NAME "filter.wheeled_vehicle_constraint_control"
 
-extern const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec;
-mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
-    struct mip_filter_wheeled_vehicle_constraint_control *value, const struct mip_field *field);
-mip_error mip_filter_wheeled_vehicle_constraint_control_encode(
-    const struct mip_filter_wheeled_vehicle_constraint_control *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_wheeled_vehicle_constraint_codec;
+mip_error mip_filter_wheeled_vehicle_constraint_decode(
+    struct mip_filter_wheeled_vehicle_constraint *value, const struct mip_field *field);
+mip_error mip_filter_wheeled_vehicle_constraint_encode(
+    const struct mip_filter_wheeled_vehicle_constraint *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_wheeled_vehicle_constraint_control
-mip_filter_wheeled_vehicle_constraint_control_write(uint8_t enable);
+struct mip_filter_wheeled_vehicle_constraint
+mip_filter_wheeled_vehicle_constraint_write(uint8_t enable);
 /** Send the current setting back in a response. */
-struct mip_filter_wheeled_vehicle_constraint_control
-mip_filter_wheeled_vehicle_constraint_control_read(void);
+struct mip_filter_wheeled_vehicle_constraint mip_filter_wheeled_vehicle_constraint_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_wheeled_vehicle_constraint_control
-mip_filter_wheeled_vehicle_constraint_control_save(void);
+struct mip_filter_wheeled_vehicle_constraint mip_filter_wheeled_vehicle_constraint_save(void);
 /** Load the saved setting. */
-struct mip_filter_wheeled_vehicle_constraint_control
-mip_filter_wheeled_vehicle_constraint_control_load(void);
+struct mip_filter_wheeled_vehicle_constraint mip_filter_wheeled_vehicle_constraint_load(void);
 /** Load the factory default setting. */
-struct mip_filter_wheeled_vehicle_constraint_control
-mip_filter_wheeled_vehicle_constraint_control_default(void);
+struct mip_filter_wheeled_vehicle_constraint mip_filter_wheeled_vehicle_constraint_default(void);
 
 /**
  * Wheeled vehicle constraint response: response (0x0D,0xE3).
  *
- * Answers mip_filter_wheeled_vehicle_constraint_control. Supported by 3DM-CV7-GNSS/INS.
+ * In full: filter.wheeled_vehicle_constraint_control_response.
+ *
+ * Answers mip_filter_wheeled_vehicle_constraint. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
-struct mip_filter_wheeled_vehicle_constraint_control_response {
+struct mip_filter_wheeled_vehicle_constraint_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
 };
 
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR 0xE3
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_NAME \
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE_DESCRIPTOR 0xE3
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE_NAME \
     "filter.wheeled_vehicle_constraint_control_response"
 
-extern const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec;
-mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode(
-    struct mip_filter_wheeled_vehicle_constraint_control_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
-    const struct mip_filter_wheeled_vehicle_constraint_control_response *value,
+extern const struct mip_codec mip_filter_wheeled_vehicle_constraint_response_codec;
+mip_error mip_filter_wheeled_vehicle_constraint_response_decode(
+    struct mip_filter_wheeled_vehicle_constraint_response *value, const struct mip_field *field);
+mip_error mip_filter_wheeled_vehicle_constraint_response_encode(
+    const struct mip_filter_wheeled_vehicle_constraint_response *value,
     struct mip_builder *builder);
 
 /**
@@ -3855,14 +3827,16 @@ mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
  *
  * Lets the filter track the error of the antenna offset.
  *
+ * In full: filter.gnss_antenna_calibration_control.
+ *
  * Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default. Answered
- * by mip_filter_gnss_antenna_calibration_control_response. Supported by 3DM-CV7-GNSS/INS and
+ * by mip_filter_gnss_antenna_calibration_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
  */
-struct mip_filter_gnss_antenna_calibration_control {
+struct mip_filter_gnss_antenna_calibration {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
@@ -3876,40 +3850,38 @@ struct mip_filter_gnss_antenna_calibration_control {
     float max_offset;
 };
 
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_DESCRIPTOR 0x64
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_NAME "filter.gnss_antenna_calibration_control"
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_DESCRIPTOR 0x64
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_NAME "filter.gnss_antenna_calibration_control"
 
-extern const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec;
-mip_error mip_filter_gnss_antenna_calibration_control_decode(
-    struct mip_filter_gnss_antenna_calibration_control *value, const struct mip_field *field);
-mip_error mip_filter_gnss_antenna_calibration_control_encode(
-    const struct mip_filter_gnss_antenna_calibration_control *value, struct mip_builder *builder);
+extern const struct mip_codec mip_filter_gnss_antenna_calibration_codec;
+mip_error mip_filter_gnss_antenna_calibration_decode(
+    struct mip_filter_gnss_antenna_calibration *value, const struct mip_field *field);
+mip_error mip_filter_gnss_antenna_calibration_encode(
+    const struct mip_filter_gnss_antenna_calibration *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_gnss_antenna_calibration_control
-mip_filter_gnss_antenna_calibration_control_write(uint8_t enable, float max_offset);
+struct mip_filter_gnss_antenna_calibration
+mip_filter_gnss_antenna_calibration_write(uint8_t enable, float max_offset);
 /** Send the current setting back in a response. */
-struct mip_filter_gnss_antenna_calibration_control
-mip_filter_gnss_antenna_calibration_control_read(void);
+struct mip_filter_gnss_antenna_calibration mip_filter_gnss_antenna_calibration_read(void);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_gnss_antenna_calibration_control
-mip_filter_gnss_antenna_calibration_control_save(void);
+struct mip_filter_gnss_antenna_calibration mip_filter_gnss_antenna_calibration_save(void);
 /** Load the saved setting. */
-struct mip_filter_gnss_antenna_calibration_control
-mip_filter_gnss_antenna_calibration_control_load(void);
+struct mip_filter_gnss_antenna_calibration mip_filter_gnss_antenna_calibration_load(void);
 /** Load the factory default setting. */
-struct mip_filter_gnss_antenna_calibration_control
-mip_filter_gnss_antenna_calibration_control_default(void);
+struct mip_filter_gnss_antenna_calibration mip_filter_gnss_antenna_calibration_default(void);
 
 /**
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *
- * Also called `gnss_antenna_cal_control_response`. Answers
- * mip_filter_gnss_antenna_calibration_control. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * In full: filter.gnss_antenna_calibration_control_response.
+ *
+ * Also called `gnss_antenna_cal_control_response`. Answers mip_filter_gnss_antenna_calibration.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
  */
-struct mip_filter_gnss_antenna_calibration_control_response {
+struct mip_filter_gnss_antenna_calibration_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
     /**
@@ -3919,17 +3891,15 @@ struct mip_filter_gnss_antenna_calibration_control_response {
     float max_offset;
 };
 
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR 0xE4
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_NAME \
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE_DESCRIPTOR 0xE4
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE_NAME \
     "filter.gnss_antenna_calibration_control_response"
 
-extern const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_codec;
-mip_error mip_filter_gnss_antenna_calibration_control_response_decode(
-    struct mip_filter_gnss_antenna_calibration_control_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_gnss_antenna_calibration_control_response_encode(
-    const struct mip_filter_gnss_antenna_calibration_control_response *value,
-    struct mip_builder *builder);
+extern const struct mip_codec mip_filter_gnss_antenna_calibration_response_codec;
+mip_error mip_filter_gnss_antenna_calibration_response_decode(
+    struct mip_filter_gnss_antenna_calibration_response *value, const struct mip_field *field);
+mip_error mip_filter_gnss_antenna_calibration_response_encode(
+    const struct mip_filter_gnss_antenna_calibration_response *value, struct mip_builder *builder);
 
 #ifdef __cplusplus
 }

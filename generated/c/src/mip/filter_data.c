@@ -1475,24 +1475,24 @@ mip_error mip_filter_data_antenna_offset_correction_encode(
 }
 
 static void read_antenna_offset_correction_uncertainty(struct mip_reader *r, void *value) {
-    struct mip_filter_data_antenna_offset_correction_uncertainty *v =
-        (struct mip_filter_data_antenna_offset_correction_uncertainty *)value;
+    struct mip_filter_data_antenna_offset_uncertainty *v =
+        (struct mip_filter_data_antenna_offset_uncertainty *)value;
     mip_read_float(r, v->offset_uncertainty, 3);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
 static void write_antenna_offset_correction_uncertainty(struct mip_writer *w, const void *value) {
-    const struct mip_filter_data_antenna_offset_correction_uncertainty *v =
-        (const struct mip_filter_data_antenna_offset_correction_uncertainty *)value;
+    const struct mip_filter_data_antenna_offset_uncertainty *v =
+        (const struct mip_filter_data_antenna_offset_uncertainty *)value;
     mip_write_float(w, v->offset_uncertainty, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
-const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_codec = {
+const struct mip_codec mip_filter_data_antenna_offset_uncertainty_codec = {
     0x82, /* descriptor set */
-    MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR,
+    MIP_FILTER_DATA_ANTENNA_OFFSET_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_antenna_offset_correction_uncertainty),
+    sizeof(struct mip_filter_data_antenna_offset_uncertainty),
     0, /* time-out */
     read_antenna_offset_correction_uncertainty,
     write_antenna_offset_correction_uncertainty,
@@ -1501,18 +1501,15 @@ const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_cod
     NULL,
 };
 
-mip_error mip_filter_data_antenna_offset_correction_uncertainty_decode(
-    struct mip_filter_data_antenna_offset_correction_uncertainty *value,
-    const struct mip_field *field) {
+mip_error mip_filter_data_antenna_offset_uncertainty_decode(
+    struct mip_filter_data_antenna_offset_uncertainty *value, const struct mip_field *field) {
     return mip_decode_field(field, read_antenna_offset_correction_uncertainty, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_antenna_offset_correction_uncertainty_encode(
-    const struct mip_filter_data_antenna_offset_correction_uncertainty *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x82,
-                            MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR,
+mip_error mip_filter_data_antenna_offset_uncertainty_encode(
+    const struct mip_filter_data_antenna_offset_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_ANTENNA_OFFSET_UNCERTAINTY_DESCRIPTOR,
                             write_antenna_offset_correction_uncertainty, value);
 }
 
@@ -1643,8 +1640,8 @@ mip_error mip_filter_data_multi_antenna_offset_correction_encode(
 }
 
 static void read_multi_antenna_offset_correction_uncertainty(struct mip_reader *r, void *value) {
-    struct mip_filter_data_multi_antenna_offset_correction_uncertainty *v =
-        (struct mip_filter_data_multi_antenna_offset_correction_uncertainty *)value;
+    struct mip_filter_data_multi_antenna_offset_uncertainty *v =
+        (struct mip_filter_data_multi_antenna_offset_uncertainty *)value;
     mip_read_u8(r, &v->receiver_id, 1);
     mip_read_float(r, v->offset_uncertainty, 3);
     mip_read_u16(r, &v->valid_flags, 1);
@@ -1652,18 +1649,18 @@ static void read_multi_antenna_offset_correction_uncertainty(struct mip_reader *
 
 static void write_multi_antenna_offset_correction_uncertainty(struct mip_writer *w,
                                                               const void *value) {
-    const struct mip_filter_data_multi_antenna_offset_correction_uncertainty *v =
-        (const struct mip_filter_data_multi_antenna_offset_correction_uncertainty *)value;
+    const struct mip_filter_data_multi_antenna_offset_uncertainty *v =
+        (const struct mip_filter_data_multi_antenna_offset_uncertainty *)value;
     mip_write_u8(w, &v->receiver_id, 1);
     mip_write_float(w, v->offset_uncertainty, 3);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
-const struct mip_codec mip_filter_data_multi_antenna_offset_correction_uncertainty_codec = {
+const struct mip_codec mip_filter_data_multi_antenna_offset_uncertainty_codec = {
     0x82, /* descriptor set */
-    MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR,
+    MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_multi_antenna_offset_correction_uncertainty),
+    sizeof(struct mip_filter_data_multi_antenna_offset_uncertainty),
     0, /* time-out */
     read_multi_antenna_offset_correction_uncertainty,
     write_multi_antenna_offset_correction_uncertainty,
@@ -1672,18 +1669,17 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_correction_uncertain
     NULL,
 };
 
-mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_decode(
-    struct mip_filter_data_multi_antenna_offset_correction_uncertainty *value,
-    const struct mip_field *field) {
+mip_error mip_filter_data_multi_antenna_offset_uncertainty_decode(
+    struct mip_filter_data_multi_antenna_offset_uncertainty *value, const struct mip_field *field) {
     return mip_decode_field(field, read_multi_antenna_offset_correction_uncertainty, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_encode(
-    const struct mip_filter_data_multi_antenna_offset_correction_uncertainty *value,
+mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode(
+    const struct mip_filter_data_multi_antenna_offset_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x82,
-                            MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR,
+                            MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY_DESCRIPTOR,
                             write_multi_antenna_offset_correction_uncertainty, value);
 }
 
@@ -2078,24 +2074,24 @@ mip_error mip_filter_data_odometer_scale_factor_error_encode(
 }
 
 static void read_odometer_scale_factor_error_uncertainty(struct mip_reader *r, void *value) {
-    struct mip_filter_data_odometer_scale_factor_error_uncertainty *v =
-        (struct mip_filter_data_odometer_scale_factor_error_uncertainty *)value;
+    struct mip_filter_data_odometer_scale_factor_uncertainty *v =
+        (struct mip_filter_data_odometer_scale_factor_uncertainty *)value;
     mip_read_float(r, &v->scale_factor_error_uncertainty, 1);
     mip_read_u16(r, &v->valid_flags, 1);
 }
 
 static void write_odometer_scale_factor_error_uncertainty(struct mip_writer *w, const void *value) {
-    const struct mip_filter_data_odometer_scale_factor_error_uncertainty *v =
-        (const struct mip_filter_data_odometer_scale_factor_error_uncertainty *)value;
+    const struct mip_filter_data_odometer_scale_factor_uncertainty *v =
+        (const struct mip_filter_data_odometer_scale_factor_uncertainty *)value;
     mip_write_float(w, &v->scale_factor_error_uncertainty, 1);
     mip_write_u16(w, &v->valid_flags, 1);
 }
 
-const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_codec = {
+const struct mip_codec mip_filter_data_odometer_scale_factor_uncertainty_codec = {
     0x82, /* descriptor set */
-    MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_DESCRIPTOR,
+    MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_odometer_scale_factor_error_uncertainty),
+    sizeof(struct mip_filter_data_odometer_scale_factor_uncertainty),
     0, /* time-out */
     read_odometer_scale_factor_error_uncertainty,
     write_odometer_scale_factor_error_uncertainty,
@@ -2104,18 +2100,18 @@ const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_c
     NULL,
 };
 
-mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_decode(
-    struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
+mip_error mip_filter_data_odometer_scale_factor_uncertainty_decode(
+    struct mip_filter_data_odometer_scale_factor_uncertainty *value,
     const struct mip_field *field) {
     return mip_decode_field(field, read_odometer_scale_factor_error_uncertainty, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_encode(
-    const struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
+mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode(
+    const struct mip_filter_data_odometer_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x82,
-                            MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_DESCRIPTOR,
+                            MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR,
                             write_odometer_scale_factor_error_uncertainty, value);
 }
 
@@ -2206,26 +2202,26 @@ mip_error mip_filter_data_aiding_frame_config_error_encode(
 }
 
 static void read_aiding_frame_config_error_uncertainty(struct mip_reader *r, void *value) {
-    struct mip_filter_data_aiding_frame_config_error_uncertainty *v =
-        (struct mip_filter_data_aiding_frame_config_error_uncertainty *)value;
+    struct mip_filter_data_aiding_frame_error_uncertainty *v =
+        (struct mip_filter_data_aiding_frame_error_uncertainty *)value;
     mip_read_u8(r, &v->frame_id, 1);
     mip_read_float(r, v->translation_uncertainty, 3);
     mip_read_float(r, v->attitude_uncertainty, 3);
 }
 
 static void write_aiding_frame_config_error_uncertainty(struct mip_writer *w, const void *value) {
-    const struct mip_filter_data_aiding_frame_config_error_uncertainty *v =
-        (const struct mip_filter_data_aiding_frame_config_error_uncertainty *)value;
+    const struct mip_filter_data_aiding_frame_error_uncertainty *v =
+        (const struct mip_filter_data_aiding_frame_error_uncertainty *)value;
     mip_write_u8(w, &v->frame_id, 1);
     mip_write_float(w, v->translation_uncertainty, 3);
     mip_write_float(w, v->attitude_uncertainty, 3);
 }
 
-const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_codec = {
+const struct mip_codec mip_filter_data_aiding_frame_error_uncertainty_codec = {
     0x82, /* descriptor set */
-    MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_DESCRIPTOR,
+    MIP_FILTER_DATA_AIDING_FRAME_ERROR_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
-    sizeof(struct mip_filter_data_aiding_frame_config_error_uncertainty),
+    sizeof(struct mip_filter_data_aiding_frame_error_uncertainty),
     0, /* time-out */
     read_aiding_frame_config_error_uncertainty,
     write_aiding_frame_config_error_uncertainty,
@@ -2234,17 +2230,16 @@ const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_cod
     NULL,
 };
 
-mip_error mip_filter_data_aiding_frame_config_error_uncertainty_decode(
-    struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
-    const struct mip_field *field) {
+mip_error mip_filter_data_aiding_frame_error_uncertainty_decode(
+    struct mip_filter_data_aiding_frame_error_uncertainty *value, const struct mip_field *field) {
     return mip_decode_field(field, read_aiding_frame_config_error_uncertainty, value,
                             sizeof(*value), NULL);
 }
 
-mip_error mip_filter_data_aiding_frame_config_error_uncertainty_encode(
-    const struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
+mip_error mip_filter_data_aiding_frame_error_uncertainty_encode(
+    const struct mip_filter_data_aiding_frame_error_uncertainty *value,
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x82,
-                            MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_DESCRIPTOR,
+                            MIP_FILTER_DATA_AIDING_FRAME_ERROR_UNCERTAINTY_DESCRIPTOR,
                             write_aiding_frame_config_error_uncertainty, value);
 }

@@ -11,8 +11,9 @@ from ...render import File
 from . import literals, members, names, tables
 from .comments import Comments, comment
 from .identifiers import identifiers
+from .names import MAX_IDENTIFIER
 
-__all__ = ["CONFORMANCE", "FORMATTER", "TITLE", "files", "filters", "identifiers"]
+__all__ = ["CONFORMANCE", "FORMATTER", "MAX_IDENTIFIER", "TITLE", "files", "filters", "identifiers"]
 
 TITLE = "C99, library mip"
 CONFORMANCE = ("parse", "decode", "encode", "client", "live")
@@ -72,6 +73,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "bare": names.bare,
         "union": names.union_name,
         "constant": names.constant,
+        "accessor": names.accessor,
         "is_struct": names.is_struct,
         "spec_name": names.spec_name,
         # literals

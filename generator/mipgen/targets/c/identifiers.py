@@ -7,7 +7,19 @@ from collections.abc import Iterator
 from ... import model as m
 from ...naming import Identifier
 from .members import alternatives, constructors, has_accessor, last_present, members
-from .names import LANGUAGE, Record, constant, field_name, macro, member, module, record_name, type_name, union_name
+from .names import (
+    LANGUAGE,
+    Record,
+    accessor,
+    constant,
+    field_name,
+    macro,
+    member,
+    module,
+    record_name,
+    type_name,
+    union_name,
+)  # fmt: skip
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
@@ -32,13 +44,13 @@ def _type(t: m.Type) -> Iterator[Identifier]:
     yield Identifier("C", name, t.name, place)
     if isinstance(t, m.Enum):
         for v in t.values:
-            yield Identifier("C", constant(t, v), f"{t.name}.{v.name}", place)
+            yield Identifier("C", constant(t, v), f"{t.name}.{v.name}", v.position)
     elif isinstance(t, m.Bitfield):
         for b in t.bits:
             if t.scalar:
-                yield Identifier("C", constant(t, b), f"{t.name}.{b.name}", place)
-            for accessor in ("get", "set") if has_accessor(b, t) else ():
-                yield Identifier("C", f"{name}_{accessor}_{b.name}", f"{t.name}.{b.name}", place)
+                yield Identifier("C", constant(t, b), f"{t.name}.{b.name}", b.position)
+            for verb in ("get", "set") if has_accessor(b, t) else ():
+                yield Identifier("C", accessor(t, verb, b), f"{t.name}.{b.name}", b.position)
     elif isinstance(t, m.Struct):
         for verb in ("read", "write"):
             yield Identifier("C", f"{name}_{verb}", t.name, place)

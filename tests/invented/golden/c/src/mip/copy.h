@@ -25,16 +25,18 @@ extern "C" {
  *
  * A vector whose elements are valid together.
  *
+ * In full: copy.accel.
+ *
  * Has the layout of mip_measurements_accel. Sent at 100 Hz at most. May be supported by Model C.
  *
  * - guide: Third acceleration
  */
-#define mip_copy_accel mip_measurements_accel
-#define mip_copy_accel_codec mip_measurements_accel_codec
-#define mip_copy_accel_decode mip_measurements_accel_decode
-#define mip_copy_accel_encode mip_measurements_accel_encode
-#define MIP_COPY_ACCEL_DESCRIPTOR 0x01
-#define MIP_COPY_ACCEL_NAME "copy.accel"
+#define mip_copy_acc mip_measurements_accel
+#define mip_copy_acc_codec mip_measurements_accel_codec
+#define mip_copy_acc_decode mip_measurements_accel_decode
+#define mip_copy_acc_encode mip_measurements_accel_encode
+#define MIP_COPY_ACC_DESCRIPTOR 0x01
+#define MIP_COPY_ACC_NAME "copy.accel"
 
 /**
  * Numbers: data (0x92,0x02).

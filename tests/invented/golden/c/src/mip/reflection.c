@@ -93,12 +93,12 @@ static const struct mip_names names_tools_drive = {
     "tools.drive", values_tools_drive, NULL, 3, 1,
 };
 
-static const struct mip_named_value values_tools_pulse_use[] = {
+static const struct mip_named_value values_tools_pulse[] = {
     {"input", 1},
     {"output", 2},
 };
-static const struct mip_names names_tools_pulse_use = {
-    "tools.pulse_use", values_tools_pulse_use, NULL, 2, 1,
+static const struct mip_names names_tools_pulse = {
+    "tools.pulse_use", values_tools_pulse, NULL, 2, 1,
 };
 
 static const struct mip_named_value values_tools_serial_use[] = {
@@ -109,13 +109,13 @@ static const struct mip_names names_tools_serial_use = {
     "tools.serial_use", values_tools_serial_use, NULL, 2, 1,
 };
 
-static const struct mip_named_bits bits_tools_model_a_faults[] = {
+static const struct mip_named_bits bits_tools_a_faults[] = {
     {"clock", 0, 1, NULL},
     {"sensor", 8, 1, NULL},
     {"solution", 24, 1, NULL},
 };
-static const struct mip_names names_tools_model_a_faults = {
-    "tools.model_a_faults", NULL, bits_tools_model_a_faults, 3, 4,
+static const struct mip_names names_tools_a_faults = {
+    "tools.model_a_faults", NULL, bits_tools_a_faults, 3, 4,
 };
 
 static const struct mip_named_bits bits_tools_model_b_faults[] = {
@@ -137,9 +137,9 @@ const struct mip_names *const mip_all_names[] = {
     &names_tools_shape,
     &names_tools_fill,
     &names_tools_drive,
-    &names_tools_pulse_use,
+    &names_tools_pulse,
     &names_tools_serial_use,
-    &names_tools_model_a_faults,
+    &names_tools_a_faults,
     &names_tools_model_b_faults,
 };
 const size_t mip_all_names_count = sizeof(mip_all_names) / sizeof(mip_all_names[0]);
@@ -172,23 +172,23 @@ static const struct mip_record record_segment = {
     sizeof(struct mip_segment),
 };
 
-static const struct mip_parameter parameters_tools_stripes[] = {
+static const struct mip_parameter parameters_tools_bars[] = {
     {"width", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_stripes, width), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_bars, width), 0, NULL, NULL, NULL, NULL, 0},
     {"angle", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_stripes, angle), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_bars, angle), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_tools_stripes = {
-    parameters_tools_stripes,
+static const struct mip_record record_tools_bars = {
+    parameters_tools_bars,
     2,
-    sizeof(struct mip_tools_stripes),
+    sizeof(struct mip_tools_bars),
 };
 
 static const struct mip_parameter members_tools_circle_filling[] = {
     {"solid", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(union mip_tools_circle_filling, solid), 0, NULL, NULL, NULL, NULL, 0},
     {"striped", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_tools_circle_filling, striped), 0, NULL, NULL, &record_tools_stripes, NULL, 0},
+     ONE(union mip_tools_circle_filling, striped), 0, NULL, NULL, &record_tools_bars, NULL, 0},
 };
 static const struct mip_case cases_tools_circle_filling[] = {
     {0, NULL},
@@ -394,14 +394,14 @@ static const struct mip_record record_tools_list = {
 };
 static const uint8_t required_tools_list[] = {0, 2, 0, 0};
 
-static const struct mip_record record_tools_inventory = {
+static const struct mip_record record_tools_stock = {
     NULL,
     0,
-    sizeof(struct mip_tools_inventory),
+    sizeof(struct mip_tools_stock),
 };
 
 static const struct mip_reading readings_tools_pin_use[] = {
-    {NULL, 1, 1, &names_tools_pulse_use},
+    {NULL, 1, 1, &names_tools_pulse},
     {NULL, 1, 2, &names_tools_serial_use},
 };
 static const struct mip_parameter parameters_tools_pin[] = {
@@ -469,14 +469,14 @@ static const struct mip_record record_tools_set_time_fast_response = {
     sizeof(struct mip_tools_set_time_fast_response),
 };
 
-static const struct mip_parameter parameters_tools_set_time_slow_response[] = {
+static const struct mip_parameter parameters_tools_slow_response[] = {
     {"value", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_set_time_slow_response, value), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_slow_response, value), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_tools_set_time_slow_response = {
-    parameters_tools_set_time_slow_response,
+static const struct mip_record record_tools_slow_response = {
+    parameters_tools_slow_response,
     1,
-    sizeof(struct mip_tools_set_time_slow_response),
+    sizeof(struct mip_tools_slow_response),
 };
 
 static const struct mip_parameter members_tools_choice_response_parameters[] = {
@@ -525,19 +525,19 @@ static const struct mip_record record_tools_list_response = {
     sizeof(struct mip_tools_list_response),
 };
 
-static const struct mip_parameter parameters_tools_inventory_response[] = {
+static const struct mip_parameter parameters_tools_stock_response[] = {
     {"descriptors", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_REST, 126, 1, 0, 0, 0,
-     MANY(struct mip_tools_inventory_response, descriptors),
-     offsetof(struct mip_tools_inventory_response, descriptors_count), NULL, NULL, NULL, NULL, 0},
+     MANY(struct mip_tools_stock_response, descriptors),
+     offsetof(struct mip_tools_stock_response, descriptors_count), NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_tools_inventory_response = {
-    parameters_tools_inventory_response,
+static const struct mip_record record_tools_stock_response = {
+    parameters_tools_stock_response,
     1,
-    sizeof(struct mip_tools_inventory_response),
+    sizeof(struct mip_tools_stock_response),
 };
 
 static const struct mip_reading readings_tools_pin_response_use[] = {
-    {NULL, 0, 1, &names_tools_pulse_use},
+    {NULL, 0, 1, &names_tools_pulse},
     {NULL, 0, 2, &names_tools_serial_use},
 };
 static const struct mip_parameter parameters_tools_pin_response[] = {
@@ -581,9 +581,9 @@ static const struct mip_record record_tools_readings_response = {
 };
 
 static const struct mip_reading readings_tools_status_short_flags[] = {
-    {"model-a", 0, 0, &names_tools_model_a_faults},
+    {"model-a", 0, 0, &names_tools_a_faults},
     {"model-b", 0, 0, &names_tools_model_b_faults},
-    {"model-c", 0, 0, &names_tools_model_a_faults},
+    {"model-c", 0, 0, &names_tools_a_faults},
 };
 static const struct mip_parameter parameters_tools_status_short[] = {
     {"model", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 4711, 0, 0, 0,
@@ -601,7 +601,7 @@ static const struct mip_record record_tools_status_short = {
 };
 
 static const struct mip_reading readings_tools_status_long_flags[] = {
-    {"model-a", 0, 0, &names_tools_model_a_faults},
+    {"model-a", 0, 0, &names_tools_a_faults},
     {"model-b", 0, 0, &names_tools_model_b_faults},
 };
 static const struct mip_parameter parameters_tools_status_long[] = {
@@ -894,7 +894,7 @@ const struct mip_reflection mip_reflections[] = {
      sizeof(required_tools_choice), offsetof(struct mip_tools_choice, present)},
     {&mip_tools_list_codec, &record_tools_list, true, true, required_tools_list,
      sizeof(required_tools_list), offsetof(struct mip_tools_list, present)},
-    {&mip_tools_inventory_codec, &record_tools_inventory, false, false, NULL, 0, 0},
+    {&mip_tools_stock_codec, &record_tools_stock, false, false, NULL, 0, 0},
     {&mip_tools_pin_codec, &record_tools_pin, true, true, required_tools_pin,
      sizeof(required_tools_pin), offsetof(struct mip_tools_pin, present)},
     {&mip_tools_hello_codec, &record_tools_hello, false, true, NULL, 0,
@@ -903,12 +903,10 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_tools_settings_response_codec, &record_tools_settings_response, false, false, NULL, 0, 0},
     {&mip_tools_set_time_fast_response_codec, &record_tools_set_time_fast_response, false, false,
      NULL, 0, 0},
-    {&mip_tools_set_time_slow_response_codec, &record_tools_set_time_slow_response, false, false,
-     NULL, 0, 0},
+    {&mip_tools_slow_response_codec, &record_tools_slow_response, false, false, NULL, 0, 0},
     {&mip_tools_choice_response_codec, &record_tools_choice_response, false, false, NULL, 0, 0},
     {&mip_tools_list_response_codec, &record_tools_list_response, false, false, NULL, 0, 0},
-    {&mip_tools_inventory_response_codec, &record_tools_inventory_response, false, false, NULL, 0,
-     0},
+    {&mip_tools_stock_response_codec, &record_tools_stock_response, false, false, NULL, 0, 0},
     {&mip_tools_pin_response_codec, &record_tools_pin_response, false, false, NULL, 0, 0},
     {&mip_tools_hello_response_codec, &record_tools_hello_response, false, false, NULL, 0, 0},
     {&mip_tools_readings_response_codec, &record_tools_readings_response, false, false, NULL, 0, 0},

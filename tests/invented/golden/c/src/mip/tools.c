@@ -3,12 +3,12 @@
 
 #include <string.h>
 
-void mip_tools_stripes_read(struct mip_reader *r, struct mip_tools_stripes *v) {
+void mip_tools_bars_read(struct mip_reader *r, struct mip_tools_bars *v) {
     mip_read_double(r, &v->width, 1);
     mip_read_float(r, &v->angle, 1);
 }
 
-void mip_tools_stripes_write(struct mip_writer *w, const struct mip_tools_stripes *v) {
+void mip_tools_bars_write(struct mip_writer *w, const struct mip_tools_bars *v) {
     mip_write_double(w, &v->width, 1);
     mip_write_float(w, &v->angle, 1);
 }
@@ -21,7 +21,7 @@ void mip_tools_circle_read(struct mip_reader *r, struct mip_tools_circle *v) {
         mip_read_u32(r, &v->filling.solid, 1);
         break;
     case MIP_TOOLS_FILL_STRIPED:
-        mip_tools_stripes_read(r, &v->filling.striped);
+        mip_tools_bars_read(r, &v->filling.striped);
         break;
     default:
         break;
@@ -36,7 +36,7 @@ void mip_tools_circle_write(struct mip_writer *w, const struct mip_tools_circle 
         mip_write_u32(w, &v->filling.solid, 1);
         break;
     case MIP_TOOLS_FILL_STRIPED:
-        mip_tools_stripes_write(w, &v->filling.striped);
+        mip_tools_bars_write(w, &v->filling.striped);
         break;
     default:
         break;
@@ -309,7 +309,7 @@ static bool asked_set_time_2(const void *value) {
 
 static const struct mip_response responses_set_time[] = {
     {&mip_tools_set_time_fast_response_codec, asked_set_time_1},
-    {&mip_tools_set_time_slow_response_codec, asked_set_time_2},
+    {&mip_tools_slow_response_codec, asked_set_time_2},
     {NULL, NULL},
 };
 
@@ -398,21 +398,20 @@ mip_error mip_tools_set_time_fast_response_encode(
 }
 
 static void read_set_time_slow_response(struct mip_reader *r, void *value) {
-    struct mip_tools_set_time_slow_response *v = (struct mip_tools_set_time_slow_response *)value;
+    struct mip_tools_slow_response *v = (struct mip_tools_slow_response *)value;
     mip_read_u32(r, &v->value, 1);
 }
 
 static void write_set_time_slow_response(struct mip_writer *w, const void *value) {
-    const struct mip_tools_set_time_slow_response *v =
-        (const struct mip_tools_set_time_slow_response *)value;
+    const struct mip_tools_slow_response *v = (const struct mip_tools_slow_response *)value;
     mip_write_u32(w, &v->value, 1);
 }
 
-const struct mip_codec mip_tools_set_time_slow_response_codec = {
+const struct mip_codec mip_tools_slow_response_codec = {
     0x01, /* descriptor set */
-    MIP_TOOLS_SET_TIME_SLOW_RESPONSE_DESCRIPTOR,
+    MIP_TOOLS_SLOW_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_tools_set_time_slow_response),
+    sizeof(struct mip_tools_slow_response),
     0, /* time-out */
     read_set_time_slow_response,
     write_set_time_slow_response,
@@ -421,14 +420,14 @@ const struct mip_codec mip_tools_set_time_slow_response_codec = {
     NULL,
 };
 
-mip_error mip_tools_set_time_slow_response_decode(struct mip_tools_set_time_slow_response *value,
-                                                  const struct mip_field *field) {
+mip_error mip_tools_slow_response_decode(struct mip_tools_slow_response *value,
+                                         const struct mip_field *field) {
     return mip_decode_field(field, read_set_time_slow_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_tools_set_time_slow_response_encode(
-    const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x01, MIP_TOOLS_SET_TIME_SLOW_RESPONSE_DESCRIPTOR,
+mip_error mip_tools_slow_response_encode(const struct mip_tools_slow_response *value,
+                                         struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_SLOW_RESPONSE_DESCRIPTOR,
                             write_set_time_slow_response, value);
 }
 
@@ -1216,15 +1215,15 @@ mip_error mip_tools_list_response_encode(const struct mip_tools_list_response *v
 }
 
 static const struct mip_response responses_inventory[] = {
-    {&mip_tools_inventory_response_codec, NULL},
+    {&mip_tools_stock_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_tools_inventory_codec = {
+const struct mip_codec mip_tools_stock_codec = {
     0x01, /* descriptor set */
-    MIP_TOOLS_INVENTORY_DESCRIPTOR,
+    MIP_TOOLS_STOCK_DESCRIPTOR,
     MIP_COMMAND,
-    sizeof(struct mip_tools_inventory),
+    sizeof(struct mip_tools_stock),
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
@@ -1233,34 +1232,30 @@ const struct mip_codec mip_tools_inventory_codec = {
     NULL,
 };
 
-mip_error mip_tools_inventory_decode(struct mip_tools_inventory *value,
-                                     const struct mip_field *field) {
+mip_error mip_tools_stock_decode(struct mip_tools_stock *value, const struct mip_field *field) {
     return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
 }
 
-mip_error mip_tools_inventory_encode(const struct mip_tools_inventory *value,
-                                     struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x01, MIP_TOOLS_INVENTORY_DESCRIPTOR, mip_write_nothing,
-                            value);
+mip_error mip_tools_stock_encode(const struct mip_tools_stock *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_STOCK_DESCRIPTOR, mip_write_nothing, value);
 }
 
 static void read_inventory_response(struct mip_reader *r, void *value) {
-    struct mip_tools_inventory_response *v = (struct mip_tools_inventory_response *)value;
+    struct mip_tools_stock_response *v = (struct mip_tools_stock_response *)value;
     v->descriptors_count = (uint8_t)mip_read_rest(r, 126, 2);
     mip_read_u16(r, v->descriptors, v->descriptors_count);
 }
 
 static void write_inventory_response(struct mip_writer *w, const void *value) {
-    const struct mip_tools_inventory_response *v =
-        (const struct mip_tools_inventory_response *)value;
+    const struct mip_tools_stock_response *v = (const struct mip_tools_stock_response *)value;
     mip_write_u16(w, v->descriptors, mip_write_count(w, v->descriptors_count, 126));
 }
 
-const struct mip_codec mip_tools_inventory_response_codec = {
+const struct mip_codec mip_tools_stock_response_codec = {
     0x01, /* descriptor set */
-    MIP_TOOLS_INVENTORY_RESPONSE_DESCRIPTOR,
+    MIP_TOOLS_STOCK_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_tools_inventory_response),
+    sizeof(struct mip_tools_stock_response),
     0, /* time-out */
     read_inventory_response,
     write_inventory_response,
@@ -1269,14 +1264,14 @@ const struct mip_codec mip_tools_inventory_response_codec = {
     NULL,
 };
 
-mip_error mip_tools_inventory_response_decode(struct mip_tools_inventory_response *value,
-                                              const struct mip_field *field) {
+mip_error mip_tools_stock_response_decode(struct mip_tools_stock_response *value,
+                                          const struct mip_field *field) {
     return mip_decode_field(field, read_inventory_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_tools_inventory_response_encode(const struct mip_tools_inventory_response *value,
-                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x01, MIP_TOOLS_INVENTORY_RESPONSE_DESCRIPTOR,
+mip_error mip_tools_stock_response_encode(const struct mip_tools_stock_response *value,
+                                          struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_STOCK_RESPONSE_DESCRIPTOR,
                             write_inventory_response, value);
 }
 

@@ -33,23 +33,23 @@ typedef uint8_t mip_tools_fill;
 #define MIP_TOOLS_FILL_SOLID 1
 #define MIP_TOOLS_FILL_STRIPED 2
 
-/** Two numbers. */
-struct mip_tools_stripes {
+/** Two numbers. In full: stripes. */
+struct mip_tools_bars {
     /** Of a stripe. Unit: m. */
     double width;
     /** Of all stripes. Unit: deg. Range: -180 to 180. */
     float angle;
 };
 
-void mip_tools_stripes_read(struct mip_reader *r, struct mip_tools_stripes *v);
-void mip_tools_stripes_write(struct mip_writer *w, const struct mip_tools_stripes *v);
+void mip_tools_bars_read(struct mip_reader *r, struct mip_tools_bars *v);
+void mip_tools_bars_write(struct mip_writer *w, const struct mip_tools_bars *v);
 
 /** The member of mip_tools_circle that `fill` selects. */
 union mip_tools_circle_filling {
     /** If fill is MIP_TOOLS_FILL_SOLID. A colour. */
     uint32_t solid;
     /** If fill is MIP_TOOLS_FILL_STRIPED. */
-    struct mip_tools_stripes striped;
+    struct mip_tools_bars striped;
 };
 
 /** Ends in a union of its own. */
@@ -84,10 +84,10 @@ typedef uint8_t mip_tools_drive;
 #define MIP_TOOLS_DRIVE_PULSE 1
 #define MIP_TOOLS_DRIVE_SERIAL 2
 
-/** Of a pulse. */
-typedef uint8_t mip_tools_pulse_use;
-#define MIP_TOOLS_PULSE_USE_INPUT 1
-#define MIP_TOOLS_PULSE_USE_OUTPUT 2
+/** Of a pulse. In full: pulse_use. */
+typedef uint8_t mip_tools_pulse;
+#define MIP_TOOLS_PULSE_INPUT 1
+#define MIP_TOOLS_PULSE_OUTPUT 2
 
 /** Of a serial line. */
 typedef uint8_t mip_tools_serial_use;
@@ -105,14 +105,14 @@ struct mip_tools_reading {
 void mip_tools_reading_read(struct mip_reader *r, struct mip_tools_reading *v);
 void mip_tools_reading_write(struct mip_writer *w, const struct mip_tools_reading *v);
 
-/** Of the model A. */
-typedef uint32_t mip_tools_model_a_faults;
+/** Of the model A. In full: model_a_faults. */
+typedef uint32_t mip_tools_a_faults;
 /** Bit 0. */
-#define MIP_TOOLS_MODEL_A_FAULTS_CLOCK UINT32_C(0x00000001)
+#define MIP_TOOLS_A_FAULTS_CLOCK UINT32_C(0x00000001)
 /** Bit 8. */
-#define MIP_TOOLS_MODEL_A_FAULTS_SENSOR UINT32_C(0x00000100)
+#define MIP_TOOLS_A_FAULTS_SENSOR UINT32_C(0x00000100)
 /** Bit 24. */
-#define MIP_TOOLS_MODEL_A_FAULTS_SOLUTION UINT32_C(0x01000000)
+#define MIP_TOOLS_A_FAULTS_SOLUTION UINT32_C(0x01000000)
 
 /** Of the model B. */
 typedef uint32_t mip_tools_model_b_faults;
@@ -244,7 +244,7 @@ mip_error mip_tools_settings_response_encode(const struct mip_tools_settings_res
  * Two responses for one command.
  *
  * Functions: write, read and apply. Answered by mip_tools_set_time_fast_response or
- * mip_tools_set_time_slow_response. Supported by Model A and Model C.
+ * mip_tools_slow_response. Supported by Model A and Model C.
  *
  * Send it once a second.
  *
@@ -300,23 +300,25 @@ mip_error mip_tools_set_time_fast_response_encode(
 /**
  * Set time response: response (0x01,0x84).
  *
+ * In full: tools.set_time_slow_response.
+ *
  * Answers mip_tools_set_time. Sent if part is MIP_MODE_SLOW. Supported by Model A and Model C.
  *
  * - guide: Set time
  */
-struct mip_tools_set_time_slow_response {
+struct mip_tools_slow_response {
     /** The slow half. Unit: s. */
     uint32_t value;
 };
 
-#define MIP_TOOLS_SET_TIME_SLOW_RESPONSE_DESCRIPTOR 0x84
-#define MIP_TOOLS_SET_TIME_SLOW_RESPONSE_NAME "tools.set_time_slow_response"
+#define MIP_TOOLS_SLOW_RESPONSE_DESCRIPTOR 0x84
+#define MIP_TOOLS_SLOW_RESPONSE_NAME "tools.set_time_slow_response"
 
-extern const struct mip_codec mip_tools_set_time_slow_response_codec;
-mip_error mip_tools_set_time_slow_response_decode(struct mip_tools_set_time_slow_response *value,
-                                                  const struct mip_field *field);
-mip_error mip_tools_set_time_slow_response_encode(
-    const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder);
+extern const struct mip_codec mip_tools_slow_response_codec;
+mip_error mip_tools_slow_response_decode(struct mip_tools_slow_response *value,
+                                         const struct mip_field *field);
+mip_error mip_tools_slow_response_encode(const struct mip_tools_slow_response *value,
+                                         struct mip_builder *builder);
 
 /**
  * Status: command (0x01,0x04).
@@ -360,8 +362,8 @@ struct mip_tools_status mip_tools_status_make(uint8_t selector);
  */
 struct mip_tools_status_short {
     /**
-     * Faults. On the Model A and Model C: values of mip_tools_model_a_faults. On the Model B:
-     * values of mip_tools_model_b_faults.
+     * Faults. On the Model A and Model C: values of mip_tools_a_faults. On the Model B: values of
+     * mip_tools_model_b_faults.
      */
     uint32_t flags;
 };
@@ -389,7 +391,7 @@ mip_error mip_tools_status_short_encode(const struct mip_tools_status_short *val
  */
 struct mip_tools_status_long {
     /**
-     * Faults. On the Model A: values of mip_tools_model_a_faults. On the Model B: values of
+     * Faults. On the Model A: values of mip_tools_a_faults. On the Model B: values of
      * mip_tools_model_b_faults. On the Model C: values that are not known.
      */
     uint32_t flags;
@@ -729,46 +731,48 @@ mip_error mip_tools_list_response_encode(const struct mip_tools_list_response *v
  *
  * Answers with an array to the end of the field.
  *
- * Answered by mip_tools_inventory_response. Supported by Model A and Model C.
+ * In full: tools.inventory.
+ *
+ * Answered by mip_tools_stock_response. Supported by Model A and Model C.
  *
  * - guide: Inventory
  */
-struct mip_tools_inventory {
+struct mip_tools_stock {
     /** Not used: there are no parameters. */
     uint8_t empty;
 };
 
-#define MIP_TOOLS_INVENTORY_DESCRIPTOR 0x0A
-#define MIP_TOOLS_INVENTORY_NAME "tools.inventory"
+#define MIP_TOOLS_STOCK_DESCRIPTOR 0x0A
+#define MIP_TOOLS_STOCK_NAME "tools.inventory"
 
-extern const struct mip_codec mip_tools_inventory_codec;
-mip_error mip_tools_inventory_decode(struct mip_tools_inventory *value,
-                                     const struct mip_field *field);
-mip_error mip_tools_inventory_encode(const struct mip_tools_inventory *value,
-                                     struct mip_builder *builder);
+extern const struct mip_codec mip_tools_stock_codec;
+mip_error mip_tools_stock_decode(struct mip_tools_stock *value, const struct mip_field *field);
+mip_error mip_tools_stock_encode(const struct mip_tools_stock *value, struct mip_builder *builder);
 
 /**
  * Inventory response: response (0x01,0x8A).
  *
- * Answers mip_tools_inventory. Supported by Model A and Model C.
+ * In full: tools.inventory_response.
+ *
+ * Answers mip_tools_stock. Supported by Model A and Model C.
  *
  * - guide: Inventory
  */
-struct mip_tools_inventory_response {
+struct mip_tools_stock_response {
     /** The number of elements of descriptors. */
     uint8_t descriptors_count;
     /** As many as there are. */
     uint16_t descriptors[126];
 };
 
-#define MIP_TOOLS_INVENTORY_RESPONSE_DESCRIPTOR 0x8A
-#define MIP_TOOLS_INVENTORY_RESPONSE_NAME "tools.inventory_response"
+#define MIP_TOOLS_STOCK_RESPONSE_DESCRIPTOR 0x8A
+#define MIP_TOOLS_STOCK_RESPONSE_NAME "tools.inventory_response"
 
-extern const struct mip_codec mip_tools_inventory_response_codec;
-mip_error mip_tools_inventory_response_decode(struct mip_tools_inventory_response *value,
-                                              const struct mip_field *field);
-mip_error mip_tools_inventory_response_encode(const struct mip_tools_inventory_response *value,
-                                              struct mip_builder *builder);
+extern const struct mip_codec mip_tools_stock_response_codec;
+mip_error mip_tools_stock_response_decode(struct mip_tools_stock_response *value,
+                                          const struct mip_field *field);
+mip_error mip_tools_stock_response_encode(const struct mip_tools_stock_response *value,
+                                          struct mip_builder *builder);
 
 /**
  * Pin: command (0x01,0x0B).
@@ -788,7 +792,7 @@ struct mip_tools_pin {
     mip_tools_drive drive;
     /**
      * How it is used. Required for write. If drive is MIP_TOOLS_DRIVE_PULSE: values of
-     * mip_tools_pulse_use. If drive is MIP_TOOLS_DRIVE_SERIAL: values of mip_tools_serial_use.
+     * mip_tools_pulse. If drive is MIP_TOOLS_DRIVE_SERIAL: values of mip_tools_serial_use.
      */
     uint8_t use;
 };
@@ -815,7 +819,7 @@ struct mip_tools_pin_response {
     /** What drives it. */
     mip_tools_drive drive;
     /**
-     * How it is used. If drive is MIP_TOOLS_DRIVE_PULSE: values of mip_tools_pulse_use. If drive is
+     * How it is used. If drive is MIP_TOOLS_DRIVE_PULSE: values of mip_tools_pulse. If drive is
      * MIP_TOOLS_DRIVE_SERIAL: values of mip_tools_serial_use.
      */
     uint8_t use;
@@ -918,8 +922,8 @@ struct mip_tools_readings_response {
     /** Number of readings. The number of elements of readings. */
     uint8_t count;
     /**
-     * The readings. If drive is MIP_TOOLS_DRIVE_PULSE: kind has values of mip_tools_pulse_use.
-     * Seldom 2. If drive is MIP_TOOLS_DRIVE_SERIAL: kind has values of mip_tools_serial_use.
+     * The readings. If drive is MIP_TOOLS_DRIVE_PULSE: kind has values of mip_tools_pulse. Seldom
+     * 2. If drive is MIP_TOOLS_DRIVE_SERIAL: kind has values of mip_tools_serial_use.
      */
     struct mip_tools_reading readings[49];
     /**
