@@ -469,14 +469,14 @@ static const struct mip_record record_tools_set_time_fast_response = {
     sizeof(struct mip_tools_set_time_fast_response),
 };
 
-static const struct mip_parameter parameters_tools_slow_response[] = {
+static const struct mip_parameter parameters_tools_set_time_slow_response[] = {
     {"value", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_slow_response, value), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_set_time_slow_response, value), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_tools_slow_response = {
-    parameters_tools_slow_response,
+static const struct mip_record record_tools_set_time_slow_response = {
+    parameters_tools_set_time_slow_response,
     1,
-    sizeof(struct mip_tools_slow_response),
+    sizeof(struct mip_tools_set_time_slow_response),
 };
 
 static const struct mip_parameter members_tools_choice_response_parameters[] = {
@@ -635,22 +635,22 @@ static const struct mip_record record_tools_status_old = {
     sizeof(struct mip_tools_status_old),
 };
 
-static const struct mip_parameter parameters_tools_status_full[] = {
+static const struct mip_parameter parameters_tools_full[] = {
     {"model", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 4711, 0, 0, 0,
      NULL, NULL, NULL, NULL, 0},
     {"selector", "", MIP_KIND_CONSTANT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 2, 0, 0, 0, NULL,
      NULL, NULL, NULL, 0},
     {"place", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_status_full, place), 0, NULL, NULL, &record_point, NULL, 0},
+     ONE(struct mip_tools_full, place), 0, NULL, NULL, &record_point, NULL, 0},
     {"uptime", "s", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_status_full, uptime), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_full, uptime), 0, NULL, NULL, NULL, NULL, 0},
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_status_full, mode), 0, &names_mode, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_full, mode), 0, &names_mode, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_tools_status_full = {
-    parameters_tools_status_full,
+static const struct mip_record record_tools_full = {
+    parameters_tools_full,
     5,
-    sizeof(struct mip_tools_status_full),
+    sizeof(struct mip_tools_full),
 };
 
 static const struct mip_parameter parameters_tools_bias_vector[] = {
@@ -903,7 +903,8 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_tools_settings_response_codec, &record_tools_settings_response, false, false, NULL, 0, 0},
     {&mip_tools_set_time_fast_response_codec, &record_tools_set_time_fast_response, false, false,
      NULL, 0, 0},
-    {&mip_tools_slow_response_codec, &record_tools_slow_response, false, false, NULL, 0, 0},
+    {&mip_tools_set_time_slow_response_codec, &record_tools_set_time_slow_response, false, false,
+     NULL, 0, 0},
     {&mip_tools_choice_response_codec, &record_tools_choice_response, false, false, NULL, 0, 0},
     {&mip_tools_list_response_codec, &record_tools_list_response, false, false, NULL, 0, 0},
     {&mip_tools_stock_response_codec, &record_tools_stock_response, false, false, NULL, 0, 0},
@@ -913,7 +914,7 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_tools_status_short_codec, &record_tools_status_short, false, false, NULL, 0, 0},
     {&mip_tools_status_long_codec, &record_tools_status_long, false, false, NULL, 0, 0},
     {&mip_tools_status_old_codec, &record_tools_status_old, false, false, NULL, 0, 0},
-    {&mip_tools_status_full_codec, &record_tools_status_full, false, false, NULL, 0, 0},
+    {&mip_tools_full_codec, &record_tools_full, false, false, NULL, 0, 0},
     {&mip_tools_bias_vector_codec, &record_tools_bias_vector, false, false, NULL, 0, 0},
     {&mip_3d_default_codec, &record_3d_default, false, false, NULL, 0, 0},
     {&mip_measurements_accel_codec, &record_measurements_accel, false, false, NULL, 0, 0},

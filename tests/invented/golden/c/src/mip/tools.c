@@ -309,7 +309,7 @@ static bool asked_set_time_2(const void *value) {
 
 static const struct mip_response responses_set_time[] = {
     {&mip_tools_set_time_fast_response_codec, asked_set_time_1},
-    {&mip_tools_slow_response_codec, asked_set_time_2},
+    {&mip_tools_set_time_slow_response_codec, asked_set_time_2},
     {NULL, NULL},
 };
 
@@ -398,20 +398,21 @@ mip_error mip_tools_set_time_fast_response_encode(
 }
 
 static void read_set_time_slow_response(struct mip_reader *r, void *value) {
-    struct mip_tools_slow_response *v = (struct mip_tools_slow_response *)value;
+    struct mip_tools_set_time_slow_response *v = (struct mip_tools_set_time_slow_response *)value;
     mip_read_u32(r, &v->value, 1);
 }
 
 static void write_set_time_slow_response(struct mip_writer *w, const void *value) {
-    const struct mip_tools_slow_response *v = (const struct mip_tools_slow_response *)value;
+    const struct mip_tools_set_time_slow_response *v =
+        (const struct mip_tools_set_time_slow_response *)value;
     mip_write_u32(w, &v->value, 1);
 }
 
-const struct mip_codec mip_tools_slow_response_codec = {
+const struct mip_codec mip_tools_set_time_slow_response_codec = {
     0x01, /* descriptor set */
-    MIP_TOOLS_SLOW_RESPONSE_DESCRIPTOR,
+    MIP_TOOLS_SET_TIME_SLOW_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_tools_slow_response),
+    sizeof(struct mip_tools_set_time_slow_response),
     0, /* time-out */
     read_set_time_slow_response,
     write_set_time_slow_response,
@@ -420,14 +421,14 @@ const struct mip_codec mip_tools_slow_response_codec = {
     NULL,
 };
 
-mip_error mip_tools_slow_response_decode(struct mip_tools_slow_response *value,
-                                         const struct mip_field *field) {
+mip_error mip_tools_set_time_slow_response_decode(struct mip_tools_set_time_slow_response *value,
+                                                  const struct mip_field *field) {
     return mip_decode_field(field, read_set_time_slow_response, value, sizeof(*value), NULL);
 }
 
-mip_error mip_tools_slow_response_encode(const struct mip_tools_slow_response *value,
-                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x01, MIP_TOOLS_SLOW_RESPONSE_DESCRIPTOR,
+mip_error mip_tools_set_time_slow_response_encode(
+    const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_SET_TIME_SLOW_RESPONSE_DESCRIPTOR,
                             write_set_time_slow_response, value);
 }
 
@@ -459,7 +460,7 @@ static const struct mip_response responses_status[] = {
     {&mip_tools_status_short_codec, asked_status_1},
     {&mip_tools_status_long_codec, asked_status_2},
     {&mip_tools_status_old_codec, asked_status_2},
-    {&mip_tools_status_full_codec, asked_status_2},
+    {&mip_tools_full_codec, asked_status_2},
     {NULL, NULL},
 };
 
@@ -642,7 +643,7 @@ mip_error mip_tools_status_old_encode(const struct mip_tools_status_old *value,
 }
 
 static void read_status_full(struct mip_reader *r, void *value) {
-    struct mip_tools_status_full *v = (struct mip_tools_status_full *)value;
+    struct mip_tools_full *v = (struct mip_tools_full *)value;
     mip_read_constant(r, 4711, 2);
     mip_read_constant(r, 2, 1);
     mip_point_read(r, &v->place);
@@ -651,7 +652,7 @@ static void read_status_full(struct mip_reader *r, void *value) {
 }
 
 static void write_status_full(struct mip_writer *w, const void *value) {
-    const struct mip_tools_status_full *v = (const struct mip_tools_status_full *)value;
+    const struct mip_tools_full *v = (const struct mip_tools_full *)value;
     mip_write_constant(w, 4711, 2);
     mip_write_constant(w, 2, 1);
     mip_point_write(w, &v->place);
@@ -670,11 +671,11 @@ static const struct mip_layout layout_status_full = {
     constants_status_full,
 };
 
-const struct mip_codec mip_tools_status_full_codec = {
+const struct mip_codec mip_tools_full_codec = {
     0x01, /* descriptor set */
-    MIP_TOOLS_STATUS_FULL_DESCRIPTOR,
+    MIP_TOOLS_FULL_DESCRIPTOR,
     MIP_RESPONSE,
-    sizeof(struct mip_tools_status_full),
+    sizeof(struct mip_tools_full),
     0, /* time-out */
     read_status_full,
     write_status_full,
@@ -683,15 +684,12 @@ const struct mip_codec mip_tools_status_full_codec = {
     &layout_status_full,
 };
 
-mip_error mip_tools_status_full_decode(struct mip_tools_status_full *value,
-                                       const struct mip_field *field) {
+mip_error mip_tools_full_decode(struct mip_tools_full *value, const struct mip_field *field) {
     return mip_decode_field(field, read_status_full, value, sizeof(*value), NULL);
 }
 
-mip_error mip_tools_status_full_encode(const struct mip_tools_status_full *value,
-                                       struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x01, MIP_TOOLS_STATUS_FULL_DESCRIPTOR, write_status_full,
-                            value);
+mip_error mip_tools_full_encode(const struct mip_tools_full *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_FULL_DESCRIPTOR, write_status_full, value);
 }
 
 /** Parameters that each function requires, by its value. */

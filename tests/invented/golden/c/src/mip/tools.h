@@ -244,7 +244,7 @@ mip_error mip_tools_settings_response_encode(const struct mip_tools_settings_res
  * Two responses for one command.
  *
  * Functions: write, read and apply. Answered by mip_tools_set_time_fast_response or
- * mip_tools_slow_response. Supported by Model A and Model C.
+ * mip_tools_set_time_slow_response. Supported by Model A and Model C.
  *
  * Send it once a second.
  *
@@ -300,25 +300,23 @@ mip_error mip_tools_set_time_fast_response_encode(
 /**
  * Set time response: response (0x01,0x84).
  *
- * In full: tools.set_time_slow_response.
- *
  * Answers mip_tools_set_time. Sent if part is MIP_MODE_SLOW. Supported by Model A and Model C.
  *
  * - guide: Set time
  */
-struct mip_tools_slow_response {
+struct mip_tools_set_time_slow_response {
     /** The slow half. Unit: s. */
     uint32_t value;
 };
 
-#define MIP_TOOLS_SLOW_RESPONSE_DESCRIPTOR 0x84
-#define MIP_TOOLS_SLOW_RESPONSE_NAME "tools.set_time_slow_response"
+#define MIP_TOOLS_SET_TIME_SLOW_RESPONSE_DESCRIPTOR 0x84
+#define MIP_TOOLS_SET_TIME_SLOW_RESPONSE_NAME "tools.set_time_slow_response"
 
-extern const struct mip_codec mip_tools_slow_response_codec;
-mip_error mip_tools_slow_response_decode(struct mip_tools_slow_response *value,
-                                         const struct mip_field *field);
-mip_error mip_tools_slow_response_encode(const struct mip_tools_slow_response *value,
-                                         struct mip_builder *builder);
+extern const struct mip_codec mip_tools_set_time_slow_response_codec;
+mip_error mip_tools_set_time_slow_response_decode(struct mip_tools_set_time_slow_response *value,
+                                                  const struct mip_field *field);
+mip_error mip_tools_set_time_slow_response_encode(
+    const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder);
 
 /**
  * Status: command (0x01,0x04).
@@ -326,8 +324,8 @@ mip_error mip_tools_slow_response_encode(const struct mip_tools_slow_response *v
  * Layouts of one response, told apart by constants and by size.
  *
  * For advanced use. Answered by mip_tools_status_short, mip_tools_status_long, mip_tools_status_old
- * or mip_tools_status_full. The device may take 2.5 s to answer. Supported by Model A, Model B and
- * Model C.
+ * or mip_tools_full. The device may take 2.5 s to answer. Supported by Model A, Model B and Model
+ * C.
  *
  * On the wire only, without a member:
  * - model: The model that the layouts belong to. Always 4711.
@@ -380,8 +378,8 @@ mip_error mip_tools_status_short_encode(const struct mip_tools_status_short *val
 /**
  * Status response: response (0x01,0x90).
  *
- * Answers mip_tools_status. Told from mip_tools_status_old and mip_tools_status_full by the size of
- * its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
+ * Answers mip_tools_status. Told from mip_tools_status_old and mip_tools_full by the size of its
+ * data. Sent if selector is 2. Supported by Model A, Model B and Model C.
  *
  * On the wire only, without a member:
  * - model: The model. Always 4711.
@@ -413,8 +411,8 @@ mip_error mip_tools_status_long_encode(const struct mip_tools_status_long *value
  *
  * The long layout of old devices. Its size tells it from the others.
  *
- * Answers mip_tools_status. Told from mip_tools_status_long and mip_tools_status_full by the size
- * of its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
+ * Answers mip_tools_status. Told from mip_tools_status_long and mip_tools_full by the size of its
+ * data. Sent if selector is 2. Supported by Model A, Model B and Model C.
  *
  * On the wire only, without a member:
  * - model: The model. Always 4711.
@@ -439,6 +437,8 @@ mip_error mip_tools_status_old_encode(const struct mip_tools_status_old *value,
 /**
  * Status response: response (0x01,0x90).
  *
+ * In full: tools.status_full.
+ *
  * Answers mip_tools_status. Told from mip_tools_status_long and mip_tools_status_old by the size of
  * its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
  *
@@ -448,7 +448,7 @@ mip_error mip_tools_status_old_encode(const struct mip_tools_status_old *value,
  *
  * - guide: Status
  */
-struct mip_tools_status_full {
+struct mip_tools_full {
     /** Where it is. */
     struct mip_point place;
     /** Since start. Unit: s. */
@@ -457,14 +457,12 @@ struct mip_tools_status_full {
     mip_mode mode;
 };
 
-#define MIP_TOOLS_STATUS_FULL_DESCRIPTOR 0x90
-#define MIP_TOOLS_STATUS_FULL_NAME "tools.status_full"
+#define MIP_TOOLS_FULL_DESCRIPTOR 0x90
+#define MIP_TOOLS_FULL_NAME "tools.status_full"
 
-extern const struct mip_codec mip_tools_status_full_codec;
-mip_error mip_tools_status_full_decode(struct mip_tools_status_full *value,
-                                       const struct mip_field *field);
-mip_error mip_tools_status_full_encode(const struct mip_tools_status_full *value,
-                                       struct mip_builder *builder);
+extern const struct mip_codec mip_tools_full_codec;
+mip_error mip_tools_full_decode(struct mip_tools_full *value, const struct mip_field *field);
+mip_error mip_tools_full_encode(const struct mip_tools_full *value, struct mip_builder *builder);
 
 /**
  * Bias: command (0x01,0x05).
