@@ -11,8 +11,9 @@ from ...render import File
 from . import calls, direct, literals, members, names, programs, tables
 from .comments import Comments, comment
 from .identifiers import identifiers
+from .names import MAX_IDENTIFIER
 
-__all__ = ["CONFORMANCE", "FORMATTER", "TITLE", "files", "filters", "identifiers"]
+__all__ = ["CONFORMANCE", "FORMATTER", "MAX_IDENTIFIER", "TITLE", "files", "filters", "identifiers"]
 
 TITLE = "C99, library mip"
 CONFORMANCE = ("parse", "decode", "encode", "client", "live")
@@ -70,6 +71,8 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "bare": names.bare,
         "union": names.union_name,
         "constant": names.constant,
+        "accessor": names.accessor,
+        "short": names.short,
         "is_enum": names.is_enum,
         "key": literals.key,
         "is_struct": names.is_struct,
