@@ -2,9 +2,9 @@
  * @file
  * MIP_API marks what a shared library exports.
  *
- * A static library, and sources that are compiled with the program, need none of this. Whoever builds a shared library
- * defines MIP_SHARED for the library and its users, and MIP_BUILDING for the library alone; CMakeLists.txt and
- * meson.build do.
+ * A static library, and sources that are compiled with the program, need none of this. Whoever
+ * builds a shared library defines MIP_SHARED for the library and its users, and MIP_BUILDING for
+ * the library alone; CMakeLists.txt and meson.build do.
  */
 #ifndef MIP_EXPORT_H
 #define MIP_EXPORT_H
